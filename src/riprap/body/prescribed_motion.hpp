@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "riprap/core/quat.hpp"
+
+namespace riprap::body {
+
+/// x(t) = x0 + velocity * t [m]
+struct LinearMotion {
+    Vec3 velocity;  ///< [m/s]
+};
+
+/// x(t) = x0 + amplitude * (sin(2 pi t/period + phase) - sin(phase)), over [start, stop]; held outside.
+struct SinusoidalMotion {
+    Vec3 amplitude;     ///< [m]
+    double period{1};   ///< [s]
+    double phase{0};    ///< [rad]
+};
+
+/// x(t) = x0 + displacement(t), piecewise linear between rows, constant beyond both ends.
+struct TableMotion {
+    std::vector<double> time;        ///< increasing [s]
+    std::vector<Vec3> displacement;  ///< [m]
+};
+
+/// Turns about a fixed axis through `center`: angle(t) = rate * t + amplitude * sin(2 pi t/period + phase) - ....
+struct RotatingMotion {
+    Vec3 center;              ///< a point of the axis [m]
+    Vec3 axis{0, 0, 1};       ///< unit vector [-]
+    double rate{0};           ///< [rad/s]
+    double amplitude{0};      ///< of an oscillation added to the steady turn [rad]
+    double period{1};         ///< [s]
+    double phase{0};          ///< [rad]
+};
+
+/// How a body is driven. Outside [start, stop] the body rests where the motion put it.
+struct PrescribedMotion {
+    std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion> law;
+    double start{0};  ///< the law's t counts from here [s]
+    double stop{1e300};
+};
+
+/// Pose and velocities of a driven body at one time.
+struct DrivenState {
+    Pose pose;
+    Vec3 velocity;          ///< [m/s]
+    Vec3 angular_velocity;  ///< world axes [rad/s]
+};
+
+/// Evaluates a motion at `time` for a body that starts at `initial`. Exact in time: no accumulated error.
+DrivenState evaluate(const PrescribedMotion& motion, const Pose& initial, double time);
+
+}  // namespace riprap::body

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "riprap/core/fields.hpp"
+
+namespace riprap::contact {
+
+/// Two parts that may touch, a < b.
+struct PartPair {
+    std::int32_t a, b;
+    friend constexpr auto operator<=>(const PartPair&, const PartPair&) = default;
+};
+
+/// What a narrowphase says of one contact between parts A and B. Forces act on A; B gets the opposite.
+struct NormalContact {
+    Vec3 force;         ///< normal force on A [N]
+    Vec3 moment;        ///< of the normal pressure on A about `point` (its residual couple) [N m]
+    Vec3 point;         ///< point of action, world [m]
+    double area;        ///< S_c, projected contact area |vector area| [m^2]
+    double stiffness;   ///< K_n, of the contact as a spring [N/m]
+    double energy;      ///< elastic energy stored in the overlap [J]
+    double depth;       ///< largest depth below a face of A or B [m]; the overlap reported to users
+    double potential;   ///< largest normalised potential reached, 1 = at the Chebyshev centre [-]
+    double spin_moment; ///< integral of pressure * distance to `point` over the patch [N m], for torsional friction
+};
+
+/// Contacts that survive from step to step: State. Sorted by (pair, feature); one row per touching contact.
+struct ContactHistory {
+    std::vector<std::uint64_t> pair;     ///< a << 32 | b of the parts
+    std::vector<std::uint64_t> feature;  ///< feature of A << 32 | feature of B; 0 for one contact per pair
+    std::vector<Vec3> normal;            ///< of the last step [-], from B into A: direction of the force on A
+    std::vector<Vec3> shear_force;       ///< tangential spring force on A [N]
+    std::vector<double> torsion;         ///< torsional spring moment on A about the normal [N m]
+
+    std::size_t size() const { return pair.size(); }
+    void resize(std::size_t count) {
+        pair.resize(count);
+        feature.resize(count);
+        normal.resize(count);
+        shear_force.resize(count);
+        torsion.resize(count);
+    }
+    friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("contact.pair", self.pair);
+        visit("contact.feature", self.feature);
+        visit("contact.normal", self.normal);
+        visit("contact.shear_force", self.shear_force);
+        visit("contact.torsion", self.torsion);
+    }
+};
+
+/// Full account of the contacts of one step, for laws, gather and output: Scratch. Rows as in ContactHistory.
+struct ContactRow {
+    PartPair parts;
+    Vec3 point;     ///< where the force acts [m]
+    Vec3 force;     ///< total on A: normal + damping + shear [N]
+    Vec3 moment;    ///< total couple on A besides point x force [N m]
+    double normal_force;  ///< size of the normal force, damping included [N]
+    double shear_force;   ///< size of the shear force [N]
+    double overlap;       ///< [m]
+    double area;          ///< [m^2]
+    std::uint8_t is_sliding;
+};
+
+}  // namespace riprap::contact

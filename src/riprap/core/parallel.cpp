@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/core/parallel.hpp"
+
+#include <array>
+
+#if defined(RIPRAP_OPENMP)
+#include <omp.h>
+#endif
+
+namespace riprap::parallel {
+
+namespace {
+int threads = 1;
+}
+
+int thread_count() { return threads; }
+void set_thread_count(int count) { threads = std::max(1, count); }
+
+namespace detail {
+void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context) {
+#if defined(RIPRAP_OPENMP)
+    if (threads > 1 && chunk_count > 1 && omp_in_parallel() == 0) {
+        if (is_dynamic) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+            for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
+                body(context, chunk);
+            }
+        } else {
+#pragma omp parallel for schedule(static) num_threads(threads)
+            for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
+                body(context, chunk);
+            }
+        }
+        return;
+    }
+#endif
+    (void)is_dynamic;
+    for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
+        body(context, chunk);
+    }
+}
+}  // namespace detail
+
+void sort_by_key(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& values,
+                 std::vector<std::uint64_t>& scratch_keys, std::vector<std::uint32_t>& scratch_values) {
+    constexpr int radix_bits = 8;
+    constexpr std::size_t bin_count = 1U << radix_bits;
+    using Bins = std::array<std::size_t, bin_count>;
+    const auto n = static_cast<std::int64_t>(keys.size());
+    const std::int64_t grain = 1 << 15;
+    const auto chunk_count = static_cast<std::size_t>((n + grain - 1) / grain);
+    scratch_keys.resize(keys.size());
+    scratch_values.resize(values.size());
+
+    std::uint64_t differing = 0;
+    for (const std::uint64_t key : keys) {
+        differing |= key ^ keys.front();
+    }
+    std::vector<Bins> bins(chunk_count);
+    for (int shift = 0; shift < 64; shift += radix_bits) {
+        if (((differing >> shift) & (bin_count - 1)) == 0) {
+            continue;
+        }
+        const auto bin_of = [shift](std::uint64_t key) {
+            return static_cast<std::size_t>((key >> shift) & (bin_count - 1));
+        };
+        detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+            Bins& count = bins[static_cast<std::size_t>(begin / grain)];
+            count.fill(0);
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+                ++count[bin_of(keys[i])];
+            }
+        });
+        std::size_t start = 0;
+        for (std::size_t bin = 0; bin < bin_count; ++bin) {
+            for (Bins& count : bins) {
+                const std::size_t next = start + count[bin];
+                count[bin] = start;
+                start = next;
+            }
+        }
+        detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+            Bins& place = bins[static_cast<std::size_t>(begin / grain)];
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+                const std::size_t to = place[bin_of(keys[i])]++;
+                scratch_keys[to] = keys[i];
+                scratch_values[to] = values[i];
+            }
+        });
+        keys.swap(scratch_keys);
+        values.swap(scratch_values);
+    }
+}
+
+}  // namespace riprap::parallel

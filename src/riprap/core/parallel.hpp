@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The only place (with parallel_cuda.hpp and parallel.cpp) that may name OpenMP or CUDA.
+//
+// Work is cut by data, never by thread, so results have the same bits at any thread count:
+// for_each writes by index; reduce folds fixed blocks of `reduce_block` entries in index order.
+// Functors are free function objects; a device build takes the same ones when they are RIPRAP_HD.
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/core/config.hpp"
+
+namespace riprap::parallel {
+
+/// Number of host threads used by every loop below [-].
+int thread_count();
+/// Sets the number of host threads, at least 1.
+void set_thread_count(int count);
+
+/// Entries folded together before partial results are combined; part of the definition of a result.
+inline constexpr std::int64_t reduce_block = 4096;
+
+namespace detail {
+/// Runs body(context, chunk) for chunk = 0 .. chunk_count-1 on the host threads, in any order.
+void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context);
+
+template <class F>
+void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f) {
+    struct Context {
+        const F* f;
+        std::int64_t n, grain;
+    } context{&f, n, grain};
+    run_chunks(
+        (n + grain - 1) / grain, is_dynamic,
+        [](void* raw, std::int64_t chunk) {
+            const auto& c = *static_cast<Context*>(raw);
+            (*c.f)(chunk * c.grain, std::min(c.n, (chunk + 1) * c.grain));
+        },
+        &context);
+}
+}  // namespace detail
+
+/// f(i) for i in [0, n). Entries of equal cost; f may write only what belongs to i.
+template <class F>
+void for_each(std::int64_t n, const F& f) {
+    const std::int64_t grain = std::max<std::int64_t>(64, (n + thread_count() - 1) / thread_count());
+    detail::for_chunks(n, grain, false, [&f](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            f(i);
+        }
+    });
+}
+
+/// f(i) for i in [0, n) with uneven cost: threads take `grain` entries at a time.
+template <class F>
+void for_each_uneven(std::int64_t n, std::int64_t grain, const F& f) {
+    detail::for_chunks(n, grain, true, [&f](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            f(i);
+        }
+    });
+}
+
+/// f(begin, end) on contiguous ranges of at most `grain` entries, for kernels with per-range set-up.
+template <class F>
+void for_ranges(std::int64_t n, std::int64_t grain, const F& f) {
+    detail::for_chunks(n, grain, true, f);
+}
+
+/// fold(fold(identity, map(0)), map(1)) ... in fixed blocks: same bits at any thread count.
+template <class T, class Map, class Fold>
+T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
+    const std::int64_t block_count = (n + reduce_block - 1) / reduce_block;
+    std::vector<T> partial(static_cast<std::size_t>(block_count), identity);
+    detail::for_chunks(n, reduce_block, true, [&](std::int64_t begin, std::int64_t end) {
+        T sum = identity;
+        for (std::int64_t i = begin; i < end; ++i) {
+            sum = fold(sum, map(i));
+        }
+        partial[static_cast<std::size_t>(begin / reduce_block)] = sum;
+    });
+    T total = identity;
+    for (const T& p : partial) {
+        total = fold(total, p);
+    }
+    return total;
+}
+
+/// out[i] = in[0] + ... + in[i-1]; returns the total. `out` may be `in`. T is an integer type.
+template <class T>
+T exclusive_scan(std::span<const T> in, std::span<T> out) {
+    const auto n = static_cast<std::int64_t>(in.size());
+    const std::int64_t grain = 1 << 14;
+    const std::int64_t block_count = (n + grain - 1) / grain;
+    std::vector<T> block_sum(static_cast<std::size_t>(block_count));
+    detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+        T sum{};
+        for (std::int64_t i = begin; i < end; ++i) {
+            sum += in[static_cast<std::size_t>(i)];
+        }
+        block_sum[static_cast<std::size_t>(begin / grain)] = sum;
+    });
+    T total{};
+    for (T& b : block_sum) {
+        const T next = total + b;
+        b = total;
+        total = next;
+    }
+    detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+        T sum = block_sum[static_cast<std::size_t>(begin / grain)];
+        for (std::int64_t i = begin; i < end; ++i) {
+            const T value = in[static_cast<std::size_t>(i)];
+            out[static_cast<std::size_t>(i)] = sum;
+            sum += value;
+        }
+    });
+    return total;
+}
+
+/// Sorts 64-bit keys ascending and carries 32-bit values along; stable (radix, 8 bits a pass, passes in
+/// which all keys agree are skipped). `scratch_*` are resized as needed and hold nothing of meaning.
+void sort_by_key(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& values,
+                 std::vector<std::uint64_t>& scratch_keys, std::vector<std::uint32_t>& scratch_values);
+
+}  // namespace riprap::parallel

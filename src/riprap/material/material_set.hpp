@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "riprap/core/ids.hpp"
+
+namespace riprap::material {
+
+/// What a solid is made of and how its surface behaves in contact.
+struct Material {
+    std::string name;
+    double density{0};           ///< rho [kg/m^3]
+    double normal_stiffness{0};  ///< k_n, factor of the potential, a pressure [Pa]
+    /// k_s/k_n: tangential over normal stiffness of a contact [-]; ignored where shear_stiffness > 0.
+    double shear_ratio{0.8};
+    double shear_stiffness{0};   ///< K_s taken literally [N/m]; 0 = use shear_ratio
+    double friction{0};          ///< Coulomb coefficient mu = tan(friction angle) [-]
+    double cohesion{0};          ///< c, added to the shear strength per contact area [Pa]
+    double damping_ratio{0};     ///< xi, fraction of critical contact damping [-]
+    bool has_torsion{false};     ///< resist spinning about the contact normal
+};
+
+/// How the values of two materials become that of a contact. Codes differ silently here, so it is a key of the case.
+enum class Mixing { minimum, maximum, mean, geometric, harmonic };
+
+/// Surface properties of one pair of materials. k_n stays with each body (its own field).
+struct PairProperties {
+    double shear_ratio{0};
+    double shear_stiffness{0};
+    double friction{0};
+    double cohesion{0};
+    double damping_ratio{0};
+    bool has_torsion{false};
+};
+
+/// Materials by id and the resolved table of all pairs.
+struct MaterialSet {
+    std::vector<Material> materials;
+    std::vector<PairProperties> pairs;  ///< symmetric, row-major size() x size()
+
+    int size() const { return static_cast<int>(materials.size()); }
+    const Material& operator[](MaterialId id) const { return materials[static_cast<std::size_t>(id.value)]; }
+    const PairProperties& pair(MaterialId a, MaterialId b) const {
+        return pairs[static_cast<std::size_t>(a.value) * materials.size() + static_cast<std::size_t>(b.value)];
+    }
+};
+
+double mix(Mixing rule, double a, double b);
+
+/// Fills `pairs` from the materials: friction and cohesion by their own rules, stiffness ratio and damping by the
+/// mean, torsion where both ask for it. Entries given explicitly afterwards replace these.
+void mix_pairs(MaterialSet& set, Mixing friction_rule, Mixing cohesion_rule);
+
+}  // namespace riprap::material

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "riprap/sim/ledger.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::sim {
+
+struct ScratchData;
+
+/// Buffers kept only for speed. A fresh Scratch gives the same bits as an old one.
+class Scratch {
+   public:
+    Scratch();
+    ~Scratch();
+    Scratch(Scratch&&) noexcept;
+    Scratch& operator=(Scratch&&) noexcept;
+    ScratchData& data() { return *data_; }
+    const ScratchData& data() const { return *data_; }
+    /// Contacts of the last step, for output. Empty before the first step.
+    const std::vector<contact::ContactRow>& contacts() const;
+    /// Sum of contact forces and of their moments about the centre of mass on every body in the last step [N, N m].
+    const std::vector<Vec3>& contact_force() const;
+    const std::vector<Vec3>& contact_torque() const;
+
+   private:
+    std::unique_ptr<ScratchData> data_;
+};
+
+/// Seconds spent in each stage since the Scratch was made.
+struct StageTimes {
+    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, measure{0};
+};
+
+/// Why a step could not be accepted; `text` empty = all is well.
+struct StepStatus {
+    std::string text;  ///< quantity, body and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
+    bool ok() const { return text.empty(); }
+};
+
+/// What one step reports.
+struct StepReport {
+    StepStatus status;
+    Ledger ledger;             ///< complete every step
+    double dt{0};              ///< [s]
+    double dt_bound{0};        ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts
+    double max_speed{0};       ///< [m/s]
+    double max_potential{0};   ///< deepest normalised overlap [-]
+    double max_depth{0};       ///< [m]
+    std::int64_t contact_count{0};
+    std::int64_t pair_count{0};     ///< candidates in the pair cache
+    bool pairs_rebuilt{false};
+};
+
+/// One step. On failure State may be non-finite: the driver keeps the last good one.
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt);
+
+/// Sets driven bodies to their pose and velocity at state.time and starts the ledger. Call once on a fresh State.
+void initialise(const Model& model, State& state);
+
+StageTimes stage_times(const Scratch& scratch);
+
+/// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
+struct TimeStepBound {
+    double limit{0};        ///< 2/omega_max [s]
+    BodyId body;            ///< the body that sets it
+    std::string reason;     ///< in words, for the log
+};
+TimeStepBound time_step_bound(const Model& model);
+
+/// The step a run uses: model.time.time_step or factor * bound. @throws CaseError when above the bound, unless forced.
+double choose_time_step(const Model& model, const TimeStepBound& bound);
+
+/// Bytes of State and Scratch per body and in all, measured.
+std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch);
+
+/// Hash of the final State: equal at any thread count and after restart.
+inline std::uint64_t state_hash(const State& state) { return hash_fields(state); }
+
+}  // namespace riprap::sim

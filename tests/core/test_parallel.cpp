@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap {
+namespace {
+
+class ThreadCounts : public ::testing::TestWithParam<int> {
+   protected:
+    void SetUp() override { parallel::set_thread_count(GetParam()); }
+    void TearDown() override { parallel::set_thread_count(1); }
+};
+
+TEST_P(ThreadCounts, ASumHasTheSameBitsAsOnOneThread) {
+    const std::int64_t n = 100'003;
+    const auto term = [](std::int64_t i) { return std::sin(static_cast<double>(i)) * std::exp2(static_cast<double>(i % 40)); };
+    const auto plus = [](double a, double b) { return a + b; };
+    const double many = parallel::reduce(n, 0.0, term, plus);
+    parallel::set_thread_count(1);
+    EXPECT_EQ(many, parallel::reduce(n, 0.0, term, plus));
+}
+
+TEST_P(ThreadCounts, AScanIsTheRunningSum) {
+    std::vector<std::int32_t> in(70'001), out(in.size());
+    std::iota(in.begin(), in.end(), -5);
+    const std::int32_t total = parallel::exclusive_scan<std::int32_t>(in, out);
+    std::int32_t sum = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        ASSERT_EQ(out[i], sum);
+        sum += in[i];
+    }
+    EXPECT_EQ(total, sum);
+}
+
+TEST_P(ThreadCounts, ASortByKeyIsStableAndComplete) {
+    std::mt19937_64 random(7);
+    std::vector<std::uint64_t> keys(100'000), key_scratch;
+    std::vector<std::uint32_t> values(keys.size()), value_scratch;
+    for (auto& key : keys) {
+        key = random() % 1000 | (random() % 3) << 50;
+    }
+    std::iota(values.begin(), values.end(), 0U);
+    const auto original = keys;
+    parallel::sort_by_key(keys, values, key_scratch, value_scratch);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        ASSERT_EQ(keys[i], original[values[i]]);
+        if (i > 0) {
+            ASSERT_TRUE(keys[i - 1] < keys[i] || (keys[i - 1] == keys[i] && values[i - 1] < values[i]));
+        }
+    }
+}
+
+TEST_P(ThreadCounts, UnevenLoopsVisitEveryEntryOnce) {
+    std::vector<int> visits(12'345);
+    parallel::for_each_uneven(static_cast<std::int64_t>(visits.size()), 37,
+                              [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
+    for (const int count : visits) {
+        ASSERT_EQ(count, 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OneToFour, ThreadCounts, ::testing::Values(1, 2, 3, 4));
+
+}  // namespace
+}  // namespace riprap
