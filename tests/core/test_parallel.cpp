@@ -11,14 +11,16 @@ namespace riprap {
 namespace {
 
 class ThreadCounts : public ::testing::TestWithParam<int> {
-   protected:
+ protected:
     void SetUp() override { parallel::set_thread_count(GetParam()); }
     void TearDown() override { parallel::set_thread_count(1); }
 };
 
 TEST_P(ThreadCounts, ASumHasTheSameBitsAsOnOneThread) {
     const std::int64_t n = 100'003;
-    const auto term = [](std::int64_t i) { return std::sin(static_cast<double>(i)) * std::exp2(static_cast<double>(i % 40)); };
+    const auto term = [](std::int64_t i) {
+        return std::sin(static_cast<double>(i)) * std::exp2(static_cast<double>(i % 40));
+    };
     const auto plus = [](double a, double b) { return a + b; };
     const double many = parallel::reduce(n, 0.0, term, plus);
     parallel::set_thread_count(1);

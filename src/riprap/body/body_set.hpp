@@ -28,21 +28,21 @@ struct Part {
 
 /// What does not change about the bodies: Model. All arrays have one entry per body unless said.
 struct BodySet {
-    std::vector<std::int32_t> name_id;      ///< index into names
-    std::vector<std::int32_t> name_index;   ///< number within the name, -1 where the name is unique
+    std::vector<std::int32_t> name_id;     ///< index into names
+    std::vector<std::int32_t> name_index;  ///< number within the name, -1 where the name is unique
     std::vector<std::string> names;
     std::vector<MaterialId> material;
     std::vector<Drive> drive;
-    std::vector<double> mass;               ///< [kg]; also of fixed bodies where known
-    std::vector<Vec3> principal_moments;    ///< of inertia [kg m^2]
-    std::vector<Quat> principal_axes;       ///< principal frame -> body frame
-    std::vector<std::int32_t> motion;       ///< index into motions, -1 = none
-    std::vector<double> release_time;       ///< a fixed or driven body becomes free then [s]; infinity = never
-    std::vector<std::int32_t> part_begin;   ///< size() + 1 entries
-    std::vector<Part> parts;                ///< grouped by body
+    std::vector<double> mass;              ///< [kg]; also of fixed bodies where known
+    std::vector<Vec3> principal_moments;   ///< of inertia [kg m^2]
+    std::vector<Quat> principal_axes;      ///< principal frame -> body frame
+    std::vector<std::int32_t> motion;      ///< index into motions, -1 = none
+    std::vector<double> release_time;      ///< a fixed or driven body becomes free then [s]; infinity = never
+    std::vector<std::int32_t> part_begin;  ///< size() + 1 entries
+    std::vector<Part> parts;               ///< grouped by body
     std::vector<PrescribedMotion> motions;
-    std::vector<Pose> initial_pose;         ///< only read for driven bodies
-    bool is_planar{false};                  ///< dimension = 2: motion stays in the x-y plane
+    std::vector<Pose> initial_pose;  ///< only read for driven bodies
+    bool is_planar{false};           ///< dimension = 2: motion stays in the x-y plane
 
     std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
     std::int32_t part_count() const { return static_cast<std::int32_t>(parts.size()); }
@@ -80,14 +80,14 @@ struct NewBody {
     std::string name;
     std::int32_t name_index{-1};
     MaterialId material;
-    double density{0};                 ///< [kg/m^3]
+    double density{0};  ///< [kg/m^3]
     Drive drive{Drive::free};
-    Pose pose;                         ///< of the given shape frame(s)
-    Vec3 velocity{};                   ///< [m/s]
-    Vec3 angular_velocity{};           ///< world axes [rad/s]
-    double release_time{1e300};        ///< [s]
+    Pose pose;                   ///< of the given shape frame(s)
+    Vec3 velocity{};             ///< [m/s]
+    Vec3 angular_velocity{};     ///< world axes [rad/s]
+    double release_time{1e300};  ///< [s]
     std::int32_t motion{-1};
-    std::vector<Part> parts;           ///< `body` ignored; `local` relative to `pose`
+    std::vector<Part> parts;  ///< `body` ignored; `local` relative to `pose`
 };
 
 /// Adds a body: mass, centre of mass and principal axes from its parts, exact. The parts of one body must not

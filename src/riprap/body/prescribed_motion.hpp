@@ -15,9 +15,9 @@ struct LinearMotion {
 
 /// x(t) = x0 + amplitude * (sin(2 pi t/period + phase) - sin(phase)), over [start, stop]; held outside.
 struct SinusoidalMotion {
-    Vec3 amplitude;     ///< [m]
-    double period{1};   ///< [s]
-    double phase{0};    ///< [rad]
+    Vec3 amplitude;    ///< [m]
+    double period{1};  ///< [s]
+    double phase{0};   ///< [rad]
 };
 
 /// x(t) = x0 + displacement(t), piecewise linear between rows, constant beyond both ends.
@@ -28,12 +28,12 @@ struct TableMotion {
 
 /// Turns about a fixed axis through `center`: angle(t) = rate * t + amplitude * sin(2 pi t/period + phase) - ....
 struct RotatingMotion {
-    Vec3 center;              ///< a point of the axis [m]
-    Vec3 axis{0, 0, 1};       ///< unit vector [-]
-    double rate{0};           ///< [rad/s]
-    double amplitude{0};      ///< of an oscillation added to the steady turn [rad]
-    double period{1};         ///< [s]
-    double phase{0};          ///< [rad]
+    Vec3 center;          ///< a point of the axis [m]
+    Vec3 axis{0, 0, 1};   ///< unit vector [-]
+    double rate{0};       ///< [rad/s]
+    double amplitude{0};  ///< of an oscillation added to the steady turn [rad]
+    double period{1};     ///< [s]
+    double phase{0};      ///< [rad]
 };
 
 /// How a body is driven. Outside [start, stop] the body rests where the motion put it.

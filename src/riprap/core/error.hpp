@@ -11,14 +11,14 @@ namespace riprap {
 /// Exit codes of the command line; documented in docs/howto/command-line.md and kept stable.
 enum class ExitCode : int {
     success = 0,
-    failed = 1,           ///< an [[expect]] or a validation verdict failed
-    usage = 2,            ///< bad command line
-    bad_case = 3,         ///< the case file or an input file is wrong
-    numerical = 4,        ///< the state became non-finite or absurd
-    file_system = 5,      ///< cannot read or write
-    bad_checkpoint = 6,   ///< truncated, corrupt or foreign checkpoint
-    internal = 70,        ///< a bug in Riprap
-    signal_base = 128,    ///< 128 + signal number after a checkpoint
+    failed = 1,          ///< an [[expect]] or a validation verdict failed
+    usage = 2,           ///< bad command line
+    bad_case = 3,        ///< the case file or an input file is wrong
+    numerical = 4,       ///< the state became non-finite or absurd
+    file_system = 5,     ///< cannot read or write
+    bad_checkpoint = 6,  ///< truncated, corrupt or foreign checkpoint
+    internal = 70,       ///< a bug in Riprap
+    signal_base = 128,   ///< 128 + signal number after a checkpoint
 };
 
 /// A place in an input text; line and column count from 1, 0 = unknown.
@@ -40,12 +40,12 @@ std::string to_string(const Diagnostic& diagnostic);
 
 /// The user's input is wrong. Carries every problem found, not only the first.
 class CaseError : public std::runtime_error {
-   public:
+ public:
     explicit CaseError(std::vector<Diagnostic> problems);
     explicit CaseError(Diagnostic problem) : CaseError(std::vector<Diagnostic>{std::move(problem)}) {}
     const std::vector<Diagnostic>& problems() const { return problems_; }
 
-   private:
+ private:
     std::vector<Diagnostic> problems_;
 };
 

@@ -68,7 +68,7 @@ inline constexpr bool is_field_array<std::vector<T>> = true;
 
 /// 64-bit hash of bytes, order-sensitive: eight bytes at a time through a multiply-xorshift mixer.
 class Hasher {
-   public:
+ public:
     void add(const void* data, std::size_t bytes) {
         const auto* p = static_cast<const unsigned char*>(data);
         while (bytes >= 8) {
@@ -86,7 +86,7 @@ class Hasher {
     }
     std::uint64_t value() const { return value_; }
 
-   private:
+ private:
     void mix(std::uint64_t word) {
         value_ ^= word;
         value_ *= 0x9E3779B97F4A7C15ULL;

@@ -36,13 +36,12 @@ void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f)
         const F* f;
         std::int64_t n, grain;
     } context{&f, n, grain};
-    run_chunks(
-        (n + grain - 1) / grain, is_dynamic,
-        [](void* raw, std::int64_t chunk) {
-            const auto& c = *static_cast<Context*>(raw);
-            (*c.f)(chunk * c.grain, std::min(c.n, (chunk + 1) * c.grain));
-        },
-        &context);
+    run_chunks((n + grain - 1) / grain, is_dynamic,
+               [](void* raw, std::int64_t chunk) {
+                   const auto& c = *static_cast<Context*>(raw);
+                   (*c.f)(chunk * c.grain, std::min(c.n, (chunk + 1) * c.grain));
+               },
+               &context);
 }
 }  // namespace detail
 

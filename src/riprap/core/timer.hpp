@@ -7,24 +7,24 @@ namespace riprap {
 
 /// Monotonic wall-clock seconds since construction or the last restart.
 class Timer {
-   public:
+ public:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     void restart() { start_ = Clock::now(); }
 
-   private:
+ private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_{Clock::now()};
 };
 
 /// Adds the lifetime of the object to a running total [s].
 class ScopedTimer {
-   public:
+ public:
     explicit ScopedTimer(double& total) : total_(total) {}
     ScopedTimer(const ScopedTimer&) = delete;
     ScopedTimer& operator=(const ScopedTimer&) = delete;
     ~ScopedTimer() { total_ += timer_.seconds(); }
 
-   private:
+ private:
     Timer timer_;
     double& total_;
 };

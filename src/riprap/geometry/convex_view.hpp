@@ -24,12 +24,12 @@ struct ConvexView {
     std::int32_t face_count;
     const double *vertex_x, *vertex_y, *vertex_z;           ///< [m]
     const double *normal_x, *normal_y, *normal_z, *offset;  ///< outward unit normal [-], plane offset [m]
-    const double* fdem_weight;                               ///< 1/H_j [1/m], H_j = largest depth below face j
-    const std::int32_t* face_start;    ///< face_count + 1 entries into face_vertex
-    const std::int32_t* face_vertex;   ///< vertices of each face, counter-clockwise seen from outside
-    const std::uint8_t* is_internal;   ///< per face
-    double inscribed_radius;           ///< radius r of the largest inscribed sphere [m]
-    double circumradius;               ///< largest distance of a vertex from the origin [m]
+    const double* fdem_weight;                              ///< 1/H_j [1/m], H_j = largest depth below face j
+    const std::int32_t* face_start;                         ///< face_count + 1 entries into face_vertex
+    const std::int32_t* face_vertex;  ///< vertices of each face, counter-clockwise seen from outside
+    const std::uint8_t* is_internal;  ///< per face
+    double inscribed_radius;          ///< radius r of the largest inscribed sphere [m]
+    double circumradius;              ///< largest distance of a vertex from the origin [m]
 
     RIPRAP_HD Vec3 vertex(int i) const { return {vertex_x[i], vertex_y[i], vertex_z[i]}; }
     RIPRAP_HD Vec3 normal(int j) const { return {normal_x[j], normal_y[j], normal_z[j]}; }

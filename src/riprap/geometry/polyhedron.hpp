@@ -20,14 +20,14 @@ struct Polyhedron {
 
 /// Volume [m^3], centroid [m] and second moments about the centroid of the volume inside a closed surface.
 struct MassProperties {
-    double volume;      ///< [m^3]
-    Vec3 centroid;      ///< [m]
-    Mat3 second_moment; ///< integral of x x^T dV about the centroid [m^5]
+    double volume;       ///< [m^3]
+    Vec3 centroid;       ///< [m]
+    Mat3 second_moment;  ///< integral of x x^T dV about the centroid [m^5]
 };
 
 /// Exact integrals over tetrahedra from one vertex:
-/// integral of x x^T dV over a tetrahedron (o,a,b,c) of volume V, o at the origin, is V/20 (s s^T + a a^T + b b^T + c c^T),
-/// s = a + b + c. Works for any closed oriented polyhedron, convex or not.
+/// integral of x x^T dV over a tetrahedron (o,a,b,c) of volume V, o at the origin, is V/20 (s s^T + a a^T + b b^T + c
+/// c^T), s = a + b + c. Works for any closed oriented polyhedron, convex or not.
 MassProperties mass_properties(const Polyhedron& polyhedron);
 
 /// Inertia tensor per unit density, tr(S) I - S, from second moments S [m^5].

@@ -15,7 +15,7 @@ namespace riprap::geometry {
 /// Every convex shape of a scene, each stored once however many bodies use it. Flat pools, so that a kernel on a
 /// device needs a handful of pointers. Built while the case is read, then const.
 class ShapeSet {
-   public:
+ public:
     /// Adds a convex polyhedron given in any frame; stores it about its centre of mass, axes unchanged.
     /// Coplanar faces are merged. @throws CaseError-free: the caller has audited; asserts convexity in debug builds.
     /// @param planar  the shape is a prism with end faces normal to z: the end faces become internal and
@@ -30,7 +30,7 @@ class ShapeSet {
     std::int32_t size() const { return static_cast<std::int32_t>(entries_.size()); }
     ConvexView view(ShapeId shape) const;
     bool is_half_space(ShapeId shape) const;
-    double volume(ShapeId shape) const;            ///< [m^3]; 0 for a half-space
+    double volume(ShapeId shape) const;              ///< [m^3]; 0 for a half-space
     const Mat3& second_moment(ShapeId shape) const;  ///< integral of x x^T dV [m^5]
     /// Sum over field-carrying faces of area * n n^T [m^2], for the time-step bound.
     const Mat3& area_tensor(ShapeId shape) const;
@@ -39,7 +39,7 @@ class ShapeSet {
     /// Bytes held, for `riprap check` and the memory figures.
     std::size_t bytes() const;
 
-   private:
+ private:
     struct Entry {
         std::int32_t vertex_begin, vertex_count;
         std::int32_t face_begin, face_count;

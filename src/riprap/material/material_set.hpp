@@ -15,11 +15,11 @@ struct Material {
     double normal_stiffness{0};  ///< k_n, factor of the potential, a pressure [Pa]
     /// k_s/k_n: tangential over normal stiffness of a contact [-]; ignored where shear_stiffness > 0.
     double shear_ratio{0.8};
-    double shear_stiffness{0};   ///< K_s taken literally [N/m]; 0 = use shear_ratio
-    double friction{0};          ///< Coulomb coefficient mu = tan(friction angle) [-]
-    double cohesion{0};          ///< c, added to the shear strength per contact area [Pa]
-    double damping_ratio{0};     ///< xi, fraction of critical contact damping [-]
-    bool has_torsion{false};     ///< resist spinning about the contact normal
+    double shear_stiffness{0};  ///< K_s taken literally [N/m]; 0 = use shear_ratio
+    double friction{0};         ///< Coulomb coefficient mu = tan(friction angle) [-]
+    double cohesion{0};         ///< c, added to the shear strength per contact area [Pa]
+    double damping_ratio{0};    ///< xi, fraction of critical contact damping [-]
+    bool has_torsion{false};    ///< resist spinning about the contact normal
 };
 
 /// How the values of two materials become that of a contact. Codes differ silently here, so it is a key of the case.

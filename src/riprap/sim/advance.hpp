@@ -15,7 +15,7 @@ struct ScratchData;
 
 /// Buffers kept only for speed. A fresh Scratch gives the same bits as an old one.
 class Scratch {
-   public:
+ public:
     Scratch();
     ~Scratch();
     Scratch(Scratch&&) noexcept;
@@ -28,7 +28,7 @@ class Scratch {
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;
 
-   private:
+ private:
     std::unique_ptr<ScratchData> data_;
 };
 
@@ -46,14 +46,14 @@ struct StepStatus {
 /// What one step reports.
 struct StepReport {
     StepStatus status;
-    Ledger ledger;             ///< complete every step
-    double dt{0};              ///< [s]
-    double dt_bound{0};        ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts
-    double max_speed{0};       ///< [m/s]
-    double max_potential{0};   ///< deepest normalised overlap [-]
-    double max_depth{0};       ///< [m]
+    Ledger ledger;            ///< complete every step
+    double dt{0};             ///< [s]
+    double dt_bound{0};       ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts
+    double max_speed{0};      ///< [m/s]
+    double max_potential{0};  ///< deepest normalised overlap [-]
+    double max_depth{0};      ///< [m]
     std::int64_t contact_count{0};
-    std::int64_t pair_count{0};     ///< candidates in the pair cache
+    std::int64_t pair_count{0};  ///< candidates in the pair cache
     bool pairs_rebuilt{false};
 };
 
@@ -67,9 +67,9 @@ StageTimes stage_times(const Scratch& scratch);
 
 /// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
 struct TimeStepBound {
-    double limit{0};        ///< 2/omega_max [s]
-    BodyId body;            ///< the body that sets it
-    std::string reason;     ///< in words, for the log
+    double limit{0};     ///< 2/omega_max [s]
+    BodyId body;         ///< the body that sets it
+    std::string reason;  ///< in words, for the log
 };
 TimeStepBound time_step_bound(const Model& model);
 

@@ -15,67 +15,68 @@ namespace riprap::sim {
 /// Gravity as a function of time [m/s^2]: `value` scaled linearly from 0 to 1 over [0, ramp], then turned about
 /// `axis` by rate * (t - start) for start <= t <= stop. A turned gravity replaces a tilted platform.
 struct Gravity {
-    Vec3 value{};      ///< [m/s^2]
-    double ramp{0};    ///< [s]
-    Vec3 axis{0, 0, 1};///< unit vector [-]
-    double rate{0};    ///< [rad/s]
-    double start{0};   ///< [s]
-    double stop{1e300};///< [s]
+    Vec3 value{};        ///< [m/s^2]
+    double ramp{0};      ///< [s]
+    Vec3 axis{0, 0, 1};  ///< unit vector [-]
+    double rate{0};      ///< [rad/s]
+    double start{0};     ///< [s]
+    double stop{1e300};  ///< [s]
     Vec3 at(double time) const;
 };
 
 /// How solids move; today explicit DEM with the distance potential.
 struct SolidSettings {
     contact::DistancePotentialOptions contact;
-    double local_damping{0};    ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
-    double mass_damping{0};     ///< F <- F - mass_damping * m * v [1/s]
-    double grid_factor{2};      ///< gamma: ratio of circumradius between size classes [-]
-    double skin{0.1};           ///< of the pair cache, as a fraction of the median circumradius [-]
-    double max_potential{1};    ///< a deeper overlap than this share of the inscribed radius ends the run [-]
-    double max_speed{1e5};      ///< a faster body ends the run [m/s]
+    double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
+    double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]
+    double grid_factor{2};    ///< gamma: ratio of circumradius between size classes [-]
+    double skin{0.1};         ///< of the pair cache, as a fraction of the median circumradius [-]
+    double max_potential{1};  ///< a deeper overlap than this share of the inscribed radius ends the run [-]
+    double max_speed{1e5};    ///< a faster body ends the run [m/s]
 };
 
 /// Time axis.
 struct TimeSettings {
-    double end{0};              ///< [s]
-    double time_step{0};        ///< fixed step asked for [s]; 0 = from the bound
-    double factor{0.15};        ///< s: share of the stability limit 2/omega_max used by the automatic step [-]
-    bool force_time_step{false};///< accept a time_step above the bound
-    std::int64_t max_steps{-1}; ///< stop after so many steps; -1 = no limit
+    double end{0};                ///< [s]
+    double time_step{0};          ///< fixed step asked for [s]; 0 = from the bound
+    double factor{0.15};          ///< s: share of the stability limit 2/omega_max used by the automatic step [-]
+    bool force_time_step{false};  ///< accept a time_step above the bound
+    std::int64_t max_steps{-1};   ///< stop after so many steps; -1 = no limit
 };
 
 /// A time history of one quantity of one body, or of the whole scene.
 struct Probe {
-    std::string name;      ///< column name
-    BodyId body;           ///< invalid: whole scene
-    std::string quantity;  ///< position, velocity, angular_velocity, displacement, rotation, contact_force, kinetic_energy, ...
+    std::string name;  ///< column name
+    BodyId body;       ///< invalid: whole scene
+    std::string
+        quantity;  ///< position, velocity, angular_velocity, displacement, rotation, contact_force, kinetic_energy, ...
 };
 
 struct OutputSettings {
-    double interval{0};             ///< between frames [s]; 0 = end/100
-    double probe_interval{0};       ///< between rows of probes.csv and ledger.csv [s]; 0 = end/1000
-    double checkpoint_interval{60}; ///< wall-clock seconds between checkpoints [s]
+    double interval{0};              ///< between frames [s]; 0 = end/100
+    double probe_interval{0};        ///< between rows of probes.csv and ledger.csv [s]; 0 = end/1000
+    double checkpoint_interval{60};  ///< wall-clock seconds between checkpoints [s]
     bool vtk{true};
-    bool contacts{true};            ///< write contact points and forces
+    bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
 };
 
 /// An expected answer: a case is also a test.
 struct Expect {
     std::string name;
-    std::string quantity;     ///< probe column or ledger/summary quantity
+    std::string quantity;        ///< probe column or ledger/summary quantity
     std::string reduce{"last"};  ///< last, min, max, mean, at
-    double at{0};             ///< time for reduce = at [s]
+    double at{0};                ///< time for reduce = at [s]
     double value{0};
-    double low{0}, high{0};   ///< accepted band
+    double low{0}, high{0};  ///< accepted band
     std::string citation;
-    std::string place;        ///< file:line:column, for messages
+    std::string place;  ///< file:line:column, for messages
 };
 
 /// What the case says. Built once by scene/, then const.
 struct Model {
     std::string title;
-    std::uint64_t case_hash{0};   ///< of the resolved case: a checkpoint belongs to one case
+    std::uint64_t case_hash{0};  ///< of the resolved case: a checkpoint belongs to one case
     std::uint64_t seed{1};
     geometry::ShapeSet shapes;
     material::MaterialSet materials;
