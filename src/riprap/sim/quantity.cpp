@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/quantity.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace riprap::sim {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// A line of the table together with the function behind it. Exactly one of the two functions is set.
+struct Quantity {
+    QuantityInfo info;
+    Vec3 (*of_body)(const Moment&, BodyId);
+    Vec3 (*of_scene)(const Moment&);
+};
+
+std::size_t index(BodyId body) { return static_cast<std::size_t>(body.value); }
+Vec3 scalar(double value) { return {value, 0, 0}; }
+
+Vec3 position(const Moment& m, BodyId b) { return m.state.bodies.position[index(b)]; }
+Vec3 displacement(const Moment& m, BodyId b) { return position(m, b) - m.initial.bodies.position[index(b)]; }
+Vec3 distance(const Moment& m, BodyId b) { return scalar(norm(displacement(m, b))); }
+Vec3 velocity(const Moment& m, BodyId b) { return m.state.bodies.velocity[index(b)]; }
+Vec3 speed(const Moment& m, BodyId b) { return scalar(norm(velocity(m, b))); }
+Vec3 spin(const Moment& m, BodyId b) { return body::angular_velocity(m.model.bodies, m.state.bodies, b); }
+Vec3 rotation_vector(const Moment& m, BodyId b) {
+    return to_rotation_vector(m.state.bodies.orientation[index(b)] * conjugate(m.initial.bodies.orientation[index(b)]));
+}
+Vec3 rotation(const Moment& m, BodyId b) { return scalar(norm(rotation_vector(m, b))); }
+Vec3 kinetic_energy_of_body(const Moment& m, BodyId b) {
+    const double mass = m.model.bodies.mass[index(b)];
+    return scalar(0.5 * mass * norm_squared(velocity(m, b)) +
+                  0.5 * dot(m.state.bodies.angular_momentum[index(b)], spin(m, b)));
+}
+Vec3 of_last_step(const std::vector<Vec3>& values, BodyId b) {
+    return index(b) < values.size() ? values[index(b)] : Vec3{missing, missing, missing};
+}
+Vec3 contact_force(const Moment& m, BodyId b) {
+    return m.scratch == nullptr ? Vec3{missing, missing, missing} : of_last_step(m.scratch->contact_force(), b);
+}
+Vec3 contact_torque(const Moment& m, BodyId b) {
+    return m.scratch == nullptr ? Vec3{missing, missing, missing} : of_last_step(m.scratch->contact_torque(), b);
+}
+Vec3 contact_force_size(const Moment& m, BodyId b) { return scalar(norm(contact_force(m, b))); }
+
+template <auto member>
+Vec3 reported(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(static_cast<double>(m.report->*member));
+}
+template <double Ledger::*member>
+Vec3 booked(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.*member);
+}
+template <Vec3 Ledger::*member>
+Vec3 booked_vector(const Moment& m) {
+    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.*member;
+}
+Vec3 time_now(const Moment& m) { return scalar(m.state.time); }
+Vec3 step_now(const Moment& m) { return scalar(static_cast<double>(m.state.step)); }
+
+// Kept as two lists by owner, in the order in which the manual prints them.
+const std::array body_table{
+    Quantity{{"position", "m", 3, true, "centre of mass"}, position, nullptr},
+    Quantity{{"displacement", "m", 3, true, "of the centre of mass since time 0"}, displacement, nullptr},
+    Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr},
+    Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr},
+    Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr},
+    Quantity{{"angular_velocity", "rad/s", 3, true, "in world axes"}, spin, nullptr},
+    Quantity{{"rotation", "rad", 1, true, "angle turned since time 0, 0 to pi"}, rotation, nullptr},
+    Quantity{{"rotation_vector", "rad", 3, true, "axis times angle turned since time 0"}, rotation_vector, nullptr},
+    Quantity{{"kinetic_energy", "J", 1, true, "of translation and rotation"}, kinetic_energy_of_body, nullptr},
+    Quantity{{"contact_force", "N", 3, true, "sum of the contact forces of the last step"}, contact_force, nullptr},
+    Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
+    Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
+};
+
+const std::array scene_table{
+    Quantity{{"time", "s", 1, false, "simulated time"}, nullptr, time_now},
+    Quantity{{"step", "-", 1, false, "steps done"}, nullptr, step_now},
+    Quantity{{"max_speed", "m/s", 1, false, "of the fastest body"}, nullptr, reported<&StepReport::max_speed>},
+    Quantity{{"max_overlap", "m", 1, false, "of the deepest contact"}, nullptr, reported<&StepReport::max_depth>},
+    Quantity{{"max_potential", "-", 1, false, "of the deepest contact over the inscribed radius"},
+             nullptr,
+             reported<&StepReport::max_potential>},
+    Quantity{{"contact_count", "-", 1, false, "touching pairs of convex parts"},
+             nullptr,
+             reported<&StepReport::contact_count>},
+    Quantity{{"pair_count", "-", 1, false, "candidate pairs in the cache"}, nullptr, reported<&StepReport::pair_count>},
+    Quantity{{"kinetic_energy", "J", 1, false, "of free bodies"}, nullptr, booked<&Ledger::kinetic>},
+    Quantity{{"potential_energy", "J", 1, false, "of free bodies in gravity"}, nullptr, booked<&Ledger::potential>},
+    Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, booked<&Ledger::elastic>},
+    Quantity{
+        {"shear_energy", "J", 1, false, "stored in tangential and torsional springs"}, nullptr, booked<&Ledger::shear>},
+    Quantity{{"dissipated_friction", "J", 1, false, "since time 0"}, nullptr, booked<&Ledger::dissipated_friction>},
+    Quantity{{"dissipated_contact", "J", 1, false, "by contact dashpots since time 0"},
+             nullptr,
+             booked<&Ledger::dissipated_contact>},
+    Quantity{{"dissipated_damping", "J", 1, false, "by local and mass damping since time 0"},
+             nullptr,
+             booked<&Ledger::dissipated_damping>},
+    Quantity{
+        {"work_driven", "J", 1, false, "done by driven bodies since time 0"}, nullptr, booked<&Ledger::work_driven>},
+    Quantity{{"work_gravity_change", "J", 1, false, "done by a changing gravity since time 0"},
+             nullptr,
+             booked<&Ledger::work_gravity_change>},
+    Quantity{{"energy_residual", "J", 1, false, "what the energy ledger does not close by"},
+             nullptr,
+             booked<&Ledger::residual>},
+    Quantity{
+        {"energy_turnover", "J", 1, false, "what the residual is judged against"}, nullptr, booked<&Ledger::turnover>},
+    Quantity{{"momentum", "kg m/s", 3, false, "of free bodies"}, nullptr, booked_vector<&Ledger::momentum>},
+    Quantity{{"impulse", "N s", 3, false, "of gravity, supports and damping since time 0"},
+             nullptr,
+             booked_vector<&Ledger::impulse>},
+    Quantity{{"angular_momentum", "kg m^2/s", 3, false, "of free bodies about the origin"},
+             nullptr,
+             booked_vector<&Ledger::angular_momentum>},
+    Quantity{{"angular_impulse", "N m s", 3, false, "about the origin since time 0"},
+             nullptr,
+             booked_vector<&Ledger::angular_impulse>},
+    Quantity{{"mass", "kg", 1, false, "of free bodies"}, nullptr, booked<&Ledger::mass>},
+};
+
+constexpr std::size_t table_size = body_table.size() + scene_table.size();
+
+const std::array<QuantityInfo, table_size>& all_infos() {
+    static const std::array<QuantityInfo, table_size> infos = [] {
+        std::array<QuantityInfo, table_size> list{};
+        std::size_t i = 0;
+        for (const Quantity& quantity : body_table) {
+            list[i++] = quantity.info;
+        }
+        for (const Quantity& quantity : scene_table) {
+            list[i++] = quantity.info;
+        }
+        return list;
+    }();
+    return infos;
+}
+
+const Quantity& behind(const QuantityInfo* info) {
+    const auto i = static_cast<std::size_t>(info - all_infos().data());
+    return i < body_table.size() ? body_table[i] : scene_table[i - body_table.size()];
+}
+
+/// Splits a trailing ".x", ".y" or ".z" off; the component, or -1.
+int split_component(std::string_view& text) {
+    if (text.size() > 2 && text[text.size() - 2] == '.' && text.back() >= 'x' && text.back() <= 'z') {
+        const int component = text.back() - 'x';
+        text.remove_suffix(2);
+        return component;
+    }
+    return -1;
+}
+
+std::string with_component(std::string_view name, const QuantityInfo& quantity, int component) {
+    std::string text(name);
+    if (quantity.components > 1) {
+        text += '.';
+        text += static_cast<char>('x' + component);
+    }
+    return text;
+}
+
+/// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.
+std::optional<Column> make_column(std::string_view text, BodyId body, const QuantityInfo* quantity, int component) {
+    if (quantity == nullptr || (quantity->components > 1) != (component >= 0)) {
+        return std::nullopt;
+    }
+    return Column{std::string(text), std::string(quantity->unit), body, quantity, component < 0 ? 0 : component};
+}
+
+}  // namespace
+
+std::span<const QuantityInfo> quantities() { return all_infos(); }
+
+const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
+    for (const QuantityInfo& info : all_infos()) {
+        if (info.is_of_body == of_body && info.name == name) {
+            return &info;
+        }
+    }
+    return nullptr;
+}
+
+double evaluate(const Column& column, const Moment& moment) {
+    const Quantity& quantity = behind(column.quantity);
+    const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);
+    return value[column.component];
+}
+
+std::vector<Column> columns_of(const Probe& probe) {
+    std::vector<Column> columns;
+    const QuantityInfo* quantity = find_quantity(probe.quantity, probe.body.is_valid());
+    if (quantity != nullptr) {
+        for (int c = 0; c < quantity->components; ++c) {
+            columns.push_back(
+                {with_component(probe.name, *quantity, c), std::string(quantity->unit), probe.body, quantity, c});
+        }
+    }
+    return columns;
+}
+
+std::optional<Column> find_column(const Model& model, std::string_view text) {
+    for (const Probe& probe : model.output.probes) {
+        for (const Column& column : columns_of(probe)) {
+            if (column.name == text) {
+                return column;
+            }
+        }
+    }
+    std::string_view rest = text;
+    const int component = split_component(rest);
+    if (std::optional<Column> column = make_column(text, BodyId{}, find_quantity(rest, false), component)) {
+        return column;
+    }
+    const std::size_t dot = rest.rfind('.');
+    if (dot == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const BodyId body = find_body(model.bodies, rest.substr(0, dot));
+    if (!body.is_valid()) {
+        return std::nullopt;
+    }
+    return make_column(text, body, find_quantity(rest.substr(dot + 1), true), component);
+}
+
+BodyId find_body(const body::BodySet& bodies, std::string_view name) {
+    for (std::int32_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.name(BodyId{i}) == name) {
+            return BodyId{i};
+        }
+    }
+    return {};
+}
+
+}  // namespace riprap::sim
