@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// riprap-gpu-selftest: does the CUDA back end give the host's answers on this machine, bit for bit?
+// Exit codes: 0 all equal, 1 something differs or failed, 77 there is no device to test.
+
+#include <exception>
+
+#include "checks.hpp"
+#include "riprap/core/parallel_cuda.hpp"
+
+int main() {
+    if (riprap::parallel::cuda::device_count() == 0) {
+        std::printf("riprap-gpu-selftest: no CUDA device on this machine; nothing was tested\n");
+        return 77;
+    }
+    try {
+        std::printf("device: %s\n", riprap::parallel::cuda::device_name().c_str());
+        const bool ok = selftest::check_parallel();
+        std::printf(ok ? "all equal\n" : "the device differs from the host\n");
+        return ok ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::printf("riprap-gpu-selftest: %s\n", error.what());
+        return 1;
+    }
+}
