@@ -3,6 +3,12 @@ find_package(Threads REQUIRED)
 if(RIPRAP_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
+# Found here once: imported targets are visible below the folder that found them, and static libraries hand theirs on.
+find_package(fmt REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
 
 add_library(riprap_flags INTERFACE)
 target_include_directories(riprap_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)

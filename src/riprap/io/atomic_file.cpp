@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace riprap::io {
+
+namespace {
+
+constexpr std::size_t buffer_bytes = std::size_t{1} << 18;
+
+const char* remedy(int error_number) {
+    switch (error_number) {
+        case ENOSPC:
+        case EDQUOT:
+            return "free some space or choose another folder with --out, then continue with `riprap resume`";
+        case EFBIG:
+            return "raise the file size limit (`ulimit -f`) or write fewer frames, then continue with `riprap resume`";
+        case EROFS:
+            return "the disk is mounted read-only; choose another folder with --out";
+        case EACCES:
+        case EPERM:
+            return "check the permissions or choose another folder with --out";
+        case ENOENT:
+            return "check that the path exists";
+        case ENOTDIR:
+        case EEXIST:
+            return "a file stands where a folder is needed; choose another folder with --out";
+        case EMFILE:
+        case ENFILE:
+            return "too many open files; raise `ulimit -n`";
+        default:
+            return "check the disk";
+    }
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+std::filesystem::path partial_name(const std::filesystem::path& target) {
+    std::string name(".");
+    name += target.filename().string();
+    name += ".partial";
+    return folder_of(target) / name;
+}
+
+}  // namespace
+
+FileError file_error(std::string_view action, const std::filesystem::path& path, int error_number) {
+    return FileError("cannot " + std::string(action) + " '" + path.string() + "': " + std::strerror(error_number) +
+                     "; " + remedy(error_number));
+}
+
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
+    if (this != &other) {
+        close();
+        number_ = other.release();
+    }
+    return *this;
+}
+
+int FileDescriptor::release() { return std::exchange(number_, -1); }
+
+void FileDescriptor::close() {
+    if (is_open()) {
+        ::close(number_);
+        number_ = -1;
+    }
+}
+
+void write_all(const FileDescriptor& file, const void* data, std::size_t bytes, const std::filesystem::path& path) {
+    const auto* next = static_cast<const char*>(data);
+    while (bytes > 0) {
+        const ssize_t written = ::write(file.number(), next, bytes);
+        if (written < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            throw file_error("write", path, errno);
+        }
+        next += written;
+        bytes -= static_cast<std::size_t>(written);
+    }
+}
+
+void flush_to_disk(const FileDescriptor& file, const std::filesystem::path& path) {
+    while (::fsync(file.number()) != 0) {
+        if (errno == EINVAL || errno == ENOTSUP) {
+            return;  // pipes and some network file systems cannot flush; nothing more can be asked of them
+        }
+        if (errno != EINTR) {
+            throw file_error("flush", path, errno);
+        }
+    }
+}
+
+void flush_folder(const std::filesystem::path& folder) {
+    const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!file.is_open()) {
+        throw file_error("open folder", folder, errno);
+    }
+    flush_to_disk(file, folder);
+}
+
+AtomicFile::AtomicFile(std::filesystem::path target)
+    : target_(std::move(target)),
+      partial_(partial_name(target_)),
+      file_(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+    if (!file_.is_open()) {
+        throw file_error("write", target_, errno);
+    }
+    buffer_.reserve(buffer_bytes);
+}
+
+AtomicFile::~AtomicFile() {
+    if (file_.is_open()) {
+        ::unlink(partial_.c_str());
+    }
+}
+
+void AtomicFile::write(const void* data, std::size_t bytes) {
+    if (buffer_.size() + bytes > buffer_bytes) {
+        write_buffer();
+    }
+    if (bytes >= buffer_bytes) {
+        write_all(file_, data, bytes, target_);
+    } else {
+        buffer_.append(static_cast<const char*>(data), bytes);
+    }
+}
+
+void AtomicFile::write_buffer() {
+    write_all(file_, buffer_.data(), buffer_.size(), target_);
+    buffer_.clear();
+}
+
+void AtomicFile::flush() {
+    write_buffer();
+    flush_to_disk(file_, target_);
+}
+
+void AtomicFile::commit() {
+    flush();
+    if (::rename(partial_.c_str(), target_.c_str()) != 0) {
+        throw file_error("write", target_, errno);
+    }
+    file_.close();
+    flush_folder(folder_of(target_));
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
+}
+
+std::string read_file(const std::filesystem::path& path, std::size_t limit) {
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
+        throw file_error("read", path, errno);
+    }
+    if (!S_ISREG(status.st_mode)) {
+        throw FileError("cannot read '" + path.string() + "': not a regular file");
+    }
+    if (static_cast<std::uintmax_t>(status.st_size) > limit) {
+        throw FileError("cannot read '" + path.string() + "': " + std::to_string(status.st_size) +
+                        " bytes, more than the limit of " + std::to_string(limit));
+    }
+    // The file may change size while it is read: the limit holds for what is read, not for what was promised.
+    std::string text;
+    text.reserve(static_cast<std::size_t>(status.st_size));
+    char chunk[1 << 16];
+    while (true) {
+        const ssize_t count = ::read(file.number(), chunk, sizeof chunk);
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            throw file_error("read", path, errno);
+        }
+        if (count == 0) {
+            return text;
+        }
+        if (text.size() + static_cast<std::size_t>(count) > limit) {
+            throw FileError("cannot read '" + path.string() + "': more than the limit of " + std::to_string(limit) +
+                            " bytes");
+        }
+        text.append(chunk, static_cast<std::size_t>(count));
+    }
+}
+
+void make_folder(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error || !std::filesystem::is_directory(path)) {
+        throw file_error("make folder", path, error ? error.value() : ENOTDIR);
+    }
+}
+
+}  // namespace riprap::io

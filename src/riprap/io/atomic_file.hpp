@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The only way a whole file is written: under a temporary name in the same folder, flushed to the disk, then renamed
+// over the target, then the folder flushed. Whatever happens in between - disk full, killed process, power cut - the
+// target is either the old file or the whole new one, never a part.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "riprap/core/error.hpp"
+
+namespace riprap::io {
+
+/// FileError for a failed call: what was being done to which file, the system's reason, and a remedy.
+FileError file_error(std::string_view action, const std::filesystem::path& path, int error_number);
+
+/// A POSIX file descriptor that closes itself.
+class FileDescriptor {
+ public:
+    FileDescriptor() = default;
+    explicit FileDescriptor(int number) : number_(number) {}
+    FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+    ~FileDescriptor() { close(); }
+    int number() const { return number_; }
+    bool is_open() const { return number_ >= 0; }
+    int release();
+    void close();
+
+ private:
+    int number_{-1};
+};
+
+/// Writes all bytes. @throws FileError naming `path`.
+void write_all(const FileDescriptor& file, const void* data, std::size_t bytes, const std::filesystem::path& path);
+
+/// Flushes a file to the disk. @throws FileError naming `path`.
+void flush_to_disk(const FileDescriptor& file, const std::filesystem::path& path);
+
+/// Flushes the entries of a folder to the disk, so that a rename or a new file in it survives a power cut.
+void flush_folder(const std::filesystem::path& folder);
+
+/// A file that appears whole or not at all. Without `commit` the destructor removes the temporary file.
+class AtomicFile {
+ public:
+    /// Opens `.<name>.partial` beside the target. @throws FileError
+    explicit AtomicFile(std::filesystem::path target);
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
+
+    /// @throws FileError; the target is then untouched.
+    void write(const void* data, std::size_t bytes);
+    void write(std::string_view text) { write(text.data(), text.size()); }
+    /// The file reaches the disk under its temporary name. Called by `commit` where it was not before.
+    void flush();
+    /// The target is replaced.
+    void commit();
+
+ private:
+    std::filesystem::path target_, partial_;
+    FileDescriptor file_;
+    std::string buffer_;
+    void write_buffer();
+};
+
+/// Replaces the file by `text`, atomically. @throws FileError
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Reads a whole file of at most `limit` bytes. @throws FileError
+std::string read_file(const std::filesystem::path& path, std::size_t limit);
+
+/// Makes a folder and its parents. @throws FileError
+void make_folder(const std::filesystem::path& path);
+
+}  // namespace riprap::io

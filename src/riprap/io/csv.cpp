@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/csv.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <utility>
+
+namespace riprap::io {
+
+namespace {
+
+constexpr std::size_t flush_bytes = std::size_t{1} << 16;
+
+std::string heading_line(std::span<const CsvColumn> columns) { return csv_heading(columns) + '\n'; }
+
+}  // namespace
+
+std::string csv_heading(std::span<const CsvColumn> columns) {
+    std::string line;
+    for (const CsvColumn& column : columns) {
+        if (!line.empty()) {
+            line += ',';
+        }
+        line += csv_text(column.name + " [" + column.unit + "]");
+    }
+    return line;
+}
+
+std::string csv_text(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+        return text;
+    }
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c;
+        if (c == '"') {
+            out += c;
+        }
+    }
+    return out + '"';
+}
+
+std::string csv_row(std::span<const double> values) {
+    std::string line;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0) {
+            line += ',';
+        }
+        if (!std::isnan(values[i])) {
+            line += fmt::format("{}", values[i]);
+        }
+    }
+    return line;
+}
+
+GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+    if (!file_.is_open()) {
+        throw file_error("write", path_, errno);
+    }
+    buffer_ = heading_line(columns);
+    flush(false);
+}
+
+GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns, std::uint64_t bytes)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDWR | O_CLOEXEC)), written_(bytes) {
+    struct stat status {};
+    if (!file_.is_open() || ::fstat(file_.number(), &status) != 0) {
+        throw file_error("continue", path_, errno);
+    }
+    const std::string heading = heading_line(columns);
+    if (static_cast<std::uint64_t>(status.st_size) < bytes || bytes < heading.size()) {
+        throw FileError("cannot continue '" + path_.string() + "': it has " + std::to_string(status.st_size) +
+                        " bytes, fewer than the " + std::to_string(bytes) +
+                        " when the checkpoint was written; put the file back or start again with --force");
+    }
+    std::string begin(heading.size(), '\0');
+    if (::pread(file_.number(), begin.data(), begin.size(), 0) != static_cast<ssize_t>(begin.size()) ||
+        begin != heading) {
+        throw FileError("cannot continue '" + path_.string() +
+                        "': its columns are not those of this case; start again with --force");
+    }
+    if (::ftruncate(file_.number(), static_cast<off_t>(bytes)) != 0 ||
+        ::lseek(file_.number(), static_cast<off_t>(bytes), SEEK_SET) < 0) {
+        throw file_error("cut back", path_, errno);
+    }
+}
+
+void GrowingCsv::add_row(std::span<const double> values) {
+    buffer_ += csv_row(values);
+    buffer_ += '\n';
+    if (buffer_.size() >= flush_bytes) {
+        flush(false);
+    }
+}
+
+void GrowingCsv::flush(bool to_disk) {
+    if (!buffer_.empty()) {
+        write_all(file_, buffer_.data(), buffer_.size(), path_);
+        written_ += buffer_.size();
+        buffer_.clear();
+    }
+    if (to_disk) {
+        flush_to_disk(file_, path_);
+    }
+}
+
+}  // namespace riprap::io

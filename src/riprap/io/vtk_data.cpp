@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/vtk_data.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "riprap/core/error.hpp"
+
+namespace riprap::io {
+
+namespace {
+
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::size_t block_bytes = std::size_t{1} << 18;
+constexpr int compression_level = 1;  // the next levels cost three times the time for a few percent
+
+template <class T>
+std::span<const unsigned char> as_bytes_of(std::span<const T> values) {
+    return {reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes()};
+}
+
+std::string element(std::string_view name, std::string_view type, int components,
+                    std::span<const unsigned char> bytes) {
+    std::string text = "        <DataArray type=\"";
+    text += type;
+    text += "\" Name=\"";
+    text += name;
+    if (components > 1) {
+        text += "\" NumberOfComponents=\"" + std::to_string(components);
+    }
+    text += "\" format=\"binary\">";
+    text += encode_vtk_array(bytes);
+    text += "</DataArray>\n";
+    return text;
+}
+
+std::array<std::int8_t, 256> make_decoder() {
+    std::array<std::int8_t, 256> decoder{};
+    decoder.fill(-1);
+    for (std::size_t i = 0; i < alphabet.size(); ++i) {
+        decoder[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+    }
+    return decoder;
+}
+
+}  // namespace
+
+std::string encode_base64(std::span<const unsigned char> bytes) {
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        const std::uint32_t word = static_cast<std::uint32_t>(bytes[i]) << 16 |
+                                   (count > 1 ? static_cast<std::uint32_t>(bytes[i + 1]) << 8 : 0U) |
+                                   (count > 2 ? static_cast<std::uint32_t>(bytes[i + 2]) : 0U);
+        text += alphabet[word >> 18];
+        text += alphabet[word >> 12 & 63];
+        text += count > 1 ? alphabet[word >> 6 & 63] : '=';
+        text += count > 2 ? alphabet[word & 63] : '=';
+    }
+    return text;
+}
+
+std::string decode_base64(std::string_view text) {
+    static const std::array<std::int8_t, 256> decoder = make_decoder();
+    std::string bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    if (text.size() % 4 != 0) {
+        throw FileError("base64 text of " + std::to_string(text.size()) + " characters, not a multiple of 4");
+    }
+    for (std::size_t i = 0; i < text.size(); i += 4) {
+        const bool is_last = i + 4 == text.size();
+        const int padding = is_last && text[i + 3] == '=' ? (text[i + 2] == '=' ? 2 : 1) : 0;
+        std::uint32_t word = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const bool is_padding = k >= 4U - static_cast<unsigned>(padding);
+            const std::int8_t value = is_padding ? std::int8_t{0} : decoder[static_cast<unsigned char>(text[i + k])];
+            if (value < 0) {
+                throw FileError("a character that is not base64 at " + std::to_string(i + k));
+            }
+            word = word << 6 | static_cast<std::uint32_t>(value);
+        }
+        bytes += static_cast<char>(word >> 16 & 255);
+        if (padding < 2) {
+            bytes += static_cast<char>(word >> 8 & 255);
+        }
+        if (padding < 1) {
+            bytes += static_cast<char>(word & 255);
+        }
+    }
+    return bytes;
+}
+
+std::string encode_vtk_array(std::span<const unsigned char> bytes) {
+    const std::size_t block_count = (bytes.size() + block_bytes - 1) / block_bytes;
+    std::vector<std::uint64_t> head{block_count, block_bytes, bytes.size() % block_bytes};
+    std::vector<unsigned char> packed;
+    for (std::size_t begin = 0; begin < bytes.size(); begin += block_bytes) {
+        const std::size_t size = std::min(block_bytes, bytes.size() - begin);
+        uLongf packed_size = compressBound(static_cast<uLong>(size));
+        const std::size_t at = packed.size();
+        packed.resize(at + packed_size);
+        const int status = compress2(packed.data() + at, &packed_size, bytes.data() + begin, static_cast<uLong>(size),
+                                     compression_level);
+        if (status != Z_OK) {
+            throw InternalError("zlib could not compress a block: " + std::to_string(status));
+        }
+        packed.resize(at + packed_size);
+        head.push_back(packed_size);
+    }
+    return encode_base64(as_bytes_of(std::span<const std::uint64_t>(head))) + encode_base64(packed);
+}
+
+std::string vtk_array(std::string_view name, std::span<const float> values, int components) {
+    return element(name, "Float32", components, as_bytes_of(values));
+}
+std::string vtk_array(std::string_view name, std::span<const double> values, int components) {
+    return element(name, "Float64", components, as_bytes_of(values));
+}
+std::string vtk_array(std::string_view name, std::span<const std::int32_t> values, int components) {
+    return element(name, "Int32", components, as_bytes_of(values));
+}
+std::string vtk_array(std::string_view name, std::span<const std::int64_t> values, int components) {
+    return element(name, "Int64", components, as_bytes_of(values));
+}
+std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components) {
+    return element(name, "UInt8", components, as_bytes_of(values));
+}
+std::string vtk_array(std::string_view name, std::span<const Vec3> values) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    return vtk_array(name, std::span(reinterpret_cast<const double*>(values.data()), 3 * values.size()), 3);
+}
+
+}  // namespace riprap::io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Arrays as ParaView's XML files hold them: inline, zlib-compressed in blocks, base64. The appended layout would be
+// smaller, but larger appended files do not load in Debian 12's ParaView (docs/howto/output-files.md).
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "riprap/core/vec3.hpp"
+
+namespace riprap::io {
+
+std::string encode_base64(std::span<const unsigned char> bytes);
+/// @throws FileError when the text is not base64
+std::string decode_base64(std::string_view text);
+
+/// The content of a DataArray element of a file with header_type="UInt64" and vtkZLibDataCompressor:
+/// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the
+/// compressed blocks.
+std::string encode_vtk_array(std::span<const unsigned char> bytes);
+
+/// One DataArray element, indented for readers. The entry type decides VTK's name for it.
+std::string vtk_array(std::string_view name, std::span<const float> values, int components = 1);
+std::string vtk_array(std::string_view name, std::span<const double> values, int components = 1);
+std::string vtk_array(std::string_view name, std::span<const std::int32_t> values, int components = 1);
+std::string vtk_array(std::string_view name, std::span<const std::int64_t> values, int components = 1);
+std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components = 1);
+std::string vtk_array(std::string_view name, std::span<const Vec3> values);
+
+}  // namespace riprap::io

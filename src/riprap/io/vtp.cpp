@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/vtp.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/io/vtk_data.hpp"
+
+namespace riprap::io {
+
+namespace {
+
+constexpr std::string_view file_head =
+    "<?xml version=\"1.0\"?>\n"
+    "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\""
+    " compressor=\"vtkZLibDataCompressor\">\n";
+
+std::string cells(std::string_view kind, std::span<const std::int32_t> connectivity,
+                  std::span<const std::int32_t> offsets) {
+    return fmt::format("      <{0}>\n{1}{2}      </{0}>\n", kind, vtk_array("connectivity", connectivity),
+                       vtk_array("offsets", offsets));
+}
+
+}  // namespace
+
+void PolyData::add_cell_array(std::string_view name, std::span<const float> values, int components) {
+    cell_arrays += vtk_array(name, values, components);
+}
+void PolyData::add_cell_array(std::string_view name, std::span<const std::int32_t> values) {
+    cell_arrays += vtk_array(name, values);
+}
+void PolyData::add_point_array(std::string_view name, std::span<const float> values, int components) {
+    point_arrays += vtk_array(name, values, components);
+}
+void PolyData::add_point_array(std::string_view name, std::span<const std::int32_t> values) {
+    point_arrays += vtk_array(name, values);
+}
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data, double time) {
+    const std::size_t point_count = data.points.size();
+    AtomicFile file(path);
+    file.write(fmt::format(file_head, "PolyData"));
+    file.write("  <PolyData>\n    <FieldData>\n");
+    file.write(
+        fmt::format("      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
+                    "</DataArray>\n",
+                    time));
+    file.write("    </FieldData>\n");
+    file.write(
+        fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\""
+                    " NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                    point_count, data.is_point_cloud ? point_count : 0, data.offsets.size()));
+    file.write("      <Points>\n" + vtk_array("Points", data.points) + "      </Points>\n");
+    if (data.is_point_cloud) {
+        std::vector<std::int32_t> own(point_count), ends(point_count);
+        std::iota(own.begin(), own.end(), 0);
+        std::iota(ends.begin(), ends.end(), 1);
+        file.write(cells("Verts", own, ends));
+    } else {
+        file.write(cells("Polys", data.connectivity, data.offsets));
+    }
+    file.write("      <PointData>\n" + data.point_arrays + "      </PointData>\n");
+    file.write("      <CellData>\n" + data.cell_arrays + "      </CellData>\n");
+    file.write("    </Piece>\n  </PolyData>\n</VTKFile>\n");
+    file.commit();
+}
+
+void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> frames) {
+    AtomicFile file(path);
+    file.write(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n");
+    for (const PvdFrame& frame : frames) {
+        file.write(fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file));
+    }
+    file.write("  </Collection>\n</VTKFile>\n");
+    file.commit();
+}
+
+}  // namespace riprap::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// ParaView output: one VTP file (polygons or points) per frame, and a PVD file that lists the frames with their times.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/core/vec3.hpp"
+
+namespace riprap::io {
+
+/// A VTP file under construction: points, then cells over them, then arrays on the cells or points.
+struct PolyData {
+    std::vector<Vec3> points;                ///< [m]
+    std::vector<std::int32_t> connectivity;  ///< points of every polygon, one after another
+    std::vector<std::int32_t> offsets;       ///< where each polygon ends in `connectivity`
+    bool is_point_cloud{false};              ///< every point is a vertex cell of its own; no polygons
+
+    void add_cell_array(std::string_view name, std::span<const float> values, int components = 1);
+    void add_cell_array(std::string_view name, std::span<const std::int32_t> values);
+    void add_point_array(std::string_view name, std::span<const float> values, int components = 1);
+    void add_point_array(std::string_view name, std::span<const std::int32_t> values);
+
+    std::string cell_arrays, point_arrays;  ///< DataArray elements, encoded
+};
+
+/// Writes one frame, atomically. `time` is stored as TimeValue [s]. @throws FileError
+void write_vtp(const std::filesystem::path& path, const PolyData& data, double time);
+
+/// One entry of a PVD file.
+struct PvdFrame {
+    double time{0};    ///< [s]
+    std::string file;  ///< relative to the PVD file
+};
+
+/// Replaces the PVD file, atomically: a viewer that reads while the run writes sees whole frames only.
+void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> frames);
+
+}  // namespace riprap::io

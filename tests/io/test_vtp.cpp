@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+#include <random>
+
+#include "io/temporary_folder.hpp"
+#include "io/vtk_reader.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/io/vtk_data.hpp"
+#include "riprap/io/vtp.hpp"
+
+namespace riprap::io {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::span<const unsigned char> as_bytes(const std::string& text) {
+    return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
+TEST(VtkData, Base64AgreesWithItsDefinition) {
+    EXPECT_EQ(encode_base64(as_bytes("")), "");
+    EXPECT_EQ(encode_base64(as_bytes("f")), "Zg==");
+    EXPECT_EQ(encode_base64(as_bytes("fo")), "Zm8=");
+    EXPECT_EQ(encode_base64(as_bytes("foobar")), "Zm9vYmFy");
+}
+
+TEST(VtkData, Base64ComesBackForEveryLengthAndRefusesOtherText) {
+    std::mt19937 random(1);
+    for (std::size_t length = 0; length < 70; ++length) {
+        std::string bytes(length, '\0');
+        for (char& c : bytes) {
+            c = static_cast<char>(random());
+        }
+        EXPECT_EQ(decode_base64(encode_base64(as_bytes(bytes))), bytes);
+    }
+    EXPECT_THROW(decode_base64("Zg="), FileError);
+    EXPECT_THROW(decode_base64("Z!=="), FileError);
+    EXPECT_THROW(decode_base64("Zg==Zg=="), FileError);
+}
+
+TEST(VtkData, AnArrayOfSeveralBlocksComesBack) {
+    for (const std::size_t count : {0UL, 1UL, 65'536UL, 65'537UL, 200'000UL}) {  // 65 536 floats fill one block
+        std::vector<float> values(count);
+        std::iota(values.begin(), values.end(), 0.5F);
+        EXPECT_EQ(vtk_reader::array<float>(vtk_array("v", values), "v"), values) << count;
+    }
+}
+
+PolyData square_and_triangle() {
+    PolyData data;
+    data.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+    data.connectivity = {0, 1, 2, 3, 0, 1, 4};
+    data.offsets = {4, 7};
+    data.add_cell_array("speed", std::array{1.0F, 2.0F});
+    data.add_point_array("tag", std::array<std::int32_t, 5>{1, 2, 3, 4, 5});
+    return data;
+}
+
+TEST(Vtp, PolygonsComeBackWithTheirArraysAndTime) {
+    const TemporaryFolder folder;
+    write_vtp(folder / "a.vtp", square_and_triangle(), 0.1);
+    const std::string xml = read_file(folder / "a.vtp", 1U << 20U);
+    const std::string piece = vtk_reader::tag(xml, "<Piece");
+    EXPECT_EQ(vtk_reader::attribute(piece, "NumberOfPoints"), "5");
+    EXPECT_EQ(vtk_reader::attribute(piece, "NumberOfPolys"), "2");
+    EXPECT_EQ(vtk_reader::attribute(piece, "NumberOfVerts"), "0");
+    EXPECT_EQ(vtk_reader::attribute(vtk_reader::tag(xml, "<VTKFile"), "header_type"), "UInt64");
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "connectivity"), ElementsAre(0, 1, 2, 3, 0, 1, 4));
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "offsets"), ElementsAre(4, 7));
+    EXPECT_THAT(vtk_reader::array<float>(xml, "speed"), ElementsAre(1.0F, 2.0F));
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "tag"), ElementsAre(1, 2, 3, 4, 5));
+    const auto points = vtk_reader::array<double>(xml, "Points");
+    ASSERT_EQ(points.size(), 15U);
+    EXPECT_EQ(points[14], 1.0);
+    EXPECT_THAT(xml, HasSubstr("format=\"ascii\">0.1<"));
+}
+
+TEST(Vtp, AnAppendedLayoutIsNeverUsed) {
+    const TemporaryFolder folder;
+    write_vtp(folder / "a.vtp", square_and_triangle(), 0);
+    EXPECT_EQ(read_file(folder / "a.vtp", 1U << 20U).find("ppended"), std::string::npos);
+}
+
+TEST(Vtp, ACloudOfPointsHasOneVertexCellPerPoint) {
+    const TemporaryFolder folder;
+    PolyData data;
+    data.is_point_cloud = true;
+    data.points = {{1, 2, 3}, {4, 5, 6}};
+    write_vtp(folder / "a.vtp", data, 0);
+    const std::string xml = read_file(folder / "a.vtp", 1U << 20U);
+    EXPECT_EQ(vtk_reader::attribute(vtk_reader::tag(xml, "<Piece"), "NumberOfVerts"), "2");
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "connectivity"), ElementsAre(0, 1));
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "offsets"), ElementsAre(1, 2));
+}
+
+TEST(Pvd, EveryFrameIsListedWithItsTime) {
+    const TemporaryFolder folder;
+    write_pvd(folder / "out.pvd", std::array{PvdFrame{0, "frames/a.vtp"}, PvdFrame{0.25, "frames/b.vtp"}});
+    const std::string xml = read_file(folder / "out.pvd", 1U << 20U);
+    EXPECT_THAT(xml, HasSubstr("timestep=\"0\" part=\"0\" file=\"frames/a.vtp\""));
+    EXPECT_THAT(xml, HasSubstr("timestep=\"0.25\" part=\"0\" file=\"frames/b.vtp\""));
+}
+
+}  // namespace
+}  // namespace riprap::io
