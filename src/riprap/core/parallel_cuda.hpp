@@ -4,9 +4,9 @@
 // CUDA back end of core/parallel: the same loops over the same functors, on one device. Include it from .cu files only.
 //
 // A functor handed to these functions is a named type with RIPRAP_HD members, trivially copyable, holding plain
-// pointers into DeviceArrays. Sums have the bits of the host's: every block of `reduce_block` entries is folded in
-// index order by one thread, after all threads have evaluated the entries. Compile with -fmad=false, the device's
-// counterpart of -ffp-contract=off.
+// pointers into DeviceArrays. Sums have the bits of the host's: every block of entries (`reduce_block` unless told) is
+// folded in index order by one thread, after all threads have evaluated the entries. Compile with -fmad=false, the
+// device's counterpart of -ffp-contract=off.
 
 #include <cuda_runtime.h>
 
@@ -114,13 +114,13 @@ __global__ void for_each_kernel(std::int64_t n, F f) {
     }
 }
 
-/// One block of threads per reduce_block entries: all threads evaluate a tile, thread 0 folds it in index order.
+/// One block of threads per `block` entries: all threads evaluate a tile, thread 0 folds it in index order.
 template <class T, class Map, class Fold>
-__global__ void reduce_kernel(std::int64_t n, T identity, Map map, Fold fold, T* partial) {
+__global__ void reduce_kernel(std::int64_t n, std::int64_t block, T identity, Map map, Fold fold, T* partial) {
     extern __shared__ __align__(16) unsigned char shared[];
     T* tile = reinterpret_cast<T*>(shared);
-    const std::int64_t begin = static_cast<std::int64_t>(blockIdx.x) * reduce_block;
-    const std::int64_t end = begin + reduce_block < n ? begin + reduce_block : n;
+    const std::int64_t begin = static_cast<std::int64_t>(blockIdx.x) * block;
+    const std::int64_t end = begin + block < n ? begin + block : n;
     T sum = identity;
     for (std::int64_t first = begin; first < end; first += blockDim.x) {
         const std::int64_t i = first + threadIdx.x;
@@ -166,15 +166,15 @@ void for_each(std::int64_t n, const F& f) {
 
 /// Same bits as parallel::reduce with the same functors.
 template <class T, class Map, class Fold>
-T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
+T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, std::int64_t block = reduce_block) {
     static_assert(sizeof(T) * detail::threads_per_block <= 48 * 1024, "one tile must fit in shared memory");
     if (n <= 0) {
         return identity;
     }
-    const std::int64_t block_count = (n + reduce_block - 1) / reduce_block;
+    const std::int64_t block_count = (n + block - 1) / block;
     DeviceArray<T> partial(static_cast<std::size_t>(block_count));
     detail::reduce_kernel<<<static_cast<unsigned>(block_count), detail::threads_per_block,
-                            sizeof(T) * detail::threads_per_block>>>(n, identity, map, fold, partial.data());
+                            sizeof(T) * detail::threads_per_block>>>(n, block, identity, map, fold, partial.data());
     check(cudaGetLastError(), "start a sum on the device");
     T total = identity;
     for (const T& p : partial.download()) {
