@@ -83,7 +83,7 @@ struct NewBody {
     double density{0};  ///< [kg/m^3]
     Drive drive{Drive::free};
     Pose pose;                   ///< of the given shape frame(s)
-    Vec3 velocity{};             ///< [m/s]
+    Vec3 velocity{};             ///< of the centre of mass [m/s]
     Vec3 angular_velocity{};     ///< world axes [rad/s]
     double release_time{1e300};  ///< [s]
     std::int32_t motion{-1};

@@ -31,9 +31,10 @@ struct NormalContact {
 struct ContactHistory {
     std::vector<std::uint64_t> pair;     ///< a << 32 | b of the parts
     std::vector<std::uint64_t> feature;  ///< feature of A << 32 | feature of B; 0 for one contact per pair
-    std::vector<Vec3> normal;            ///< of the last step [-], from B into A: direction of the force on A
+    std::vector<Vec3> normal;            ///< of the last step, from A to B [-]
     std::vector<Vec3> shear_force;       ///< tangential spring force on A [N]
     std::vector<double> torsion;         ///< torsional spring moment on A about the normal [N m]
+    std::vector<double> shear_energy;    ///< stored in both springs [J]
 
     std::size_t size() const { return pair.size(); }
     void resize(std::size_t count) {
@@ -42,6 +43,7 @@ struct ContactHistory {
         normal.resize(count);
         shear_force.resize(count);
         torsion.resize(count);
+        shear_energy.resize(count);
     }
     friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 
@@ -52,19 +54,30 @@ struct ContactHistory {
         visit("contact.normal", self.normal);
         visit("contact.shear_force", self.shear_force);
         visit("contact.torsion", self.torsion);
+        visit("contact.shear_energy", self.shear_energy);
     }
 };
 
-/// Full account of the contacts of one step, for laws, gather and output: Scratch. Rows as in ContactHistory.
+constexpr std::uint64_t pair_key(PartPair parts) {
+    return static_cast<std::uint64_t>(parts.a) << 32 | static_cast<std::uint64_t>(parts.b);
+}
+
+/// Full account of one contact in one step, for gathering, ledger and output: Scratch. Rows as in ContactHistory.
 struct ContactRow {
     PartPair parts;
-    Vec3 point;           ///< where the force acts [m]
-    Vec3 force;           ///< total on A: normal + damping + shear [N]
-    Vec3 moment;          ///< total couple on A besides point x force [N m]
-    double normal_force;  ///< size of the normal force, damping included [N]
-    double shear_force;   ///< size of the shear force [N]
-    double overlap;       ///< [m]
-    double area;          ///< [m^2]
+    Vec3 point;             ///< where the force acts [m]
+    Vec3 force;             ///< total on A: normal + damping + shear; B gets the opposite [N]
+    Vec3 moment;            ///< couple on A besides (point - centre) x force [N m]
+    Vec3 normal;            ///< from A to B [-]
+    double elastic_energy;  ///< stored in the overlap [J]
+    double friction_loss;   ///< dissipated by sliding in this step [J]
+    double damping_loss;    ///< dissipated by the dashpots in this step [J]
+    double gershgorin_a;    ///< contribution to omega_max^2 of A's body [1/s^2]
+    double gershgorin_b;
+    float normal_force;  ///< size of the normal force, damping included [N]
+    float overlap;       ///< [m]
+    float potential;     ///< largest normalised potential [-]
+    float area;          ///< [m^2]
     std::uint8_t is_sliding;
 };
 

@@ -72,17 +72,18 @@ void for_ranges(std::int64_t n, std::int64_t grain, const F& f) {
     detail::for_chunks(n, grain, true, f);
 }
 
-/// fold(fold(identity, map(0)), map(1)) ... in fixed blocks: same bits at any thread count.
+/// fold(fold(identity, map(0)), map(1)) ... in fixed blocks: same bits at any thread count. `block` is part of the
+/// definition of a result; a smaller one lets a costly map share its work at small n.
 template <class T, class Map, class Fold>
-T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
-    const std::int64_t block_count = (n + reduce_block - 1) / reduce_block;
+T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, std::int64_t block = reduce_block) {
+    const std::int64_t block_count = (n + block - 1) / block;
     std::vector<T> partial(static_cast<std::size_t>(block_count), identity);
-    detail::for_chunks(n, reduce_block, true, [&](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, block, true, [&](std::int64_t begin, std::int64_t end) {
         T sum = identity;
         for (std::int64_t i = begin; i < end; ++i) {
             sum = fold(sum, map(i));
         }
-        partial[static_cast<std::size_t>(begin / reduce_block)] = sum;
+        partial[static_cast<std::size_t>(begin / block)] = sum;
     });
     T total = identity;
     for (const T& p : partial) {

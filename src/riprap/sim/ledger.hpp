@@ -7,7 +7,7 @@ namespace riprap::sim {
 
 /// Energy and momentum by term, always on. The integrator is drift-kick-drift, so everything is measured at the
 /// kick, at mid-step: `time` lies half a step behind the State it came with. Closure: kinetic + potential +
-/// elastic + shear + dissipated - work_in = its first value [J].
+/// elastic + shear + dissipated - work = its value at the first kick [J].
 struct Ledger {
     double time{0};                 ///< [s]
     double kinetic{0};              ///< of free bodies [J]
@@ -18,14 +18,18 @@ struct Ledger {
     double dissipated_contact{0};   ///< by contact dashpots [J]
     double dissipated_damping{0};   ///< by local and mass damping [J]
     double work_driven{0};          ///< done on the scene by driven bodies [J]
+    double work_external{0};        ///< done by loads that are not contacts, a fluid's say [J]
     double work_gravity_change{0};  ///< by a gravity that changes with time [J]
+    double work_released{0};        ///< kinetic + potential that released bodies brought along [J]
     double residual{0};             ///< closure minus its first value [J]
-    double turnover{0};             ///< largest of kinetic range, dissipated, work: what residual is judged against [J]
-    Vec3 momentum{};                ///< [kg m/s]
-    Vec3 impulse{};                 ///< of gravity, supports and damping since the start [N s]
+    double turnover{0};             ///< largest of kinetic range, stored, dissipated, work: the scale of residual [J]
+    Vec3 momentum{};                ///< of free bodies [kg m/s]
+    Vec3 impulse{};                 ///< of gravity, supports, damping, external loads, releases since the start [N s]
+    Vec3 momentum_residual{};       ///< momentum - impulse minus its first value [kg m/s]
     Vec3 angular_momentum{};        ///< about the origin [kg m^2/s]
-    Vec3 angular_impulse{};         ///< likewise [N m s]
-    double mass{0};                 ///< of free bodies [kg]
+    Vec3 angular_impulse{};         ///< like impulse, about the origin [N m s]
+    Vec3 angular_momentum_residual{};  ///< [kg m^2/s]
+    double mass{0};                    ///< of free bodies [kg]
 };
 
 }  // namespace riprap::sim

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/contact/narrowphase/distance_potential.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
+#include "riprap/solid/dem_settings.hpp"
 
 namespace riprap::sim {
 
@@ -25,15 +25,7 @@ struct Gravity {
 };
 
 /// How solids move; today explicit DEM with the distance potential.
-struct SolidSettings {
-    contact::DistancePotentialOptions contact;
-    double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
-    double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]
-    double grid_factor{2};    ///< gamma: ratio of circumradius between size classes [-]
-    double skin{0.1};         ///< of the pair cache, as a fraction of the median circumradius [-]
-    double max_potential{1};  ///< a deeper overlap than this share of the inscribed radius ends the run [-]
-    double max_speed{1e5};    ///< a faster body ends the run [m/s]
-};
+using SolidSettings = solid::DemSettings;
 
 /// Time axis.
 struct TimeSettings {

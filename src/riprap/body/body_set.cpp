@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/body/body_set.hpp"
+
+#include <algorithm>
+
+namespace riprap::body {
+
+namespace {
+
+/// Mass and second moment of one part, both per unit density, in the frame the parts are given in.
+struct PartIntegrals {
+    double volume;
+    Vec3 center;
+    Mat3 second_moment;  ///< about `center`
+};
+
+PartIntegrals integrals_of(const geometry::ShapeSet& shapes, const Part& part) {
+    const Mat3 turn = to_matrix(part.local.orientation);
+    return {shapes.volume(part.shape), part.local.position, turn * shapes.second_moment(part.shape) * transpose(turn)};
+}
+
+/// Moments that agree to round-off are made equal, so that symmetric tops are recognised as such.
+Vec3 snap_equal(Vec3 moments) {
+    const double tolerance = 1e-12 * std::max({moments.x, moments.y, moments.z});
+    if (std::abs(moments.y - moments.x) <= tolerance) {
+        moments.y = moments.x;
+    }
+    if (std::abs(moments.z - moments.x) <= tolerance) {
+        moments.z = moments.x;
+    } else if (std::abs(moments.z - moments.y) <= tolerance) {
+        moments.z = moments.y;
+    }
+    return moments;
+}
+
+}  // namespace
+
+std::string BodySet::name(BodyId body) const {
+    const auto i = static_cast<std::size_t>(body.value);
+    const std::string& base = names[static_cast<std::size_t>(name_id[i])];
+    return name_index[i] < 0 ? base : base + '[' + std::to_string(name_index[i]) + ']';
+}
+
+Vec3 angular_velocity(const BodySet& bodies, const BodyState& state, BodyId body) {
+    const auto i = static_cast<std::size_t>(body.value);
+    const Vec3& moments = bodies.principal_moments[i];
+    if (moments.x <= 0) {
+        return {};
+    }
+    const Quat frame = state.orientation[i] * bodies.principal_axes[i];
+    const Vec3 local = rotate_back(frame, state.angular_momentum[i]);
+    return rotate(frame, {local.x / moments.x, local.y / moments.y, local.z / moments.z});
+}
+
+Vec3 angular_momentum_of(const BodySet& bodies, BodyId body, const Quat& orientation, const Vec3& angular_velocity) {
+    const auto i = static_cast<std::size_t>(body.value);
+    const Vec3& moments = bodies.principal_moments[i];
+    const Quat frame = orientation * bodies.principal_axes[i];
+    const Vec3 local = rotate_back(frame, angular_velocity);
+    return rotate(frame, {local.x * moments.x, local.y * moments.y, local.z * moments.z});
+}
+
+bool is_free(const BodySet& bodies, BodyId body, double time) {
+    const auto i = static_cast<std::size_t>(body.value);
+    return bodies.drive[i] == Drive::free || time >= bodies.release_time[i];
+}
+
+BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& shapes, const NewBody& body) {
+    const BodyId id{bodies.size()};
+
+    double volume = 0;
+    Vec3 first_moment{};
+    for (const Part& part : body.parts) {
+        const PartIntegrals integrals = integrals_of(shapes, part);
+        volume += integrals.volume;
+        first_moment += integrals.volume * integrals.center;
+    }
+    const bool is_single = body.parts.size() == 1 && body.parts[0].local == Pose{};
+    const Vec3 center = is_single || volume <= 0 ? Vec3{} : first_moment / volume;
+    Mat3 second_moment{};
+    for (const Part& part : body.parts) {
+        const PartIntegrals integrals = integrals_of(shapes, part);
+        const Vec3 arm = integrals.center - center;
+        second_moment = second_moment + integrals.second_moment + integrals.volume * outer(arm, arm);
+    }
+    const SymmetricEigen eigen = symmetric_eigen(body.density * geometry::inertia_from_second_moment(second_moment));
+
+    const auto name = std::find(bodies.names.rbegin(), bodies.names.rend(), body.name);
+    if (name == bodies.names.rend()) {
+        bodies.name_id.push_back(static_cast<std::int32_t>(bodies.names.size()));
+        bodies.names.push_back(body.name);
+    } else {
+        bodies.name_id.push_back(static_cast<std::int32_t>(bodies.names.rend() - name) - 1);
+    }
+    bodies.name_index.push_back(body.name_index);
+    bodies.material.push_back(body.material);
+    bodies.drive.push_back(body.drive);
+    bodies.mass.push_back(body.density * volume);
+    bodies.principal_moments.push_back(volume > 0 ? snap_equal(eigen.values) : Vec3{});
+    bodies.principal_axes.push_back(from_matrix(eigen.axes));
+    bodies.motion.push_back(body.motion);
+    bodies.release_time.push_back(body.release_time);
+    if (bodies.part_begin.empty()) {
+        bodies.part_begin.push_back(0);
+    }
+    for (Part part : body.parts) {
+        part.body = id;
+        part.local.position -= center;
+        bodies.parts.push_back(part);
+    }
+    bodies.part_begin.push_back(bodies.part_count());
+
+    const Pose pose{to_world(body.pose, center), normalized(body.pose.orientation)};
+    bodies.initial_pose.push_back(pose);
+    state.position.push_back(pose.position);
+    state.orientation.push_back(pose.orientation);
+    state.velocity.push_back(body.velocity);
+    state.angular_momentum.push_back(angular_momentum_of(bodies, id, pose.orientation, body.angular_velocity));
+    return id;
+}
+
+}  // namespace riprap::body

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/contact/contact_set.hpp"
+#include "riprap/material/material_set.hpp"
+
+namespace riprap::contact {
+
+/// How two bodies move at a contact point, and how heavy they feel there.
+struct ContactKinematics {
+    Vec3 relative_velocity;  ///< v_A - v_B at the point of action [m/s]
+    Vec3 mean_spin;          ///< (omega_A + omega_B)/2 [rad/s]
+    Vec3 relative_spin;      ///< omega_A - omega_B [rad/s]
+    double sliding_time;     ///< time between the last contact evaluation and this one [s]
+    double effective_mass;   ///< 1/m_e = n.(1/m_A + 1/m_B)n + (r_A x n) J_A^-1 (r_A x n) + same of B [kg]
+};
+
+/// The tangential and torsional springs that survive from step to step.
+struct ShearState {
+    Vec3 normal;          ///< at the last step, from A to B [-]
+    Vec3 shear_force;     ///< on A [N]
+    double torsion;       ///< on A about the normal [N m]
+    double shear_energy;  ///< [J]
+};
+
+/// Tangential response of one contact: incremental Coulomb friction with one spring per contact pair
+/// [Zhao, eqs 31-36, corrected],
+///
+///     f_s <- R f_s - K_s [v - (v.n) n] dt,   |f_s| <= f_n mu + c S_c,
+///
+/// R turns the old normal into the new one and spins by (omega_A + omega_B).n dt / 2 about it; the length of f_s is
+/// kept by R. K_s = (k_s/k_n) K_n, or the literal shear_stiffness. A spring dies with its contact. The normal force
+/// is the elastic one plus a dashpot, never tensile:
+///
+///     f_n = max(0, |F| + 2 xi sqrt(m_e K_n) v.n),   n from A to B.
+///
+/// Torsion (optional): a spring K_s S_c/(2 pi) against relative spin about n, limited by mu times the spin moment of
+/// the pressure. Differs from the source: c is a stress (the source's "2.14 Pa"), so the cohesive force is c S_c.
+///
+/// @param normal  elastic normal contact, force on A
+/// @param before  springs of the last step, nullptr for a new contact
+/// @param after   springs after this step
+/// @param row     filled but for the parts and the Gershgorin terms
+void coulomb(const NormalContact& normal, const material::PairProperties& pair, const ContactKinematics& kinematics,
+             const ShearState* before, ShearState& after, ContactRow& row);
+
+}  // namespace riprap::contact

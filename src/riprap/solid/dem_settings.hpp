@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/contact/narrowphase/distance_potential.hpp"
+
+namespace riprap::solid {
+
+/// Explicit DEM of polyhedra with the distance potential.
+struct DemSettings {
+    contact::DistancePotentialOptions contact;
+    double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
+    double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]
+    double grid_factor{2};    ///< gamma: ratio of circumradius between size classes [-]
+    double skin{0.1};         ///< of the pair cache, as a fraction of the median circumradius [-]
+    double max_potential{1};  ///< an overlap deeper than this share of the inscribed radius ends the run [-]
+    double max_speed{1e5};    ///< a faster body ends the run [m/s]
+};
+
+}  // namespace riprap::solid

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/body/prescribed_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace riprap::body {
+namespace {
+
+/// The stated velocities must be the time derivatives of the stated pose.
+void expect_velocity_is_derivative_of_pose(const PrescribedMotion& motion, const Pose& initial, double time) {
+    const double h = 1e-5;
+    const DrivenState now = evaluate(motion, initial, time);
+    const DrivenState before = evaluate(motion, initial, time - h), after = evaluate(motion, initial, time + h);
+    const Vec3 velocity = (after.pose.position - before.pose.position) / (2 * h);
+    const Vec3 turn = to_rotation_vector(after.pose.orientation * conjugate(before.pose.orientation));
+    EXPECT_LT(norm(velocity - now.velocity), 1e-7);
+    EXPECT_LT(norm(turn / (2 * h) - now.angular_velocity), 1e-7);
+}
+
+const Pose start{{1, 2, 3}, from_rotation_vector({0.2, 0.1, -0.4})};
+
+TEST(PrescribedMotion, EveryLawStartsAtTheInitialPoseAndMovesAtItsStatedVelocity) {
+    const PrescribedMotion motions[] = {
+        {LinearMotion{{1, -2, 0.5}}},
+        {SinusoidalMotion{{0.1, 0, 0.2}, 0.7, 0.3}},
+        {TableMotion{{0, 1, 3}, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}}},
+        {RotatingMotion{{0, 0, 1}, {0, 0.6, 0.8}, 0.3, 0.1, 1.5, 0.2}},
+    };
+    for (const PrescribedMotion& motion : motions) {
+        const DrivenState first = evaluate(motion, start, 0);
+        EXPECT_LT(norm(first.pose.position - start.position), 1e-14);
+        for (const double time : {0.2, 0.9, 2.1}) {
+            expect_velocity_is_derivative_of_pose(motion, start, time);
+        }
+    }
+}
+
+TEST(PrescribedMotion, ABodyRestsBeforeItsStartAndAfterItsStop) {
+    const PrescribedMotion motion{LinearMotion{{2, 0, 0}}, 1.0, 3.0};
+    EXPECT_EQ(evaluate(motion, start, 0.5).pose.position, start.position);
+    EXPECT_EQ(evaluate(motion, start, 0.5).velocity, Vec3{});
+    EXPECT_DOUBLE_EQ(evaluate(motion, start, 2).pose.position.x, start.position.x + 2);
+    EXPECT_DOUBLE_EQ(evaluate(motion, start, 9).pose.position.x, start.position.x + 4);
+    EXPECT_EQ(evaluate(motion, start, 9).velocity, Vec3{});
+}
+
+TEST(PrescribedMotion, AQuarterTurnAboutAnAxisMovesAPointAlongItsArc) {
+    const PrescribedMotion motion{RotatingMotion{.center = {1, 0, 0}, .axis = {0, 0, 1}, .rate = 0.5}};
+    const DrivenState turned = evaluate(motion, {{3, 0, 0}, {}}, std::numbers::pi);
+    EXPECT_NEAR(turned.pose.position.x, 1, 1e-15);
+    EXPECT_NEAR(turned.pose.position.y, 2, 1e-15);
+    EXPECT_NEAR(turned.velocity.x, -1, 1e-15);
+}
+
+TEST(PrescribedMotion, ATableIsLinearBetweenRowsAndConstantBeyondThem) {
+    const PrescribedMotion motion{TableMotion{{1, 2}, {{0, 0, 0}, {4, 0, 0}}}};
+    EXPECT_EQ(evaluate(motion, Pose{}, 0.5).pose.position, Vec3{});
+    EXPECT_EQ(evaluate(motion, Pose{}, 1.25).pose.position, (Vec3{1, 0, 0}));
+    EXPECT_EQ(evaluate(motion, Pose{}, 7).pose.position, (Vec3{4, 0, 0}));
+}
+
+}  // namespace
+}  // namespace riprap::body

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/law/coulomb.hpp"
+
+#include <gtest/gtest.h>
+
+namespace riprap::contact {
+namespace {
+
+/// A lies above B: the force on A points up, the normal from A to B down.
+NormalContact pressed(double force) {
+    NormalContact contact{};
+    contact.force = {0, 0, force};
+    contact.area = 2;
+    contact.stiffness = 1e6;
+    contact.spin_moment = 3;
+    return contact;
+}
+
+ContactKinematics sliding(const Vec3& velocity, double dt = 1e-3) {
+    return {
+        .relative_velocity = velocity, .mean_spin = {}, .relative_spin = {}, .sliding_time = dt, .effective_mass = 4};
+}
+
+const material::PairProperties rough{.shear_ratio = 0.5, .friction = 0.4};
+
+TEST(Coulomb, AStickingSpringLoadsWithItsDisplacementAndOpposesIt) {
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), rough, sliding({0.1, 0, 0}), nullptr, after, row);
+    // K_s = 0.5e6 N/m stretched by 0.1 m/s * 1e-3 s.
+    EXPECT_NEAR(after.shear_force.x, -50, 1e-12);
+    EXPECT_NEAR(after.shear_energy, 50.0 * 50.0 / (2 * 0.5e6), 1e-15);
+    EXPECT_EQ(row.is_sliding, 0);
+    EXPECT_EQ(row.friction_loss, 0);
+    EXPECT_NEAR(row.force.z, 1000, 1e-12);
+    EXPECT_EQ(row.normal.z, -1);
+}
+
+TEST(Coulomb, SlidingForceIsFrictionTimesNormalPlusCohesionTimesArea) {
+    material::PairProperties sticky = rough;
+    sticky.cohesion = 30;
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), sticky, sliding({3, 4, 0}), nullptr, after, row);
+    EXPECT_NEAR(norm(after.shear_force), 0.4 * 1000 + 30 * 2, 1e-10);
+    EXPECT_NEAR(after.shear_force.x / after.shear_force.y, 3.0 / 4.0, 1e-12);
+    EXPECT_EQ(row.is_sliding, 1);
+}
+
+TEST(Coulomb, WorkPutIntoASlidingSpringIsEitherStoredOrLost) {
+    ShearState springs{}, after{};
+    bool is_new = true;
+    double work = 0, loss = 0, stored = 0;
+    ContactRow row;
+    for (int step = 0; step < 400; ++step) {
+        const Vec3 velocity{0.02 * std::cos(0.03 * step), 0.015 * std::sin(0.05 * step), 0};
+        const Vec3 force_before = springs.shear_force;
+        coulomb(pressed(1000), rough, sliding(velocity), is_new ? nullptr : &springs, after, row);
+        work -= 0.5e-3 * dot(velocity, force_before + after.shear_force);
+        loss += row.friction_loss;
+        stored = after.shear_energy;
+        springs = after;
+        is_new = false;
+    }
+    EXPECT_GT(loss, 0.1 * work);
+    EXPECT_NEAR(stored + loss, work, 2e-3 * work);
+}
+
+TEST(Coulomb, ATurningNormalCarriesTheSpringAlongWithItsLengthKept) {
+    const ShearState before{{0, 0, -1}, {30, 40, 0}, 0, 1e-3};
+    NormalContact tilted = pressed(1000);
+    tilted.force = 1000.0 * normalized(Vec3{0.2, -0.1, 1});
+    ShearState after;
+    ContactRow row;
+    coulomb(tilted, rough, sliding({}), &before, after, row);
+    EXPECT_NEAR(norm(after.shear_force), 50, 1e-12);
+    EXPECT_NEAR(dot(after.shear_force, after.normal), 0, 1e-12);
+}
+
+TEST(Coulomb, ASpringSpinsWithItsTwoBodies) {
+    const ShearState before{{0, 0, -1}, {50, 0, 0}, 0, 0};
+    ContactKinematics spinning = sliding({}, 1e-4);
+    spinning.mean_spin = {0, 0, 100};
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), rough, spinning, &before, after, row);
+    EXPECT_NEAR(std::atan2(after.shear_force.y, after.shear_force.x), 0.01, 1e-6);
+    EXPECT_NEAR(norm(after.shear_force), 50, 1e-12);
+}
+
+TEST(Coulomb, AFlippedNormalForgetsTheSpringAndBooksItsEnergyAsLost) {
+    const ShearState before{{0, 0, 1}, {50, 0, 0}, 0, 0.7};
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), rough, sliding({}), &before, after, row);
+    EXPECT_EQ(norm(after.shear_force), 0);
+    EXPECT_DOUBLE_EQ(row.friction_loss, 0.7);
+}
+
+TEST(Coulomb, TheDashpotOpposesApproachAndNeverPulls) {
+    const material::PairProperties damped{.damping_ratio = 0.1};
+    ShearState after;
+    ContactRow row;
+    // A moves down onto B: 2 xi sqrt(m K) v = 0.2 * sqrt(4e6) * 0.5 = 200 N.
+    coulomb(pressed(1000), damped, sliding({0, 0, -0.5}), nullptr, after, row);
+    EXPECT_NEAR(row.force.z, 1200, 1e-3);
+    EXPECT_GT(row.damping_loss, 0);
+    coulomb(pressed(1000), damped, sliding({0, 0, 50}), nullptr, after, row);
+    EXPECT_EQ(row.force.z, 0);
+    EXPECT_GT(row.damping_loss, 0);
+}
+
+TEST(Coulomb, TorsionOpposesRelativeSpinUpToTheSpinMomentOfThePressure) {
+    material::PairProperties twisting = rough;
+    twisting.has_torsion = true;
+    ContactKinematics motion = sliding({}, 1e-3);
+    motion.relative_spin = {0, 0, 1e-3};
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), twisting, motion, nullptr, after, row);
+    EXPECT_LT(row.moment.z, 0);
+    motion.relative_spin = {0, 0, 1e3};
+    coulomb(pressed(1000), twisting, motion, nullptr, after, row);
+    EXPECT_NEAR(row.moment.z, -0.4 * 3, 1e-12);
+}
+
+}  // namespace
+}  // namespace riprap::contact
