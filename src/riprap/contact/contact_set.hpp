@@ -75,6 +75,7 @@ struct ContactRow {
     double gershgorin_a;    ///< contribution to omega_max^2 of A's body [1/s^2]
     double gershgorin_b;
     float normal_force;  ///< size of the normal force, damping included [N]
+    float shear_force;   ///< size of the tangential force [N]
     float overlap;       ///< [m]
     float potential;     ///< largest normalised potential [-]
     float area;          ///< [m^2]

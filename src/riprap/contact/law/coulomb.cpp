@@ -100,6 +100,7 @@ void coulomb(const NormalContact& normal, const material::PairProperties& pair, 
     row.friction_loss = springs.friction_loss;
     row.damping_loss = (normal_force - elastic) * closing * kinematics.sliding_time;
     row.normal_force = static_cast<float>(normal_force);
+    row.shear_force = static_cast<float>(norm(after.shear_force));
     row.overlap = static_cast<float>(normal.depth);
     row.potential = static_cast<float>(normal.potential);
     row.area = static_cast<float>(normal.area);
