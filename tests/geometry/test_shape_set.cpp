@@ -159,7 +159,9 @@ TEST(ShapeSet, AreaTensorHasTheSurfaceAsTrace) {
 TEST(ShapeSet, APlanarPrismCarriesItsFieldOnItsSides) {
     ShapeSet shapes;
     const std::vector<Point2> corners{{0, 0}, {30, 0}, {0, 40}};
-    const ShapeId id = shapes.add_convex(extruded_polygon(corners, -0.5, 0.5).value(), true);
+    Vec3 centroid{};
+    const ShapeId id = shapes.add_convex(extruded_polygon(corners, -0.5, 0.5).value(), true, &centroid);
+    EXPECT_EQ(centroid.z, 0);  // to the bit: nothing may push a planar body out of its plane
     const ConvexView view = shapes.view(id);
     ASSERT_EQ(view.face_count, 5);
     int internal = 0;

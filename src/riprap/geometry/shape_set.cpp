@@ -49,6 +49,12 @@ double depth_below(const Plane& plane, const std::vector<Vec3>& vertices) {
     return depth;
 }
 
+double middle_height(const std::vector<Vec3>& vertices) {
+    const auto [low, high] =
+        std::minmax_element(vertices.begin(), vertices.end(), [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+    return 0.5 * (low->z + high->z);
+}
+
 /// The end faces of a prism along z carry no field.
 void mark_end_faces(Polyhedron& shape, const std::vector<Plane>& planes) {
     shape.is_internal.assign(shape.faces.size(), 0);
@@ -83,7 +89,10 @@ Mat3 area_tensor_of(const Polyhedron& shape, const std::vector<Plane>& planes) {
 
 ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* centroid) {
     Polyhedron shape = merge_coplanar_faces(polyhedron);
-    const MassProperties mass = mass_properties(shape);
+    MassProperties mass = mass_properties(shape);
+    if (planar) {
+        mass.centroid.z = middle_height(shape.vertices);  // no round-off out of the plane of motion
+    }
     RIPRAP_ASSERT(mass.volume > 0, "volume " + std::to_string(mass.volume));
     for (Vec3& x : shape.vertices) {
         x -= mass.centroid;
