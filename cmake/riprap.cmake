@@ -1,6 +1,5 @@
 # Flags shared by every target, and the two functions that declare libraries and tests.
 find_package(Threads REQUIRED)
-find_package(fmt REQUIRED)
 if(RIPRAP_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()

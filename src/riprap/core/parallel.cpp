@@ -14,6 +14,13 @@ int threads = 1;
 }
 
 int thread_count() { return threads; }
+const char* backend_name() {
+#if defined(RIPRAP_OPENMP)
+    return "OpenMP";
+#else
+    return "serial";
+#endif
+}
 void set_thread_count(int count) { threads = std::max(1, count); }
 
 namespace detail {

@@ -20,6 +20,8 @@ namespace riprap::parallel {
 
 /// Number of host threads used by every loop below [-].
 int thread_count();
+/// Name of the host back end, for the record: "OpenMP" or "serial".
+const char* backend_name();
 /// Sets the number of host threads, at least 1.
 void set_thread_count(int count);
 

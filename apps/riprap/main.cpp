@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "command_line.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/run/signals.hpp"
+
+namespace {
+
+/// Threads that wait actively make a busy machine many times slower (docs/howto/command-line.md), and OpenMP reads its
+/// settings before main begins: so the program sets the default and starts itself once more, in the same process.
+void prefer_passive_waiting(char** arguments) {
+    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("RIPRAP_NO_REEXEC") == nullptr) {
+        setenv("OMP_WAIT_POLICY", "passive", 1);
+        execv("/proc/self/exe", arguments);  // comes back only where it cannot: then the run is merely slower
+    }
+}
+
+int fail(riprap::ExitCode code, const char* message) {
+    fmt::print(stderr, "riprap: {}\n", message);
+    return static_cast<int>(code);
+}
+
+int report_case_error(const riprap::CaseError& error) {
+    for (const riprap::Diagnostic& problem : error.problems()) {
+        fmt::print(stderr, "{}\n", to_string(problem));
+    }
+    const std::size_t count = error.problems().size();
+    fmt::print(stderr, "riprap: {} problem{} with the case, nothing was run\n", count, count == 1 ? "" : "s");
+    return static_cast<int>(riprap::ExitCode::bad_case);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    using riprap::ExitCode;
+    prefer_passive_waiting(arguments);
+    riprap::run::ignore_write_signals();
+    try {
+        return riprap::command_line(argument_count, arguments);
+    } catch (const riprap::CaseError& error) {
+        return report_case_error(error);
+    } catch (const riprap::CheckpointError& error) {
+        return fail(ExitCode::bad_checkpoint, error.what());
+    } catch (const riprap::FileError& error) {
+        return fail(ExitCode::file_system, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::bad_case, "out of memory; `riprap check` says what a case needs");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::internal, fmt::format("internal error, please report it: {}", error.what()).c_str());
+    }
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/expects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "riprap/core/error.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing};
+constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
+constexpr std::array<std::string_view, 5> reduces{"last", "min", "max", "mean", "at"};
+
+void add(RunningFigures& f, double time, double value, double at) {
+    if (time == at) {
+        f.at = value;
+    } else if (f.previous_time < at && at < time) {
+        f.at = f.previous + (value - f.previous) * (at - f.previous_time) / (time - f.previous_time);
+    }
+    f.last = value;
+    f.minimum = std::min(f.minimum, value);
+    f.maximum = std::max(f.maximum, value);
+    f.sum += value;
+    f.count += 1;
+    f.previous_time = time;
+    f.previous = value;
+}
+
+double reduce(const RunningFigures& f, const std::string& how) {
+    if (f.count == 0) {
+        return missing;
+    }
+    if (how == "min") {
+        return f.minimum;
+    }
+    if (how == "max") {
+        return f.maximum;
+    }
+    if (how == "mean") {
+        return f.sum / f.count;
+    }
+    return how == "at" ? f.at : f.last;
+}
+
+Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
+    return {{expect.place, 0, 0}, "expect '" + expect.name + "': " + std::move(message), std::move(allowed)};
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::passed:
+            return "passed";
+        case Verdict::failed:
+            return "failed";
+        default:
+            return "not_judged";
+    }
+}
+
+ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(model.expects.size(), nothing_seen) {
+    std::vector<Diagnostic> problems;
+    for (const sim::Expect& expect : model.expects) {
+        if (std::find(reduces.begin(), reduces.end(), expect.reduce) == reduces.end()) {
+            problems.push_back(
+                problem_of(expect, "reduce = '" + expect.reduce + "' is unknown", "one of last, min, max, mean, at"));
+        }
+        const std::optional<sim::Column> column = sim::find_column(model, expect.quantity);
+        if (!column) {
+            problems.push_back(
+                problem_of(expect, "there is no quantity '" + expect.quantity + "'",
+                           "a column of a probe, a quantity of the scene, or body.quantity, vectors with .x, .y or "
+                           ".z"));
+        }
+        columns_.push_back(column.value_or(sim::Column{}));
+    }
+    if (!problems.empty()) {
+        throw CaseError(std::move(problems));
+    }
+}
+
+void ExpectWatch::look(const sim::Moment& moment) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const double value = evaluate(columns_[i], moment);
+        if (!std::isnan(value)) {
+            add(figures_[i], moment.state.time, value, model_.expects[i].at);
+        }
+    }
+}
+
+std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
+    std::vector<ExpectResult> results;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const sim::Expect& expect = model_.expects[i];
+        ExpectResult result{.name = expect.name,
+                            .quantity = expect.quantity,
+                            .reduce = expect.reduce,
+                            .unit = columns_[i].unit,
+                            .citation = expect.citation,
+                            .value = reduce(figures_[i], expect.reduce),
+                            .low = expect.low,
+                            .high = expect.high};
+        if (at_end) {
+            const bool is_within = expect.low <= result.value && result.value <= expect.high;  // false for NaN
+            result.verdict = is_within ? Verdict::passed : Verdict::failed;
+        }
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+std::vector<double> ExpectWatch::save() const {
+    std::vector<double> numbers(figures_.size() * numbers_each);
+    if (!numbers.empty()) {
+        std::memcpy(numbers.data(), figures_.data(), numbers.size() * sizeof(double));
+    }
+    return numbers;
+}
+
+void ExpectWatch::load(const std::vector<double>& numbers) {
+    if (numbers.size() != figures_.size() * numbers_each) {
+        throw CheckpointError("the checkpoint follows another number of expected answers than the case");
+    }
+    if (!numbers.empty()) {
+        std::memcpy(static_cast<void*>(figures_.data()), numbers.data(), numbers.size() * sizeof(double));
+    }
+}
+
+std::string verdict_table(const std::vector<ExpectResult>& results) {
+    if (results.empty()) {
+        return {};
+    }
+    std::size_t width = 6;
+    for (const ExpectResult& result : results) {
+        width = std::max(width, result.name.size());
+    }
+    std::string text =
+        fmt::format("{:<{}}  {:>14}  {:>29}  {:<8}  verdict\n", "expect", width, "value", "band", "unit");
+    for (const ExpectResult& result : results) {
+        text += fmt::format("{:<{}}  {:>14.7g}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width, result.value,
+                            result.low, result.high, result.unit, to_string(result.verdict));
+    }
+    return text;
+}
+
+}  // namespace riprap::run

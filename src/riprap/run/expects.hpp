@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Expected answers of a case, judged while it runs: every step is looked at, not only the rows that are written.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::run {
+
+/// Running figures of one quantity. State of a run: kept in its checkpoints.
+struct RunningFigures {
+    double last, minimum, maximum, sum, count, previous_time, previous, at;
+};
+
+/// Judgement of one [[expect]].
+enum class Verdict {
+    passed,
+    failed,      ///< outside its band, or never seen
+    not_judged,  ///< the run stopped before its end
+};
+std::string_view to_string(Verdict verdict);
+
+struct ExpectResult {
+    std::string name, quantity, reduce, unit, citation;
+    double value{0};  ///< NaN when never seen
+    double low{0}, high{0};
+    Verdict verdict{Verdict::not_judged};
+};
+
+/// Follows the quantities that a case expects something of.
+class ExpectWatch {
+ public:
+    /// @throws CaseError for a quantity or a reduce that does not exist
+    explicit ExpectWatch(const sim::Model& model);
+
+    /// Takes the values at one moment. A missing value (a contact force before the first step) is left out.
+    void look(const sim::Moment& moment);
+
+    /// `at_end`: the run reached its end time; otherwise nothing is judged.
+    std::vector<ExpectResult> judge(bool at_end) const;
+
+    /// The running figures as flat numbers, for the checkpoint, and back. @throws CheckpointError on another length
+    std::vector<double> save() const;
+    void load(const std::vector<double>& numbers);
+
+ private:
+    const sim::Model& model_;
+    std::vector<sim::Column> columns_;
+    std::vector<RunningFigures> figures_;
+};
+
+/// The table of verdicts as printed at the end of a run; empty without expects.
+std::string verdict_table(const std::vector<ExpectResult>& results);
+
+}  // namespace riprap::run

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace riprap::run {
+
+/// How the program was built.
+struct BuildInfo {
+    std::string version;     ///< "0.1.0"
+    std::string compiler;    ///< "GNU 12.2.0"
+    std::string build_type;  ///< "Release"
+    std::string march;       ///< value of -march
+    std::string parallel;    ///< "OpenMP" or "serial"
+    bool has_assertions;
+};
+BuildInfo build_info();
+
+/// What it runs on.
+struct MachineInfo {
+    std::string processor;    ///< model name of the system
+    int hardware_threads;     ///< that this process may use
+    std::string system;       ///< kernel and release
+    std::string wait_policy;  ///< OMP_WAIT_POLICY as set
+};
+MachineInfo machine_info();
+
+/// Both as JSON objects, as printed by `riprap version --json` and kept in summary.json.
+std::string build_json();
+std::string machine_json();
+
+}  // namespace riprap::run

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/signals.hpp"
+
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaction is POSIX
+#include <unistd.h>
+
+#include <array>
+
+namespace riprap::run {
+
+namespace {
+
+constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
+// The only global of the program: a signal handler has no other way to speak.
+volatile sig_atomic_t received = 0;
+std::array<struct sigaction, stop_signals.size()> previous;
+
+extern "C" void on_stop_signal(int number) {
+    if (received != 0) {
+        _exit(128 + number);
+    }
+    received = number;
+}
+
+}  // namespace
+
+StopRequest::StopRequest() {
+    received = 0;
+    struct sigaction action {};
+    action.sa_handler = on_stop_signal;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (std::size_t i = 0; i < stop_signals.size(); ++i) {
+        sigaction(stop_signals[i], &action, &previous[i]);
+    }
+}
+
+StopRequest::~StopRequest() {
+    for (std::size_t i = 0; i < stop_signals.size(); ++i) {
+        sigaction(stop_signals[i], &previous[i], nullptr);
+    }
+}
+
+int StopRequest::signal() const { return received; }
+
+void ignore_write_signals() {
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace riprap::run

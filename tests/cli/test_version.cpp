@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+#include "io/temporary_folder.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(CommandLine, TheVersionNamesCompilerAndFlags) {
+    const TemporaryFolder folder;
+    const Ending ending = run_program(folder.path(), {"version"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_THAT(ending.out, HasSubstr("riprap 0."));
+    EXPECT_THAT(ending.out, HasSubstr("-march="));
+}
+
+TEST(CommandLine, TheVersionAsJsonHasBuildAndMachine) {
+    const TemporaryFolder folder;
+    const auto answer = nlohmann::json::parse(run_program(folder.path(), {"version", "--json"}).out);
+    EXPECT_TRUE(answer.at("build").at("version").is_string());
+    EXPECT_TRUE(answer.at("build").at("march").is_string());
+    EXPECT_GE(answer.at("machine").at("hardware_threads").get<int>(), 1);
+}
+
+TEST(CommandLine, ThreadsWaitPassivelyUnlessTheUserSaysOtherwise) {
+    const TemporaryFolder folder;
+    const auto policy = [&folder] {
+        const auto answer = nlohmann::json::parse(run_program(folder.path(), {"version", "--json"}).out);
+        return answer.at("machine").at("wait_policy").get<std::string>();
+    };
+    unsetenv("OMP_WAIT_POLICY");
+    EXPECT_EQ(policy(), "passive");
+    setenv("OMP_WAIT_POLICY", "active", 1);
+    EXPECT_EQ(policy(), "active");
+    // What the run-time library itself made of it, as it says when asked.
+    unsetenv("OMP_WAIT_POLICY");
+    setenv("OMP_DISPLAY_ENV", "true", 1);
+    EXPECT_THAT(run_program(folder.path(), {"version"}).err, HasSubstr("OMP_WAIT_POLICY = 'PASSIVE'"));
+    unsetenv("OMP_DISPLAY_ENV");
+}
+
+TEST(CommandLine, ABadCommandLineIsRefusedWithTwo) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_program(folder.path(), {}).code, 2);
+    EXPECT_EQ(run_program(folder.path(), {"frobnicate"}).code, 2);
+    EXPECT_EQ(run_program(folder.path(), {"version", "--nonsense"}).code, 2);
+    EXPECT_EQ(run_program(folder.path(), {"--help"}).code, 0);
+}
+
+}  // namespace
+}  // namespace riprap
