@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/contact/broadphase/broadphase.hpp"
+
+namespace riprap::contact {
+
+/// Three integer cell coordinates within one level.
+struct CellIndex {
+    std::int32_t x, y, z;
+    friend constexpr bool operator==(const CellIndex&, const CellIndex&) = default;
+};
+
+/// One level of the hierarchy: the parts of one size class on a uniform grid of their own.
+struct GridLevel {
+    double largest_radius;             ///< R_max of the class [m]
+    double inverse_cell;               ///< 1/l, l = 2 R_max + skin, a little more for round-off [1/m]
+    CellIndex low, high;               ///< cell indices of the corners of the scene's box
+    int bits_x, bits_y;                ///< of a cell index less `low`
+    std::uint64_t tag;                 ///< number of the level, above the bits of the cell
+    std::size_t cell_begin, cell_end;  ///< its occupied cells, in key order
+
+    std::uint64_t key(const CellIndex& cell) const {
+        const auto x = static_cast<std::uint64_t>(cell.x - low.x), y = static_cast<std::uint64_t>(cell.y - low.y),
+                   z = static_cast<std::uint64_t>(cell.z - low.z);
+        return tag | (((z << bits_y) | y) << bits_x) | x;
+    }
+    CellIndex cell_of_key(std::uint64_t key) const {
+        const std::uint64_t k = key & ~tag;
+        const auto part = [](std::uint64_t v) { return static_cast<std::int32_t>(v); };
+        return {low.x + part(k & ((1ULL << bits_x) - 1)), low.y + part((k >> bits_x) & ((1ULL << bits_y) - 1)),
+                low.z + part(k >> (bits_x + bits_y))};
+    }
+};
+
+/// Ordinary parts sorted by size class and cell, with contiguous copies of what a search reads. Keys order cells by z,
+/// then y, then x, so that three neighbours in x lie side by side in memory.
+///
+/// Any coordinates are safe. Cell indices count from the median of a sample of centres and stop at +-2^19 - 2: what
+/// lies farther shares the outermost cells. That keeps neighbours neighbours, so no pair is lost and no key overflows;
+/// only a crowd a million cells away from the median would be searched slowly.
+class CellOrder {
+ public:
+    static constexpr int level_limit = 16;
+
+    /// @param is_giant  one entry per part; giants stay out
+    /// @param factor    gamma > 1: radii of class k lie in (R/gamma^(k+1), R/gamma^k], R the largest [-]; the last of
+    ///                  at most 16 classes takes all that are smaller; infinity puts all parts in one class
+    void build(const PartBounds& bounds, std::span<const std::uint8_t> is_giant, double skin, double factor);
+
+    std::span<const GridLevel> levels() const { return levels_; }
+    CellIndex cell_at(const GridLevel& level, const Vec3& center) const;
+
+    /// Occupied cells of all levels: cell c holds entries cell_start[c] .. cell_start[c+1] - 1.
+    std::span<const std::uint64_t> cell_key() const { return cell_key_; }
+    std::span<const std::uint32_t> cell_start() const { return cell_start_; }
+
+    struct Entry {
+        Vec3 center;
+        double radius;
+    };
+    /// Entries equal in `group` never pair: the body's number, or -1 for every immobile part.
+    struct Owner {
+        std::int32_t part, group;
+    };
+    std::span<const Entry> entry() const { return entry_; }
+    std::span<const Owner> owner() const { return owner_; }
+    std::span<const std::int32_t> members() const { return members_; }  ///< parts that are no giants, increasing
+    std::size_t bytes() const;
+
+ private:
+    void classify(const PartBounds& bounds, std::span<const std::uint8_t> is_giant, double factor);
+    void place_levels(const PartBounds& bounds, double skin);
+    void sort_parts(const PartBounds& bounds);
+    void find_cells();
+    void copy_entries(const PartBounds& bounds);
+
+    // Size classes; kept while radii, giants and factor stay the same.
+    std::vector<double> classified_radius_;
+    std::vector<std::uint8_t> classified_giant_;
+    double classified_factor_{0};
+    std::vector<std::int32_t> members_;
+    std::vector<std::uint8_t> member_level_;
+
+    Vec3 origin_{};
+    int cell_bits_{0};
+    std::vector<GridLevel> levels_;
+    std::vector<std::uint64_t> key_, key_scratch_;
+    std::vector<std::uint32_t> part_, part_scratch_;
+    std::vector<std::uint32_t> cell_number_;
+    std::vector<std::uint64_t> cell_key_;
+    std::vector<std::uint32_t> cell_start_;
+    std::vector<Entry> entry_;
+    std::vector<Owner> owner_;
+};
+
+}  // namespace riprap::contact

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/broadphase/multilevel_grid.hpp"
+
+#include <algorithm>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::contact {
+
+namespace {
+
+/// Parts tested against the giants by one task.
+constexpr std::size_t giant_block = 4096;
+
+/// Entries [begin, end) of the cell order.
+struct Range {
+    std::size_t begin, end;
+};
+
+/// Writes the pairs of entry i with the entries of a range. Every candidate is written and kept only if it counts:
+/// a branch here would be mispredicted for one candidate in four.
+void scan(const CellOrder& order, std::size_t i, Range range, double skin, PairList& found) {
+    const CellOrder::Entry* const entry = order.entry().data();
+    const CellOrder::Owner* const owner = order.owner().data();
+    const CellOrder::Entry self = entry[i];
+    const CellOrder::Owner own = owner[i];
+    PartPair* out = found.reserve(range.end - range.begin);
+    for (std::size_t j = range.begin; j < range.end; ++j) {
+        const bool is_pair =
+            static_cast<int>(spheres_within(self.center, self.radius, entry[j].center, entry[j].radius, skin)) &
+            static_cast<int>(own.group != owner[j].group);
+        *out = {std::min(own.part, owner[j].part), std::max(own.part, owner[j].part)};
+        out += is_pair ? 1 : 0;
+    }
+    found.advance_to(out);
+}
+
+/// First occupied cell of the level whose key is not below `key`, sought outwards from `hint`: neighbouring queries
+/// find neighbouring cells, in a few steps.
+std::size_t seek(std::span<const std::uint64_t> keys, const GridLevel& level, std::size_t hint, std::uint64_t key) {
+    std::size_t low = level.cell_begin, high = level.cell_end;
+    if (hint < high && keys[hint] < key) {
+        for (std::size_t step = 1; hint + step < high; step *= 2) {
+            if (keys[hint + step] >= key) {
+                high = hint + step;
+                break;
+            }
+            low = hint + step;
+        }
+        low = std::max(low, hint + 1);
+    } else {
+        high = std::min(high, hint);
+        for (std::size_t step = 1; hint >= low + step; step *= 2) {
+            if (keys[hint - step] < key) {
+                low = hint - step + 1;
+                break;
+            }
+            high = hint - step;
+        }
+    }
+    const auto first = keys.begin() + static_cast<std::ptrdiff_t>(low);
+    const auto last = keys.begin() + static_cast<std::ptrdiff_t>(high);
+    return static_cast<std::size_t>(std::lower_bound(first, last, key) - keys.begin());
+}
+
+/// Entries in cells (x-1 .. x+1, y, z) of a level; `cursor` remembers where the row was last found.
+Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& middle, std::size_t& cursor) {
+    const std::int32_t x_low = std::max(middle.x - 1, level.low.x), x_high = std::min(middle.x + 1, level.high.x);
+    if (middle.y < level.low.y || middle.y > level.high.y || middle.z < level.low.z || middle.z > level.high.z ||
+        x_low > x_high) {
+        return {0, 0};
+    }
+    const auto keys = order.cell_key();
+    cursor = seek(keys, level, cursor, level.key({x_low, middle.y, middle.z}));
+    const std::uint64_t last_key = level.key({x_high, middle.y, middle.z});
+    std::size_t end = cursor;
+    while (end < level.cell_end && keys[end] <= last_key) {
+        ++end;
+    }
+    return {order.cell_start()[cursor], order.cell_start()[end]};
+}
+
+}  // namespace
+
+void MultilevelGrid::find_pairs(const PartBounds& bounds, std::span<const Giant> giants, double skin, double factor,
+                                std::vector<PartPair>& pairs) {
+    planes_.assign(bounds, giants);
+    is_giant_.assign(static_cast<std::size_t>(bounds.size()), 0);
+    for (const Giant& giant : giants) {
+        is_giant_[static_cast<std::size_t>(giant.part)] = 1;
+    }
+    order_.build(bounds, is_giant_, skin, factor);
+    cut_into_pieces();
+
+    const std::size_t giant_blocks = giants.empty() ? 0 : 1 + order_.members().size() / giant_block;
+    const std::size_t list_count = pieces_.size() + giant_blocks;
+    found_.resize(std::max(found_.size(), list_count));
+    parallel::for_each_uneven(static_cast<std::int64_t>(list_count), 1, [&](std::int64_t list) {
+        const auto k = static_cast<std::size_t>(list);
+        found_[k].clear();
+        if (k < pieces_.size()) {
+            search_piece(pieces_[k], skin, found_[k]);
+        } else {
+            search_giants(bounds, skin, k - pieces_.size(), found_[k]);
+        }
+    });
+    sorter_.sort(found_, list_count, bounds.size(), pairs);
+}
+
+void MultilevelGrid::cut_into_pieces() {
+    const std::size_t cells_per_piece = std::max<std::size_t>(256, order_.cell_key().size() / 512);
+    pieces_.clear();
+    for (std::size_t k = 0; k < order_.levels().size(); ++k) {
+        const GridLevel& level = order_.levels()[k];
+        for (std::size_t cell = level.cell_begin; cell < level.cell_end; cell += cells_per_piece) {
+            pieces_.push_back({k, cell, std::min(cell + cells_per_piece, level.cell_end)});
+        }
+    }
+}
+
+void MultilevelGrid::search_piece(const Piece& piece, double skin, PairList& found) const {
+    search_own_level(piece, skin, found);
+    for (std::size_t coarser = 0; coarser < piece.level; ++coarser) {
+        search_coarser_level(piece, order_.levels()[coarser], skin, found);
+    }
+}
+
+void MultilevelGrid::search_own_level(const Piece& piece, double skin, PairList& found) const {
+    const GridLevel& level = order_.levels()[piece.level];
+    const auto keys = order_.cell_key();
+    const auto starts = order_.cell_start();
+    std::array<std::size_t, 4> cursor{};
+    cursor.fill(piece.cell_begin);
+    for (std::size_t cell = piece.cell_begin; cell < piece.cell_end; ++cell) {
+        const CellIndex index = level.cell_of_key(keys[cell]);
+        const bool has_next = index.x < level.high.x && cell + 1 < level.cell_end && keys[cell + 1] == keys[cell] + 1;
+        const std::size_t own_end = starts[cell + 1], next_end = starts[cell + (has_next ? 2 : 1)];
+        const std::array<Range, 4> rows{find_row(order_, level, {index.x, index.y + 1, index.z}, cursor[0]),
+                                        find_row(order_, level, {index.x, index.y - 1, index.z + 1}, cursor[1]),
+                                        find_row(order_, level, {index.x, index.y, index.z + 1}, cursor[2]),
+                                        find_row(order_, level, {index.x, index.y + 1, index.z + 1}, cursor[3])};
+        for (std::size_t i = starts[cell]; i < own_end; ++i) {
+            scan(order_, i, {i + 1, next_end}, skin, found);
+            for (const Range& row : rows) {
+                scan(order_, i, row, skin, found);
+            }
+        }
+    }
+}
+
+void MultilevelGrid::search_coarser_level(const Piece& piece, const GridLevel& coarser, double skin,
+                                          PairList& found) const {
+    const auto entries = order_.entry();
+    const std::size_t begin = order_.cell_start()[piece.cell_begin], end = order_.cell_start()[piece.cell_end];
+    std::array<std::size_t, 9> cursor{};
+    cursor.fill(coarser.cell_begin);
+    std::array<Range, 9> rows{};
+    CellIndex rows_of{};
+    for (std::size_t i = begin; i < end; ++i) {
+        const CellIndex index = order_.cell_at(coarser, entries[i].center);
+        if (i == begin || index != rows_of) {
+            rows_of = index;
+            for (std::int32_t row = 0; row < 9; ++row) {
+                const CellIndex middle{index.x, index.y + row % 3 - 1, index.z + row / 3 - 1};
+                rows[static_cast<std::size_t>(row)] =
+                    find_row(order_, coarser, middle, cursor[static_cast<std::size_t>(row)]);
+            }
+        }
+        for (const Range& row : rows) {
+            scan(order_, i, row, skin, found);
+        }
+    }
+}
+
+void MultilevelGrid::search_giants(const PartBounds& bounds, double skin, std::size_t block, PairList& found) const {
+    const auto members = order_.members();
+    const std::size_t end = std::min(members.size(), (block + 1) * giant_block);
+    for (std::int32_t giant = 0; giant < planes_.size(); ++giant) {
+        const std::int32_t part = planes_.part(giant);
+        for (std::size_t m = block * giant_block; m < end; ++m) {
+            if (giant_within(planes_, bounds, giant, part, -1, members[m], skin)) {
+                found.push({std::min(part, members[m]), std::max(part, members[m])});
+            }
+        }
+        for (std::int32_t other = block == 0 ? giant + 1 : planes_.size(); other < planes_.size(); ++other) {
+            const std::int32_t other_part = planes_.part(other);
+            if (giant_within(planes_, bounds, giant, part, other, other_part, skin)) {
+                found.push({std::min(part, other_part), std::max(part, other_part)});
+            }
+        }
+    }
+}
+
+std::size_t MultilevelGrid::bytes() const {
+    std::size_t total = order_.bytes() + sorter_.bytes() + is_giant_.capacity() + pieces_.capacity() * sizeof(Piece);
+    for (const PairList& list : found_) {
+        total += list.bytes();
+    }
+    return total;
+}
+
+}  // namespace riprap::contact
