@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 #include "riprap/core/parallel.hpp"
 
@@ -63,6 +65,64 @@ TEST_P(ThreadCounts, UnevenLoopsVisitEveryEntryOnce) {
                               [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
     for (const int count : visits) {
         ASSERT_EQ(count, 1);
+    }
+}
+
+TEST_P(ThreadCounts, LoopsOverNothingDoNothing) {
+    std::vector<std::uint64_t> keys, key_scratch;
+    std::vector<std::uint32_t> values, value_scratch;
+    parallel::sort_by_key(keys, values, key_scratch, value_scratch);
+    parallel::for_each(0, [](std::int64_t) { FAIL(); });
+    EXPECT_EQ(parallel::exclusive_scan<std::int32_t>({}, {}), 0);
+    EXPECT_EQ(parallel::reduce(
+                  0, 7.0, [](std::int64_t) { return 1.0; }, [](double a, double b) { return a + b; }),
+              7.0);
+}
+
+TEST_P(ThreadCounts, AScanMayOverwriteItsInput) {
+    std::vector<std::int64_t> values(40'000, 3);
+    EXPECT_EQ(parallel::exclusive_scan<std::int64_t>(values, values), 120'000);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        ASSERT_EQ(values[i], 3 * static_cast<std::int64_t>(i));
+    }
+}
+
+TEST_P(ThreadCounts, ASortTellsKeysApartByTheirHighestAndLowestBits) {
+    const std::uint64_t high = std::uint64_t{1} << 63;
+    std::vector<std::uint64_t> keys{high | 1, 1, high, 0, ~std::uint64_t{0}}, key_scratch;
+    std::vector<std::uint32_t> values{0, 1, 2, 3, 4}, value_scratch;
+    parallel::sort_by_key(keys, values, key_scratch, value_scratch);
+    EXPECT_EQ(values, (std::vector<std::uint32_t>{3, 1, 2, 0, 4}));
+}
+
+TEST_P(ThreadCounts, ALoopThatThrowsReportsTheFirstFailureInOrderOfIndex) {
+    const auto fail_at = [](std::int64_t i) {
+        if (i == 4000 || i == 9000) {
+            throw std::runtime_error(std::to_string(i));
+        }
+    };
+    try {
+        parallel::for_each_uneven(10'000, 50, fail_at);
+        FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "4000");
+    }
+}
+
+TEST_P(ThreadCounts, ALoopInsideALoopRunsOnItsCallersThread) {
+    std::vector<double> sums(64);
+    parallel::for_each_uneven(64, 1, [&](std::int64_t i) {
+        sums[static_cast<std::size_t>(i)] = parallel::reduce(
+            10'000, 0.0, [i](std::int64_t k) { return 1.0 / static_cast<double>(i + k + 1); },
+            [](double a, double b) { return a + b; });
+    });
+    parallel::set_thread_count(1);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double alone = parallel::reduce(
+            10'000, 0.0,
+            [i](std::int64_t k) { return 1.0 / static_cast<double>(static_cast<std::int64_t>(i) + k + 1); },
+            [](double a, double b) { return a + b; });
+        ASSERT_EQ(sums[i], alone);
     }
 }
 

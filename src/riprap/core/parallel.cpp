@@ -2,6 +2,9 @@
 #include "riprap/core/parallel.hpp"
 
 #include <array>
+#include <exception>
+#include <limits>
+#include <mutex>
 
 #if defined(RIPRAP_OPENMP)
 #include <omp.h>
@@ -24,20 +27,54 @@ const char* backend_name() {
 void set_thread_count(int count) { threads = std::max(1, count); }
 
 namespace detail {
+
+namespace {
+/// Keeps the exception of the first chunk, in order of index, that threw: the one a single thread would have met.
+class FirstFailure {
+ public:
+    void store(std::int64_t chunk) {
+        const std::lock_guard lock(mutex_);
+        if (chunk < chunk_) {
+            chunk_ = chunk;
+            failure_ = std::current_exception();
+        }
+    }
+    void rethrow() const {
+        if (failure_) {
+            std::rethrow_exception(failure_);
+        }
+    }
+
+ private:
+    std::mutex mutex_;
+    std::int64_t chunk_{std::numeric_limits<std::int64_t>::max()};
+    std::exception_ptr failure_;
+};
+}  // namespace
+
 void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context) {
 #if defined(RIPRAP_OPENMP)
     if (threads > 1 && chunk_count > 1 && omp_in_parallel() == 0) {
+        FirstFailure failure;
+        const auto run_one = [&](std::int64_t chunk) {
+            try {
+                body(context, chunk);
+            } catch (...) {  // may not leave a parallel region
+                failure.store(chunk);
+            }
+        };
         if (is_dynamic) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
             for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-                body(context, chunk);
+                run_one(chunk);
             }
         } else {
 #pragma omp parallel for schedule(static) num_threads(threads)
             for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-                body(context, chunk);
+                run_one(chunk);
             }
         }
+        failure.rethrow();
         return;
     }
 #endif
