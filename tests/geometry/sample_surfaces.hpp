@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -66,9 +67,13 @@ inline double total_volume(const std::vector<Polyhedron>& parts) {
     return sum;
 }
 
-/// Bytes of a file under tests/data/surfaces.
+/// Path of a file among the surfaces of the tests.
+inline std::filesystem::path sample_path(const std::string& name) {
+    return std::filesystem::path(RIPRAP_SOURCE_DIR) / "tests" / "data" / "surfaces" / name;
+}
+
 inline std::string sample_bytes(const std::string& name) {
-    std::ifstream stream(std::string(RIPRAP_SOURCE_DIR "/tests/data/surfaces/") + name, std::ios::binary);
+    std::ifstream stream(sample_path(name), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 

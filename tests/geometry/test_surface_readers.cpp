@@ -190,9 +190,9 @@ TEST(Obj, ABodyNamedAgainGoesOn) {
 }
 
 TEST(SurfaceFile, AMissingFileIsAFileErrorAndAnUnknownKindACaseError) {
-    EXPECT_THROW(read_surface("/nonexistent/block.stl", 1.0), FileError);
-    EXPECT_THROW(read_surface(RIPRAP_SOURCE_DIR "/tests/data/surfaces", 1.0), CaseError);
-    EXPECT_EQ(read_surface(RIPRAP_SOURCE_DIR "/tests/data/surfaces/tetrahedron.stl", 1.0).face_count(), 4u);
+    EXPECT_THROW(read_surface(sample_path("missing.stl"), 1.0), FileError);
+    EXPECT_THROW(read_surface(sample_path(""), 1.0), CaseError);
+    EXPECT_EQ(read_surface(sample_path("tetrahedron.stl"), 1.0).face_count(), 4u);
 }
 
 }  // namespace
