@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -82,10 +83,10 @@ struct NewBody {
     MaterialId material;
     double density{0};  ///< [kg/m^3]
     Drive drive{Drive::free};
-    Pose pose;                   ///< of the given shape frame(s)
-    Vec3 velocity{};             ///< of the centre of mass [m/s]
-    Vec3 angular_velocity{};     ///< world axes [rad/s]
-    double release_time{1e300};  ///< [s]
+    Pose pose;                                                     ///< of the given shape frame(s)
+    Vec3 velocity{};                                               ///< of the centre of mass [m/s]
+    Vec3 angular_velocity{};                                       ///< world axes [rad/s]
+    double release_time{std::numeric_limits<double>::infinity()};  ///< [s]
     std::int32_t motion{-1};
     std::vector<Part> parts;  ///< `body` ignored; `local` relative to `pose`
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -40,7 +41,7 @@ struct RotatingMotion {
 struct PrescribedMotion {
     std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion> law;
     double start{0};  ///< the law's t counts from here [s]
-    double stop{1e300};
+    double stop{std::numeric_limits<double>::infinity()};
 };
 
 /// Pose and velocities of a driven body at one time.

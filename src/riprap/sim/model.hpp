@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,12 @@ namespace riprap::sim {
 /// Gravity as a function of time [m/s^2]: `value` scaled linearly from 0 to 1 over [0, ramp], then turned about
 /// `axis` by rate * (t - start) for start <= t <= stop. A turned gravity replaces a tilted platform.
 struct Gravity {
-    Vec3 value{};        ///< [m/s^2]
-    double ramp{0};      ///< [s]
-    Vec3 axis{0, 0, 1};  ///< unit vector [-]
-    double rate{0};      ///< [rad/s]
-    double start{0};     ///< [s]
-    double stop{1e300};  ///< [s]
+    Vec3 value{};                                          ///< [m/s^2]
+    double ramp{0};                                        ///< [s]
+    Vec3 axis{0, 0, 1};                                    ///< unit vector [-]
+    double rate{0};                                        ///< [rad/s]
+    double start{0};                                       ///< [s]
+    double stop{std::numeric_limits<double>::infinity()};  ///< [s]
     Vec3 at(double time) const;
 };
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/advance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "riprap/contact/pipeline.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
+#include "riprap/sim/ledger_account.hpp"
+#include "riprap/solid/explicit_dem.hpp"
+#include "riprap/solid/time_step.hpp"
+
+namespace riprap::sim {
+
+struct ScratchData {
+    contact::ContactPipeline pipeline;
+    contact::BodyLoads loads;
+    body::BodyKinematics kinematics;
+    StageTimes times;
+};
+
+Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
+Scratch::~Scratch() = default;
+Scratch::Scratch(Scratch&&) noexcept = default;
+Scratch& Scratch::operator=(Scratch&&) noexcept = default;
+const std::vector<contact::ContactRow>& Scratch::contacts() const { return data_->pipeline.rows(); }
+const std::vector<Vec3>& Scratch::contact_force() const { return data_->loads.force; }
+const std::vector<Vec3>& Scratch::contact_torque() const { return data_->loads.torque; }
+
+StageTimes stage_times(const Scratch& scratch) { return scratch.data().times; }
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+contact::ContactScene contact_scene(const Model& model) {
+    return {model.shapes,        model.materials,         model.bodies,
+            model.solid.contact, model.solid.grid_factor, model.solid.skin};
+}
+
+/// Sums and extremes over the contacts of one step, in fixed blocks of their order.
+struct ContactSums {
+    double elastic{0}, shear{0}, friction_loss{0}, damping_loss{0};
+    float potential{0}, overlap{0};
+    std::int64_t deepest{-1};
+};
+
+ContactSums sum_contacts(const std::vector<contact::ContactRow>& rows, const contact::ContactHistory& history) {
+    return parallel::reduce(
+        static_cast<std::int64_t>(rows.size()), ContactSums{},
+        [&](std::int64_t i) {
+            const contact::ContactRow& row = rows[at(i)];
+            return ContactSums{row.elastic_energy,
+                               history.shear_energy[at(i)],
+                               row.friction_loss,
+                               row.damping_loss,
+                               row.potential,
+                               row.overlap,
+                               i};
+        },
+        [](ContactSums a, const ContactSums& b) {
+            a.elastic += b.elastic;
+            a.shear += b.shear;
+            a.friction_loss += b.friction_loss;
+            a.damping_loss += b.damping_loss;
+            a.overlap = std::max(a.overlap, b.overlap);
+            if (b.deepest >= 0 && (a.deepest < 0 || !(b.potential <= a.potential))) {
+                a.potential = b.potential;
+                a.deepest = b.deepest;
+            }
+            return a;
+        });
+}
+
+/// Names what makes the step unacceptable, if anything does.
+StepStatus judge(const Model& model, const State& state, const solid::KickReport& kick, const ContactSums& contacts,
+                 const std::vector<contact::ContactRow>& rows, double time) {
+    const body::BodySet& bodies = model.bodies;
+    if (kick.worst_body >= 0) {
+        const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
+        const Vec3& v = state.bodies.velocity[at(kick.worst_body)];
+        const Vec3& x = state.bodies.position[at(kick.worst_body)];
+        return {
+            fmt::format("velocity of {} is ({:.6g}, {:.6g}, {:.6g}) m/s at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.9g} s; "
+                        "allowed: finite, at most {:.6g} m/s",
+                        bodies.name(body), v.x, v.y, v.z, x.x, x.y, x.z, time, model.solid.max_speed)};
+    }
+    if (contacts.deepest >= 0 && !(contacts.potential <= model.solid.max_potential)) {
+        const contact::ContactRow& row = rows[at(contacts.deepest)];
+        const auto name = [&](std::int32_t part) { return bodies.name(bodies.parts[at(part)].body); };
+        return {
+            fmt::format("overlap of {} and {} reaches {:.4g} of an inscribed radius at ({:.6g}, {:.6g}, {:.6g}) m, "
+                        "t = {:.9g} s; allowed: {:.4g}",
+                        name(row.parts.a), name(row.parts.b), contacts.potential, row.point.x, row.point.y, row.point.z,
+                        time, model.solid.max_potential)};
+    }
+    return {};
+}
+
+}  // namespace
+
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt) {
+    ScratchData& data = scratch.data();
+    contact::ContactPipeline& contacts = data.pipeline;
+    const contact::ContactScene scene = contact_scene(model);
+    const double kick_time = state.time + 0.5 * dt;
+    const double sliding_time = 0.5 * (state.previous_dt + dt);
+    const double previous_kick = state.step > 0 ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
+    StepReport report;
+    double lost_springs = 0;
+    {
+        const ScopedTimer timer(data.times.move_bodies);
+        solid::drift(model.bodies, state.bodies, kick_time, 0.5 * dt);
+        body::update_kinematics(model.bodies, state.bodies, kick_time, data.kinematics);
+    }
+    {
+        const ScopedTimer timer(data.times.find_pairs);
+        contacts.place_parts(scene, state.bodies);
+        report.pairs_rebuilt = contacts.find_pairs();
+    }
+    {
+        const ScopedTimer timer(data.times.find_contacts);
+        lost_springs = contacts.find_contacts(scene, state.bodies, data.kinematics, sliding_time, state.contacts);
+    }
+    {
+        const ScopedTimer timer(data.times.contact_loads);
+        contacts.gather_loads(scene, state.bodies, data.loads);
+    }
+    const Vec3 gravity = model.gravity.at(kick_time);
+    solid::KickReport kick;
+    {
+        const ScopedTimer timer(data.times.move_bodies);
+        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads, {}, gravity,
+                           {kick_time, previous_kick, dt}, state.bodies);
+        solid::drift(model.bodies, state.bodies, state.time + dt, 0.5 * dt);
+    }
+    const ScopedTimer timer(data.times.measure);
+    const ContactSums sums = sum_contacts(contacts.rows(), state.contacts);
+    report.ledger = account(
+        {kick, kick_time, gravity, sums.elastic, sums.shear, sums.friction_loss + lost_springs, sums.damping_loss},
+        state.ledger);
+    state.time += dt;
+    state.step += 1;
+    state.previous_dt = dt;
+
+    report.dt = dt;
+    const double omega_squared = contacts.gershgorin_bound(scene);
+    report.dt_bound = omega_squared > 0 ? 2 / std::sqrt(omega_squared) : std::numeric_limits<double>::infinity();
+    report.max_speed = kick.max_speed;
+    report.max_potential = sums.potential;
+    report.max_depth = sums.overlap;
+    report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
+    report.pair_count = contacts.pair_count();
+    report.status = judge(model, state, kick, sums, contacts.rows(), kick_time);
+    return report;
+}
+
+void initialise(const Model& model, State& state) {
+    reset(state.ledger);
+    for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
+        if (model.bodies.drive[at(i)] != body::Drive::driven) {
+            continue;
+        }
+        const body::DrivenState driven = body::evaluate(model.bodies.motions[at(model.bodies.motion[at(i)])],
+                                                        model.bodies.initial_pose[at(i)], state.time);
+        state.bodies.position[at(i)] = driven.pose.position;
+        state.bodies.orientation[at(i)] = driven.pose.orientation;
+        state.bodies.velocity[at(i)] = driven.velocity;
+        state.bodies.angular_momentum[at(i)] =
+            angular_momentum_of(model.bodies, BodyId{i}, driven.pose.orientation, driven.angular_velocity);
+    }
+}
+
+TimeStepBound time_step_bound(const Model& model) {
+    const solid::DemTimeStep bound = solid::time_step_bound(model.bodies, model.shapes, model.materials);
+    return {bound.limit, bound.body, bound.reason};
+}
+
+double choose_time_step(const Model& model, const TimeStepBound& bound) {
+    const TimeSettings& time = model.time;
+    if (time.time_step <= 0) {
+        return std::isfinite(bound.limit) ? time.factor * bound.limit : 1e-3 * time.end;
+    }
+    if (time.time_step > bound.limit && !time.force_time_step) {
+        Diagnostic problem;
+        problem.message = fmt::format("time_step = {:.6g} s is above the stability limit {:.6g} s ({})", time.time_step,
+                                      bound.limit, bound.reason);
+        problem.allowed = "use \"auto\", a smaller step, or force_time_step = true";
+        throw CaseError(std::move(problem));
+    }
+    return time.time_step;
+}
+
+std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch) {
+    std::size_t bytes = model.shapes.bytes() + scratch.data().pipeline.bytes();
+    State::visit_fields(state, [&bytes](std::string_view, const auto& field) {
+        if constexpr (is_field_array<std::remove_cvref_t<decltype(field)>>) {
+            bytes += field.capacity() * sizeof(field[0]);
+        }
+    });
+    const body::BodySet& bodies = model.bodies;
+    const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+    bytes += of(bodies.name_id) + of(bodies.name_index) + of(bodies.material) + of(bodies.drive) + of(bodies.mass) +
+             of(bodies.principal_moments) + of(bodies.principal_axes) + of(bodies.motion) + of(bodies.release_time) +
+             of(bodies.part_begin) + of(bodies.parts) + of(bodies.initial_pose);
+    const ScratchData& data = scratch.data();
+    return bytes + of(data.loads.force) + of(data.loads.torque) + of(data.kinematics.angular_velocity) +
+           of(data.kinematics.inverse_inertia) + of(data.kinematics.inverse_mass);
+}
+
+}  // namespace riprap::sim

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/sim/ledger.hpp"
+#include "riprap/sim/state.hpp"
+#include "riprap/solid/explicit_dem.hpp"
+
+namespace riprap::sim {
+
+/// What one step brings to the ledger.
+struct LedgerStep {
+    const solid::KickReport& kick;
+    double kick_time;      ///< [s]
+    Vec3 gravity;          ///< at the kick [m/s^2]
+    double elastic;        ///< stored in overlaps [J]
+    double shear;          ///< stored in tangential springs [J]
+    double friction_loss;  ///< since the last kick [J]
+    double damping_loss;   ///< of contact dashpots since the last kick [J]
+};
+
+/// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before
+/// and half after it (trapezoid between kicks); losses measured since the last kick count whole.
+Ledger account(const LedgerStep& step, LedgerState& state);
+
+/// Empties the ledger: the next kick becomes its reference.
+void reset(LedgerState& state);
+
+}  // namespace riprap::sim

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/time_step.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace riprap::solid {
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// The stiffest tangential spring any pair of materials can have: as a share of K_n, or literal [N/m].
+struct LargestShear {
+    double ratio{0};
+    double stiffness{0};
+};
+
+LargestShear largest_shear(const material::MaterialSet& materials) {
+    LargestShear largest;
+    for (const material::PairProperties& pair : materials.pairs) {
+        if (pair.friction <= 0 && pair.cohesion <= 0) {
+            continue;
+        }
+        if (pair.shear_stiffness > 0) {
+            largest.stiffness = std::max(largest.stiffness, pair.shear_stiffness);
+        } else {
+            largest.ratio = std::max(largest.ratio, pair.shear_ratio);
+        }
+    }
+    return largest;
+}
+
+/// A body as a chain of masses and springs sees it.
+struct Stiffness {
+    double area;      ///< lambda: stiffest direction of the covered surface [m^2]
+    double literal;   ///< tangential springs given in N/m, one on every face [N/m]
+    double gradient;  ///< k_n/r of its softest part: pressure per depth [Pa/m]
+    double mass;      ///< [kg]
+};
+
+Stiffness stiffness_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                       const material::MaterialSet& materials, std::int32_t body, const LargestShear& shear) {
+    Mat3 covered{};
+    double literal = 0;
+    double radius = std::numeric_limits<double>::infinity();
+    for (std::int32_t p = bodies.part_begin[at(body)]; p < bodies.part_begin[at(body) + 1]; ++p) {
+        const body::Part& part = bodies.parts[at(p)];
+        const Mat3 turn = to_matrix(part.local.orientation);
+        const Mat3 tensor = turn * shapes.area_tensor(part.shape) * transpose(turn);
+        covered = covered + (1 - shear.ratio) * tensor + (shear.ratio * trace(tensor)) * Mat3::identity();
+        literal += shear.stiffness * shapes.view(part.shape).face_count;
+        radius = std::min(radius, shapes.view(part.shape).inscribed_radius);
+    }
+    const Vec3 eigenvalues = symmetric_eigen(covered).values;
+    return {std::max({eigenvalues.x, eigenvalues.y, eigenvalues.z}), literal,
+            materials[bodies.material[at(body)]].normal_stiffness / radius, bodies.mass[at(body)]};
+}
+
+double omega_squared(const Stiffness& body, const Stiffness& neighbour) {
+    return (body.area * (body.gradient + neighbour.gradient) + body.literal) *
+           (1 / body.mass + 1 / std::sqrt(body.mass * neighbour.mass));
+}
+
+bool can_move(const body::BodySet& bodies, std::int32_t body) {
+    return bodies.drive[at(body)] == body::Drive::free || std::isfinite(bodies.release_time[at(body)]);
+}
+
+}  // namespace
+
+DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                            const material::MaterialSet& materials) {
+    const LargestShear shear = largest_shear(materials);
+    Stiffness lightest{0, 0, 0, std::numeric_limits<double>::infinity()};
+    double steepest_support = 0;
+    for (std::int32_t body = 0; body < bodies.size(); ++body) {
+        const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);
+        if (!can_move(bodies, body)) {
+            steepest_support = std::max(steepest_support, own.gradient);
+        } else if (own.mass < lightest.mass) {
+            lightest = own;
+        }
+    }
+    DemTimeStep bound{std::numeric_limits<double>::infinity(), BodyId{}, "no free body"};
+    const Stiffness support{0, 0, steepest_support, std::numeric_limits<double>::infinity()};
+    for (std::int32_t body = 0; body < bodies.size(); ++body) {
+        if (!can_move(bodies, body)) {
+            continue;
+        }
+        const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);
+        struct Neighbour {
+            const Stiffness* stiffness;
+            const char* name;
+        };
+        for (const Neighbour& other : {Neighbour{&own, "bodies like itself"}, Neighbour{&lightest, "the lightest body"},
+                                       Neighbour{&support, "an immovable support"}}) {
+            const double limit = 2 / std::sqrt(omega_squared(own, *other.stiffness));
+            if (limit < bound.limit) {
+                bound = {limit, BodyId{body},
+                         "contact stiffness of " + bodies.name(BodyId{body}) + " covered by " + other.name};
+            }
+        }
+    }
+    return bound;
+}
+
+}  // namespace riprap::solid

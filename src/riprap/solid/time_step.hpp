@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/material/material_set.hpp"
+
+namespace riprap::solid {
+
+/// The body that limits the step, and by how much.
+struct DemTimeStep {
+    double limit;  ///< 2/omega_max [s]; infinity when no free body can touch another
+    BodyId body;
+    std::string reason;  ///< for the log
+};
+
+/// Stability bound of the explicit step before any contact is known [Zhao card 4; docs/theory/time-step.md]: every
+/// body is taken as covered by neighbours over its whole surface, and Gershgorin's theorem on the mass-scaled
+/// stiffness bounds
+///
+///     omega_max^2 <= lambda (k_i/r_i + k_j/r_j) (1/m_i + 1/sqrt(m_i m_j)),
+///
+/// lambda the largest eigenvalue of sum_faces A_f [n n^T + s (I - n n^T)], s the largest k_s/k_n. The neighbour j is
+/// the body itself, the lightest free body, or something immovable. Two cubes of side a and modulus k_n in a
+/// frictionless lattice give dt = (a/2) sqrt(rho/k_n).
+DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                            const material::MaterialSet& materials);
+
+}  // namespace riprap::solid
