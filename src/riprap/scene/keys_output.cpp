@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: output, probes, expected answers.
+#include "riprap/scene/key_table.hpp"
+#include "riprap/scene/output_keys.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+const std::vector<std::string_view>& probe_quantities() {
+    static const std::vector<std::string_view> words{"position",         "displacement",  "velocity",
+                                                     "rotation",         "angular_velocity", "contact_force",
+                                                     "contact_torque",   "kinetic_energy"};
+    return words;
+}
+
+namespace {
+
+const Table& probe_table() {
+    static const Table table{
+        "output.probe",
+        "[[output.probe]]",
+        "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
+        {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
+         {"body", {text()}, "Name of a body; \"NAME[17]\" for one of many.", {}, true},
+         {"quantity", {choice(probe_quantities())}, "What is recorded.", {}, true}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& output_table() {
+    static const Table table{
+        "output",
+        "[output]",
+        "What is written, and how often.",
+        {{"interval", {number(dimension::time, non_negative())}, "Between frames; 0 = end/100.", Value::of(0.0)},
+         {"probe_interval",
+          {number(dimension::time, non_negative())},
+          "Between rows of probes.csv and ledger.csv; 0 = end/1000.",
+          Value::of(0.0)},
+         {"checkpoint_interval",
+          {number(dimension::time, positive())},
+          "Wall-clock time between checkpoints.",
+          Value::of(60.0)},
+         {"vtk", {boolean()}, "Write frames for ParaView.", Value::of(true)},
+         {"contacts", {boolean()}, "Write contact points and forces with each frame.", Value::of(true)},
+         {"probe", {table_list(probe_table)}, "Time histories.", Value::array()}}};
+    return table;
+}
+
+const Table& expect_table() {
+    static const Table table{
+        "expect",
+        "[[expect]]",
+        "An answer that the run must reach. The accepted band is value +- tolerance, value (1 +- relative_tolerance), "
+        "or low to high.",
+        {{"name", {text()}, "What is expected, in words.", {}, true},
+         {"quantity",
+          {text()},
+          "A column of probes.csv (\"block.position.x\") or of ledger.csv (\"ledger.kinetic\").",
+          {},
+          true},
+         {"reduce", {choice({"last", "min", "max", "mean", "at"})}, "How the column becomes one number.", Value::of("last")},
+         {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
+         {"value", {number(dimension::plain)}, "The expected number, in SI.", {}},
+         {"tolerance", {number(dimension::plain, non_negative())}, "Accepted absolute error, in SI.", {}},
+         {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
+         {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
+         {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
+         {"citation", {text()}, "Where the value comes from: a formula, a paper, an experiment.", {}, true}},
+        {{GroupRule::exactly_one, {"value", "low"}},
+         {GroupRule::all_or_none, {"low", "high"}},
+         {GroupRule::at_most_one, {"tolerance", "relative_tolerance"}}}};
+    return table;
+}
+
+}  // namespace riprap::scene
