@@ -18,7 +18,8 @@ namespace {
 std::string join(const std::vector<std::string_view>& words, std::string_view separator) {
     std::string text;
     for (const std::string_view word : words) {
-        text += (text.empty() ? "" : std::string(separator)) + std::string(word);
+        text += text.empty() ? "" : separator;
+        text += word;
     }
     return text;
 }

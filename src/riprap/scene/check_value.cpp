@@ -153,9 +153,9 @@ std::optional<Value> ValueChecker::number(const Value& given, const Form& form, 
 std::optional<Value> ValueChecker::vector(const Value& given, const Form& form, const std::string& name,
                                           const std::optional<Unit>& unit) {
     const std::size_t count = given.items.size();
-    if (count != 3 && !(is_planar_ && count == 2)) {
+    if (count != 3 && !(is_planar_ && count == 2 && !form.is_axial)) {
         return refuse(given, fmt::format("{} has {} components", name, count),
-                      is_planar_ ? "2 or 3 in a planar scene" : "3 components");
+                      is_planar_ && !form.is_axial ? "2 components in a planar scene" : "3 components");
     }
     Value out = Value::array();
     bool is_zero = true;
@@ -170,6 +170,15 @@ std::optional<Value> ValueChecker::vector(const Value& given, const Form& form, 
         }
         is_zero = is_zero && component->number == 0;
         out.items.push_back(*component);
+    }
+    if (count == 3 && is_planar_) {
+        const bool is_size = !form.range.contains(0);
+        const bool is_in_plane = form.is_axial ? out.items[0].number == 0 && out.items[1].number == 0
+                                               : out.items[2].number == (is_size ? 1.0 : 0.0);
+        if (!is_in_plane) {
+            return refuse(given, fmt::format("{} = {} leaves the plane of a scene with dimension = 2", name, excerpt(given)),
+                          form.is_axial ? "only the z component" : is_size ? "x and y; z is 1 m" : "x and y; z is 0");
+        }
     }
     if (count == 2) {
         // Sizes (which must be positive) are one unit thick in a planar scene; everything else lies in the plane.

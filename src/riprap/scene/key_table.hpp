@@ -55,6 +55,7 @@ struct Form {
     std::int64_t min_count{0};              ///< entries of a list
     std::int64_t max_count{std::numeric_limits<std::int64_t>::max()};
     bool is_nonzero{false};                 ///< a vector that gives a direction
+    bool is_axial{false};                   ///< a vector about which something turns: along z in a planar scene
     const Table& (*table)(){nullptr};       ///< of tables; a function, because tables may contain themselves
 };
 
@@ -106,6 +107,8 @@ Form path();
 Form choice(std::vector<std::string_view> words, std::vector<std::string_view> planned = {});
 Form vector(const Dimension& dimension, const Range& range = {});
 Form direction();
+Form axis();
+Form spin(const Dimension& dimension);
 Form list(Form item, std::int64_t min_count, std::int64_t max_count);
 Form table(const Table& (*table)());
 Form table_list(const Table& (*table)(), std::int64_t min_count = 0);

@@ -83,7 +83,10 @@ const Table& prism_table() {
         {{"sides", {integer(3, 64)}, "Corners of a regular polygon.", {}},
          {"circumradius", {length}, "Of the regular polygon.", {}},
          {"points", {list(list(number(dimension::length), 2, 2), 3, 256)}, "Corners x, y of a convex polygon, in order.", {}},
-         {"height", {length}, "Along z; the prism reaches half of it to either side.", {}, true}},
+         {"height",
+          {length},
+          "Along z; the prism reaches half of it to either side. Not given in a planar scene, where it is 1 m.",
+          {}}},
         {{GroupRule::exactly_one, {"sides", "points"}}, {GroupRule::all_or_none, {"sides", "circumradius"}}}};
     return table;
 }
@@ -92,7 +95,7 @@ const Table& orientation_axis_table() {
     static const Table table{"orientation.axis_angle",
                              "orientation = { axis_angle = { ... } }",
                              "A turn about an axis by the right-hand rule.",
-                             {{"axis", {direction()}, "Axis of the turn.", Value::of(Vec3{0, 0, 1})},
+                             {{"axis", {form::axis()}, "Axis of the turn.", Value::of(Vec3{0, 0, 1})},
                               {"angle", {number(dimension::angle)}, "Angle of the turn.", {}, true}}};
     return table;
 }
@@ -136,7 +139,7 @@ const Table& rotation_table() {
         "motion = { rotation = { ... } }",
         "A turn about a fixed axis: angle(t) = rate t + amplitude (sin(2 pi t/period + phase) - sin(phase)).",
         {{"center", {vector(dimension::length)}, "A point of the axis.", {}, true},
-         {"axis", {direction()}, "Direction of the axis.", Value::of(Vec3{0, 0, 1})},
+         {"axis", {form::axis()}, "Direction of the axis.", Value::of(Vec3{0, 0, 1})},
          {"rate", {number(dimension::angular_velocity)}, "Angular velocity of the steady turn.", Value::of(0.0)},
          {"amplitude", {phase}, "Amplitude of an oscillation added to it.", Value::of(0.0)},
          {"period", {number(dimension::time, positive())}, "Period of the oscillation.", Value::of(1.0)},
@@ -160,7 +163,7 @@ const Table& shape_table() {
           {}},
          {"wedge",
           {vector(dimension::length, positive())},
-          "Half a box of these edge lengths, about the centre of the box: the upper edge lies at -x.",
+          "Half a box [0, x] by [0, y] by [0, z], upright face in x = 0, upper edge along y.",
           {}},
          {"octahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"dodecahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
@@ -257,8 +260,8 @@ const Table& body_table() {
          {"orientation", {form::table(orientation_table)}, "How it is turned.", {}},
          {"velocity", {vector(dimension::velocity)}, "Of the centre of mass, at the start.", Value::of(Vec3{})},
          {"angular_velocity",
-          {vector(dimension::angular_velocity)},
-          "At the start, in world axes; in a planar scene about z only.",
+          {spin(dimension::angular_velocity), number(dimension::angular_velocity)},
+          "At the start, in world axes; in a planar scene a number, about z.",
           Value::of(Vec3{})},
          {"density", {number(dimension::density, positive())}, "Instead of that of the material.", {}},
          {"fixed", {boolean()}, "Does not move.", Value::of(false)},

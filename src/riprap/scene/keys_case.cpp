@@ -54,7 +54,7 @@ const Table& gravity_rotation_table() {
         "gravity.rotation",
         "gravity = { rotation = { ... } }",
         "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
-        {{"axis", {direction()}, "Axis of the turn; gravity turns by the right-hand rule.", {}, true},
+        {{"axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule.", {}, true},
          {"rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity.", {}, true},
          {"start", {number(dimension::time, non_negative())}, "When the turn starts.", Value::of(0.0)},
          {"stop", {number(dimension::time, non_negative())}, "When the turn stops; never when not given.", {}}}};

@@ -13,17 +13,17 @@ const Table& voronoi_table() {
     static const Table table{
         "pack.voronoi",
         "voronoi = { ... }",
-        "Cuts a box into convex cells around random points. Cells fill the box and touch face to face.",
-        {{"min", {vector(dimension::length)}, "Lower corner of the box.", {}, true},
-         {"max", {vector(dimension::length)}, "Upper corner of the box.", {}, true},
+        "Divides a convex region among random points. The cells fill the region and touch face to face.",
+        {{"region", {form::table(shape_table)}, "A convex shape.", {}, true},
+         {"position", {vector(dimension::length)}, "Of the origin of the region.", Value::of(Vec3{})},
          {"count", {integer(1, static_cast<double>(limits::cells))}, "Number of cells.", {}, true},
          {"lloyd",
           {integer(0, 1000)},
           "Times that each point moves to the centre of its cell: more makes cells more alike.",
           Value::of(0)},
-         {"shrink",
+         {"gap",
           {number(dimension::length, non_negative())},
-          "Gap opened between neighbouring cells.",
+          "Width of the open joint between neighbouring cells.",
           Value::of(0.0)},
          {"seed", {integer(0, 9e15)}, "Own seed; otherwise from the seed of the case and the name.", {}}}};
     return table;
@@ -37,7 +37,7 @@ const Table& mix_table() {
         {{"shape", {form::table(shape_table)}, "A shape; not a half-space.", {}, true},
          {"fraction",
           {number(dimension::plain, positive())},
-          "Share of this kind by number, relative to the other kinds.",
+          "Share of this kind by number, relative to those of the other kinds.",
           Value::of(1.0)},
          {"sizes",
           {list(number(dimension::plain, positive()), 1, 64)},
@@ -82,9 +82,16 @@ const Table& joint_set_table() {
          {"spacing", {number(dimension::length, positive())}, "Distance between joints, across them.", {}, true},
          {"persistence",
           {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the blocks in its way that a joint cuts; 1 cuts all.",
+          "Chance that a joint cuts a block that it meets; 1 cuts all.",
           Value::of(1.0)},
-         {"origin", {vector(dimension::length)}, "A point that one joint of the set passes through.", Value::of(Vec3{})}}};
+         {"spacing_scatter",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_high_open = true})},
+          "Spacings vary at random by up to this share.",
+          Value::of(0.0)},
+         {"origin",
+          {vector(dimension::length)},
+          "A point of the world that one joint of the set passes through.",
+          Value::of(Vec3{})}}};
     return table;
 }
 
@@ -117,6 +124,10 @@ const Table& rock_mass_table() {
          {"position", {vector(dimension::length)}, "Of the origin of the region.", Value::of(Vec3{})},
          {"orientation", {form::table(orientation_table)}, "How the region is turned; joints do not turn with it.", {}},
          {"seed", {integer(0, 9e15)}, "Own seed (persistence); otherwise from the seed of the case and the name.", {}},
+         {"minimum_volume",
+          {number({3, 0, 0, 0}, non_negative())},
+          "A joint that would cut off a smaller piece leaves that block whole.",
+          Value::of(0.0)},
          {"fixed_below",
           {number(dimension::length)},
           "Blocks whose centre of mass lies lower than this z do not move.",

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: output, probes, expected answers.
+#include <algorithm>
+
 #include "riprap/scene/key_table.hpp"
-#include "riprap/scene/output_keys.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
 
 using namespace form;
 
-const std::vector<std::string_view>& probe_quantities() {
-    static const std::vector<std::string_view> words{"position",         "displacement",  "velocity",
-                                                     "rotation",         "angular_velocity", "contact_force",
-                                                     "contact_torque",   "kinetic_energy"};
-    return words;
-}
-
 namespace {
+
+std::vector<std::string_view> quantity_names() {
+    std::vector<std::string_view> names;
+    for (const sim::QuantityInfo& quantity : sim::quantities()) {
+        if (std::find(names.begin(), names.end(), quantity.name) == names.end()) {
+            names.push_back(quantity.name);
+        }
+    }
+    return names;
+}
 
 const Table& probe_table() {
     static const Table table{
@@ -22,8 +27,8 @@ const Table& probe_table() {
         "[[output.probe]]",
         "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
         {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
-         {"body", {text()}, "Name of a body; \"NAME[17]\" for one of many.", {}, true},
-         {"quantity", {choice(probe_quantities())}, "What is recorded.", {}, true}}};
+         {"body", {text()}, "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given.", {}},
+         {"quantity", {choice(quantity_names())}, "What is recorded.", {}, true}}};
     return table;
 }
 
@@ -58,7 +63,8 @@ const Table& expect_table() {
         {{"name", {text()}, "What is expected, in words.", {}, true},
          {"quantity",
           {text()},
-          "A column of probes.csv (\"block.position.x\") or of ledger.csv (\"ledger.kinetic\").",
+          "The name of a probe, or a quantity of the scene or of a body, with its component: \"kinetic_energy\", "
+          "\"block.position.x\".",
           {},
           true},
          {"reduce", {choice({"last", "min", "max", "mean", "at"})}, "How the column becomes one number.", Value::of("last")},

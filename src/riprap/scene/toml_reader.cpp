@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
+
 #include "riprap/scene/limits.hpp"
 #include "riprap/scene/toml_scan.hpp"
 

@@ -114,8 +114,10 @@ class Scanner {
 
     std::string take_plain(char c) {
         if (static_cast<unsigned char>(c) >= 0x80) {
-            const bool is_valid = utf8_length(text_.substr(at_)) > 0;
-            return is_valid ? "a character outside ASCII in a key or a bare value; put it in quotes" : step();
+            if (utf8_length(text_.substr(at_)) > 0) {
+                return "a character outside ASCII in a key or a bare value; put it in quotes";
+            }
+            return step();
         }
         if (c == '[' || c == '{') {
             if (++depth_ > limits::nesting) {
@@ -144,14 +146,16 @@ class Scanner {
 
 void scan_toml(std::string_view text, const std::string& name, std::vector<Diagnostic>& problems) {
     if (text.size() > limits::case_bytes) {
-        problems.push_back({{name, 0, 0}, fmt::format("the case file has {} bytes", text.size()),
+        const SourcePlace place{name, 0, 0};
+        problems.push_back({place, fmt::format("the case file has {} bytes", text.size()),
                             fmt::format("at most {} are accepted; put long lists in a file", limits::case_bytes)});
         return;
     }
     Scanner scanner(text);
     const std::string problem = scanner.find_problem();
     if (!problem.empty()) {
-        problems.push_back({{name, scanner.line(), scanner.column()}, problem, "a case file is TOML 1.0 in UTF-8"});
+        const SourcePlace place{name, scanner.line(), scanner.column()};
+        problems.push_back({place, problem, "a case file is TOML 1.0 in UTF-8"});
     }
 }
 

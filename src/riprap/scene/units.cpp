@@ -274,7 +274,8 @@ std::string suffixes_for(const Dimension& d) {
     std::string text;
     for (const NamedUnit& named : named_units) {
         if (named.unit.dimension == d) {
-            text += (text.empty() ? "" : "|") + std::string(named.name);
+            text += text.empty() ? "" : "|";
+            text += named.name;
         }
     }
     return text;

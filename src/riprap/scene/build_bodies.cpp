@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "riprap/scene/build_case.hpp"
+#include "riprap/scene/limits.hpp"
+#include "riprap/scene/random_stream.hpp"
+#include "riprap/scene/shape_library.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Fixed, driven or free, with the checks between the keys that say so. Nothing with a problem.
+bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
+    const bool is_fixed = get_boolean(table, "fixed");
+    const Value* motion = table.find("motion");
+    const Value* release = table.find("release_time");
+    const bool is_half_space = ShapeLibrary::is_half_space(get(table, "shape"));
+    if (is_fixed && motion != nullptr) {
+        build.problem(motion->place, fmt::format("body '{}' is fixed and has a motion", body.name), "one of the two");
+        return false;
+    }
+    const bool is_moving = norm_squared(body.velocity) > 0 || norm_squared(body.angular_velocity) > 0;
+    if ((is_fixed || motion != nullptr) && is_moving) {
+        build.problem(table.place, fmt::format("body '{}' has a velocity of its own and does not follow forces", body.name),
+                      "leave out velocity and angular_velocity");
+        return false;
+    }
+    if (release != nullptr && !is_fixed && motion == nullptr) {
+        build.problem(release->place, fmt::format("body '{}' is free from the start", body.name),
+                      "release_time is for fixed = true or a motion");
+        return false;
+    }
+    if (is_half_space && ((!is_fixed && motion == nullptr) || release != nullptr)) {
+        build.problem(table.place, fmt::format("body '{}' is a half-space, which has no mass, and would fall", body.name),
+                      "fixed = true or a motion, without release_time");
+        return false;
+    }
+    body.drive = is_fixed ? body::Drive::fixed : motion != nullptr ? body::Drive::driven : body::Drive::free;
+    body.release_time = release != nullptr ? release->as_number() : body.release_time;
+    body.motion = motion != nullptr ? add_motion(build, *motion) : -1;
+    return motion == nullptr || body.motion >= 0;
+}
+
+Vec3 read_spin(const Value& value) {
+    return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()};
+}
+
+/// Copies of `body` on a lattice.
+void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
+    const auto& counts = get(repeat, "counts").items;
+    const Vec3 pitch = get_vector(repeat, "pitch");
+    const std::int64_t nx = counts[0].integer, ny = counts[1].integer, nz = counts.size() > 2 ? counts[2].integer : 1;
+    const bool is_turned = get_boolean(repeat, "random_orientation");
+    const double jitter = get_number(repeat, "jitter");
+    const Value* scales = repeat.find("scales");
+    for (std::int64_t i = 0; i < nx * ny * nz; ++i) {
+        body::NewBody copy = body;
+        RandomStream random(build.model.seed, body.name, static_cast<std::uint64_t>(i));
+        copy.name_index = static_cast<std::int32_t>(i);
+        copy.pose.position += {pitch.x * static_cast<double>(i % nx), pitch.y * static_cast<double>(i / nx % ny),
+                               pitch.z * static_cast<double>(i / nx / ny)};
+        if (jitter > 0) {
+            const double x = random.uniform(-jitter, jitter), y = random.uniform(-jitter, jitter);
+            const double z = random.uniform(-jitter, jitter);
+            copy.pose.position += {x, y, build.is_planar ? 0 : z};
+        }
+        if (is_turned) {
+            copy.pose.orientation = random.orientation(build.is_planar) * copy.pose.orientation;
+        }
+        if (scales != nullptr) {
+            const double scale = scales->items[static_cast<std::size_t>(i) % scales->items.size()].as_number();
+            const auto parts = build.shapes.parts(get(table, "shape"), scale);
+            if (!parts) {
+                return;
+            }
+            copy.parts = *parts;
+        }
+        body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, copy);
+    }
+}
+
+/// In a planar scene a body may only be turned about z.
+bool check_planar_turn(CaseBuild& build, const Value& table, const Quat& turn) {
+    constexpr double tolerance = 1e-12;  // of a unit quaternion
+    if (!build.is_planar || (std::abs(turn.x) < tolerance && std::abs(turn.y) < tolerance)) {
+        return true;
+    }
+    build.problem(get(table, "orientation").place, "the body is turned out of the plane of a scene with dimension = 2",
+                  "orientation = { angle_deg = ... }");
+    return false;
+}
+
+void build_body(CaseBuild& build, const Value& table) {
+    body::NewBody body;
+    body.name = get_text(table, "name");
+    body.material = build.material_of(table);
+    body.velocity = get_vector(table, "velocity");
+    body.angular_velocity = read_spin(get(table, "angular_velocity"));
+    body.pose = {get_vector(table, "position"), orientation_of(table.find("orientation"))};
+    const Value& shape = get(table, "shape");
+    const Value* repeat = table.find("repeat");
+    const bool is_turned_well = check_planar_turn(build, table, body.pose.orientation);
+    const bool is_driven_well = read_drive(build, table, body);
+    if (repeat != nullptr && ShapeLibrary::is_half_space(shape)) {
+        build.problem(repeat->place, "a half-space cannot be repeated", "");
+        return;
+    }
+    if (build.is_planar && repeat != nullptr && get(*repeat, "counts").items.size() > 2 &&
+        get(*repeat, "counts").items[2].integer != 1) {
+        build.problem(repeat->place, "copies along z leave the plane of a scene with dimension = 2", "counts = [nx, ny]");
+        return;
+    }
+    const auto parts = build.shapes.parts(shape);
+    if (!body.material.is_valid() || !parts || !is_turned_well || !is_driven_well) {
+        return;
+    }
+    body.parts = *parts;
+    body.density = get_number_or(table, "density", build.model.materials[body.material].density);
+    if (repeat != nullptr) {
+        add_copies(build, table, body, *repeat);
+    } else {
+        body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, body);
+    }
+}
+
+}  // namespace
+
+void CaseBuild::claim_name(const Value& table) {
+    const Value* name = table.find("name");
+    if (name != nullptr && !names.insert(name->text).second) {
+        problem(name->place, fmt::format("the name '{}' is taken", name->text),
+                "names of [[body]], [[pack]] and [[rock_mass]] are unique");
+    }
+}
+
+void build_bodies(CaseBuild& build) {
+    for (const Value& table : get(build.root, "body").items) {
+        build.claim_name(table);
+        build_body(build, table);
+    }
+}
+
+}  // namespace riprap::scene

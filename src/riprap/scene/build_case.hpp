@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "riprap/scene/case_files.hpp"
+#include "riprap/scene/value.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::scene {
+
+class ShapeLibrary;
+
+/// What the functions below share while a checked case becomes Model and State. They append problems and go on.
+struct CaseBuild {
+    const Value& root;  ///< resolved: every key has passed the key table
+    bool is_planar;
+    sim::Model& model;
+    sim::State& state;
+    CaseFiles& files;
+    ShapeLibrary& shapes;
+    std::vector<Diagnostic>& problems;
+    std::vector<std::string>& warnings;
+    std::map<std::string, MaterialId> materials{};
+    std::set<std::string> names{};    ///< of bodies, packs and rock masses
+    std::set<MaterialId> used_materials{};
+
+    void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
+        problems.push_back({place, std::move(message), std::move(allowed)});
+    }
+    /// The material that `table` names; invalid, with a problem, when there is none.
+    MaterialId material_of(const Value& table);
+    /// Notes the name of a body, pack or rock mass; a problem when it is taken.
+    void claim_name(const Value& table);
+};
+
+void build_materials(CaseBuild& build);
+void build_contact(CaseBuild& build);  ///< after the bodies: mixing rules are asked for where materials are used
+void build_settings(CaseBuild& build);
+void build_bodies(CaseBuild& build);
+void build_packs(CaseBuild& build);
+void build_rock_masses(CaseBuild& build);
+void build_output(CaseBuild& build);   ///< last: probes and expects look bodies up
+
+/// The turn that an orientation table means; the identity for null.
+Quat orientation_of(const Value* table);
+
+/// Adds the motion of a body to the model. @returns its index, or -1 with a problem.
+std::int32_t add_motion(CaseBuild& build, const Value& motion);
+
+/// Bodies and parts that the case asks for, from counts alone. A problem, and false, when above limits.hpp.
+bool check_counts(const Value& root, std::vector<Diagnostic>& problems);
+
+}  // namespace riprap::scene

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time axis, gravity, solid settings, output, probes and expected answers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/scene/build_case.hpp"
+#include "riprap/scene/suggest.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+sim::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
+    sim::Gravity out;
+    if (gravity.is_array()) {
+        out.value = to_vector(gravity);
+        return out;
+    }
+    out.value = get_vector(gravity, "value");
+    out.ramp = get_number(gravity, "ramp");
+    if (const Value* rotation = gravity.find("rotation")) {
+        out.axis = normalized(get_vector(*rotation, "axis"));
+        out.rate = get_number(*rotation, "rate");
+        out.start = get_number(*rotation, "start");
+        out.stop = get_number_or(*rotation, "stop", out.stop);
+        if (out.stop <= out.start) {
+            build.problem(rotation->place, fmt::format("gravity turns from {} s to {} s", out.start, out.stop),
+                          "stop after start");
+        }
+    }
+    return out;
+}
+
+void read_probe(CaseBuild& build, const Value& table) {
+    sim::Probe probe;
+    probe.quantity = get_text(table, "quantity");
+    const Value* body = table.find("body");
+    if (body != nullptr) {
+        probe.body = sim::find_body(build.model.bodies, body->text);
+        if (!probe.body.is_valid()) {
+            const std::string meant = nearest(body->text, build.model.bodies.names);
+            build.problem(body->place, fmt::format("there is no body '{}'", body->text),
+                          meant.empty() ? "a name of [[body]], or NAME[17]" : fmt::format("did you mean '{}'?", meant));
+            return;
+        }
+    }
+    const Value* name = table.find("name");
+    probe.name = name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + probe.quantity;
+    if (sim::find_quantity(probe.quantity, body != nullptr) == nullptr) {
+        build.problem(get(table, "quantity").place,
+                      fmt::format("'{}' is {} quantity of {}", probe.quantity, "no",
+                                  body != nullptr ? "a body" : "the scene"),
+                      body != nullptr ? "leave out 'body'" : "give the 'body'");
+        return;
+    }
+    const auto& probes = build.model.output.probes;
+    if (std::any_of(probes.begin(), probes.end(), [&](const sim::Probe& p) { return p.name == probe.name; })) {
+        build.problem(table.place, fmt::format("a second probe '{}'", probe.name), "give it another 'name'");
+        return;
+    }
+    build.model.output.probes.push_back(std::move(probe));
+}
+
+void read_expect(CaseBuild& build, const Value& table) {
+    sim::Expect expect;
+    expect.name = get_text(table, "name");
+    expect.quantity = get_text(table, "quantity");
+    expect.reduce = get_text(table, "reduce");
+    expect.citation = get_text(table, "citation");
+    expect.place = fmt::format("{}:{}:{}", table.place.file, table.place.line, table.place.column);
+    if (expect.citation.empty()) {
+        build.problem(get(table, "citation").place, "the citation is empty", "say where the value comes from");
+    }
+    const Value* at = table.find("at");
+    if ((expect.reduce == "at") != (at != nullptr)) {
+        build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");
+    } else if (at != nullptr) {
+        expect.at = at->as_number();
+        if (expect.at > build.model.time.end) {
+            build.problem(at->place, fmt::format("at = {} s lies beyond the end of the run", expect.at),
+                          fmt::format("at most end = {} s", build.model.time.end));
+        }
+    }
+    if (const Value* value = table.find("value")) {
+        expect.value = value->as_number();
+        const Value* absolute = table.find("tolerance");
+        const Value* relative = table.find("relative_tolerance");
+        if (absolute == nullptr && relative == nullptr) {
+            build.problem(table.place, fmt::format("[[expect]] '{}' lacks a tolerance", expect.name),
+                          "tolerance or relative_tolerance");
+            return;
+        }
+        const double band =
+            absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
+        expect.low = expect.value - band;
+        expect.high = expect.value + band;
+    } else {
+        expect.low = get_number(table, "low");
+        expect.high = get_number(table, "high");
+        expect.value = 0.5 * (expect.low + expect.high);
+        if (expect.low > expect.high) {
+            build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
+            return;
+        }
+    }
+    if (!sim::find_column(build.model, expect.quantity)) {
+        std::vector<std::string> known;
+        for (const sim::Probe& probe : build.model.output.probes) {
+            for (const sim::Column& column : sim::columns_of(probe)) {
+                known.push_back(column.name);
+            }
+        }
+        for (const sim::QuantityInfo& quantity : sim::quantities()) {
+            known.emplace_back(quantity.name);
+        }
+        const std::string meant = nearest(expect.quantity, known);
+        build.problem(get(table, "quantity").place, fmt::format("there is no quantity '{}'", expect.quantity),
+                      meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
+                                    : fmt::format("did you mean '{}'?", meant));
+        return;
+    }
+    build.model.expects.push_back(std::move(expect));
+}
+
+}  // namespace
+
+void build_settings(CaseBuild& build) {
+    const Value& root = build.root;
+    sim::Model& model = build.model;
+    model.title = get_text(root, "title");
+    model.seed = static_cast<std::uint64_t>(get_integer(root, "seed"));
+    model.gravity = read_gravity(build, get(root, "gravity"));
+    model.bodies.is_planar = build.is_planar;
+
+    model.time.end = get_number(root, "end");
+    const Value& step = get(root, "time_step");
+    model.time.time_step = step.is_text() ? 0 : step.as_number();
+    model.time.factor = get_number(root, "time_step_factor");
+    model.time.force_time_step = get_boolean(root, "force_time_step");
+    model.time.max_steps = get_integer(root, "max_steps");
+
+    const Value& solid = get(root, "solid");
+    model.solid.contact.potential =
+        get_text(solid, "potential") == "fdem" ? contact::Potential::fdem : contact::Potential::distance;
+    model.solid.contact.sides = get_text(solid, "sides") == "both" ? contact::Sides::both : contact::Sides::contactor;
+    model.solid.local_damping = get_number(solid, "local_damping");
+    model.solid.mass_damping = get_number(solid, "mass_damping");
+    model.solid.grid_factor = get_number(solid, "grid_factor");
+    model.solid.skin = get_number(solid, "skin");
+    model.solid.max_potential = get_number(solid, "max_potential");
+    model.solid.max_speed = get_number(solid, "max_speed");
+}
+
+void build_output(CaseBuild& build) {
+    const Value& output = get(build.root, "output");
+    sim::OutputSettings& settings = build.model.output;
+    settings.interval = get_number(output, "interval");
+    settings.probe_interval = get_number(output, "probe_interval");
+    settings.checkpoint_interval = get_number(output, "checkpoint_interval");
+    settings.vtk = get_boolean(output, "vtk");
+    settings.contacts = get_boolean(output, "contacts");
+    for (const Value& probe : get(output, "probe").items) {
+        read_probe(build, probe);
+    }
+    for (const Value& expect : get(build.root, "expect").items) {
+        read_expect(build, expect);
+    }
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/vec3.hpp"
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap::scene {
+
+/// The folder of a case, and the only way to read other files from it: no absolute paths, no "..", no links that
+/// lead out, regular files only, within a size limit.
+class CaseFiles {
+ public:
+    explicit CaseFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Reads a file into memory. Nothing, and a problem at `place`, when that is refused or fails.
+    std::optional<std::string> read(const std::string& path, std::size_t max_bytes, const SourcePlace& place,
+                                    std::vector<Diagnostic>& problems);
+
+    /// Reads a CSV file with one header line and rows of `columns` finite numbers.
+    std::optional<std::vector<std::vector<double>>> read_table(const std::string& path, std::size_t columns,
+                                                               std::size_t max_rows, const SourcePlace& place,
+                                                               std::vector<Diagnostic>& problems);
+
+    /// Files read so far, by path.
+    std::vector<InputFile> inputs() const;
+
+ private:
+    std::filesystem::path folder_;
+    std::map<std::string, std::uint64_t> inputs_;
+};
+
+}  // namespace riprap::scene

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/read_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "riprap/core/fields.hpp"
+#include "riprap/scene/build_case.hpp"
+#include "riprap/scene/check_keys.hpp"
+#include "riprap/scene/limits.hpp"
+#include "riprap/scene/shape_library.hpp"
+#include "riprap/scene/toml_reader.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+void throw_if_any(std::vector<Diagnostic>& problems) {
+    if (problems.empty()) {
+        return;
+    }
+    const std::size_t count = problems.size();
+    if (count > limits::problems) {
+        problems.resize(limits::problems);
+        problems.push_back({problems.back().place, fmt::format("{} more problems", count - limits::problems), ""});
+    }
+    throw CaseError(std::move(problems));
+}
+
+/// `dimension` decides how vectors are read, so it is looked at before everything else.
+bool is_planar_case(const Value& root) {
+    const Value* dimension = root.find("dimension");
+    return dimension != nullptr && dimension->kind == ValueKind::integer && dimension->integer == 2;
+}
+
+/// What decides the motion: the resolved case without what only says how long to run and what to write, and the
+/// other files. A checkpoint belongs to all cases that agree in this.
+std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
+    constexpr std::array<std::string_view, 5> bystanders{"title", "end", "max_steps", "output", "expect"};
+    std::erase_if(root.entries, [&](const Entry& entry) {
+        return std::find(bystanders.begin(), bystanders.end(), entry.key) != bystanders.end();
+    });
+    Hasher hasher;
+    const std::string text = write_toml(root);
+    hasher.add(text.data(), text.size());
+    for (const InputFile& input : inputs) {
+        hasher.add(input.path.data(), input.path.size());
+        hasher.add(&input.hash, sizeof input.hash);
+    }
+    return hasher.value();
+}
+
+std::string read_case_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        throw FileError(fmt::format("{} is a folder; give the case file in it, such as {}", path.string(),
+                                    (path / "case.toml").string()));
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        throw FileError(fmt::format("{} cannot be read: {}", path.string(),
+                                    std::filesystem::exists(path, error) ? "check its permissions" : "there is no such file"));
+    }
+    std::string text(limits::case_bytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+}  // namespace
+
+LoadedCase read_case_text(std::string_view text, const std::string& name, const std::string& folder,
+                          std::span<const std::string> overrides) {
+    std::vector<Diagnostic> problems;
+    Value root = parse_toml(text, name, problems);
+    throw_if_any(problems);
+    for (const std::string& assignment : overrides) {
+        apply_override(root, assignment, problems);
+    }
+    const bool is_planar = is_planar_case(root);
+    const Value resolved = check_keys(root, case_table(), is_planar, problems);
+    check_counts(resolved, problems);
+    throw_if_any(problems);
+
+    LoadedCase loaded;
+    loaded.folder = folder;
+    loaded.source_text = std::string(text);
+    CaseFiles files(folder);
+    ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems);
+    CaseBuild build{resolved, is_planar, loaded.model, loaded.state, files, shapes, problems, loaded.warnings};
+    build_settings(build);
+    build_materials(build);
+    build_bodies(build);
+    build_packs(build);
+    build_rock_masses(build);
+    build_contact(build);
+    if (loaded.model.bodies.size() == 0 && problems.empty()) {
+        build.problem(resolved.place, "the case has no bodies", "at least one [[body]], [[pack]] or [[rock_mass]]");
+    }
+    if (problems.empty()) {
+        build_output(build);
+    }
+    throw_if_any(problems);
+
+    loaded.model.shapes.shrink_to_fit();
+    loaded.inputs = files.inputs();
+    loaded.model.case_hash = hash_of(resolved, loaded.inputs);
+    loaded.resolved_toml = write_toml(resolved);
+    loaded.resolved_json = write_json(resolved);
+    return loaded;
+}
+
+LoadedCase read_case(const std::string& path, std::span<const std::string> overrides) {
+    const std::filesystem::path file(path);
+    const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+    return read_case_text(read_case_file(file), path, folder, overrides);
+}
+
+}  // namespace riprap::scene
