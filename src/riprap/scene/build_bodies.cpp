@@ -25,7 +25,8 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
     }
     const bool is_moving = norm_squared(body.velocity) > 0 || norm_squared(body.angular_velocity) > 0;
     if ((is_fixed || motion != nullptr) && is_moving) {
-        build.problem(table.place, fmt::format("body '{}' has a velocity of its own and does not follow forces", body.name),
+        build.problem(table.place,
+                      fmt::format("body '{}' has a velocity of its own and does not follow forces", body.name),
                       "leave out velocity and angular_velocity");
         return false;
     }
@@ -35,7 +36,8 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
         return false;
     }
     if (is_half_space && ((!is_fixed && motion == nullptr) || release != nullptr)) {
-        build.problem(table.place, fmt::format("body '{}' is a half-space, which has no mass, and would fall", body.name),
+        build.problem(table.place,
+                      fmt::format("body '{}' is a half-space, which has no mass, and would fall", body.name),
                       "fixed = true or a motion, without release_time");
         return false;
     }
@@ -45,9 +47,7 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
     return motion == nullptr || body.motion >= 0;
 }
 
-Vec3 read_spin(const Value& value) {
-    return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()};
-}
+Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()}; }
 
 /// Copies of `body` on a lattice.
 void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
@@ -111,7 +111,8 @@ void build_body(CaseBuild& build, const Value& table) {
     }
     if (build.is_planar && repeat != nullptr && get(*repeat, "counts").items.size() > 2 &&
         get(*repeat, "counts").items[2].integer != 1) {
-        build.problem(repeat->place, "copies along z leave the plane of a scene with dimension = 2", "counts = [nx, ny]");
+        build.problem(repeat->place, "copies along z leave the plane of a scene with dimension = 2",
+                      "counts = [nx, ny]");
         return;
     }
     const auto parts = build.shapes.parts(shape);

@@ -26,7 +26,7 @@ struct CaseBuild {
     std::vector<Diagnostic>& problems;
     std::vector<std::string>& warnings;
     std::map<std::string, MaterialId> materials{};
-    std::set<std::string> names{};    ///< of bodies, packs and rock masses
+    std::set<std::string> names{};  ///< of bodies, packs and rock masses
     std::set<MaterialId> used_materials{};
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
@@ -44,7 +44,7 @@ void build_settings(CaseBuild& build);
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
-void build_output(CaseBuild& build);   ///< last: probes and expects look bodies up
+void build_output(CaseBuild& build);  ///< last: probes and expects look bodies up
 
 /// The turn that an orientation table means; the identity for null.
 Quat orientation_of(const Value* table);

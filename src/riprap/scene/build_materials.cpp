@@ -56,10 +56,10 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
         if (first == nullptr) {
             first = &other;
         } else if (first->*value != other.*value) {
-            build.problem(contact.place,
-                          fmt::format("materials '{}' and '{}' differ, and [contact] lacks '{}'", first->name,
-                                      other.name, key),
-                          "one of \"minimum\", \"maximum\", \"mean\", \"geometric\", \"harmonic\"");
+            build.problem(
+                contact.place,
+                fmt::format("materials '{}' and '{}' differ, and [contact] lacks '{}'", first->name, other.name, key),
+                "one of \"minimum\", \"maximum\", \"mean\", \"geometric\", \"harmonic\"");
             break;
         }
     }

@@ -14,8 +14,8 @@ body::TableMotion read_motion_table(CaseBuild& build, const Value& table) {
     SourcePlace place = table.place;
     if (const Value* file = table.find("file")) {
         place = file->place;
-        const auto rows = build.files.read_table(file->text, build.is_planar ? 3 : 4, limits::table_rows, place,
-                                                 build.problems);
+        const auto rows =
+            build.files.read_table(file->text, build.is_planar ? 3 : 4, limits::table_rows, place, build.problems);
         if (!rows) {
             return {};
         }
@@ -32,14 +32,16 @@ body::TableMotion read_motion_table(CaseBuild& build, const Value& table) {
         }
     }
     if (motion.time.empty() || motion.time.size() != motion.displacement.size()) {
-        build.problem(place, fmt::format("{} times and {} displacements", motion.time.size(), motion.displacement.size()),
+        build.problem(place,
+                      fmt::format("{} times and {} displacements", motion.time.size(), motion.displacement.size()),
                       "as many of both, at least one");
         return {};
     }
     for (std::size_t i = 1; i < motion.time.size(); ++i) {
         if (motion.time[i] <= motion.time[i - 1]) {
-            build.problem(place, fmt::format("time {} of row {} does not follow {}", motion.time[i], i + 1, motion.time[i - 1]),
-                          "increasing times");
+            build.problem(
+                place, fmt::format("time {} of row {} does not follow {}", motion.time[i], i + 1, motion.time[i - 1]),
+                "increasing times");
             return {};
         }
     }
@@ -56,9 +58,9 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
         motion.law = body::SinusoidalMotion{get_vector(*sine, "amplitude"), get_number(*sine, "period"),
                                             get_number(*sine, "phase")};
     } else if (const Value* rotation = table.find("rotation")) {
-        motion.law = body::RotatingMotion{get_vector(*rotation, "center"),  normalized(get_vector(*rotation, "axis")),
-                                          get_number(*rotation, "rate"),    get_number(*rotation, "amplitude"),
-                                          get_number(*rotation, "period"),  get_number(*rotation, "phase")};
+        motion.law = body::RotatingMotion{get_vector(*rotation, "center"), normalized(get_vector(*rotation, "axis")),
+                                          get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
+                                          get_number(*rotation, "period"), get_number(*rotation, "phase")};
     } else {
         const std::size_t before = build.problems.size();
         motion.law = read_motion_table(build, get(table, "table"));

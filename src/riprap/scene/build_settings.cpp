@@ -50,10 +50,10 @@ void read_probe(CaseBuild& build, const Value& table) {
     const Value* name = table.find("name");
     probe.name = name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + probe.quantity;
     if (sim::find_quantity(probe.quantity, body != nullptr) == nullptr) {
-        build.problem(get(table, "quantity").place,
-                      fmt::format("'{}' is {} quantity of {}", probe.quantity, "no",
-                                  body != nullptr ? "a body" : "the scene"),
-                      body != nullptr ? "leave out 'body'" : "give the 'body'");
+        build.problem(
+            get(table, "quantity").place,
+            fmt::format("'{}' is {} quantity of {}", probe.quantity, "no", body != nullptr ? "a body" : "the scene"),
+            body != nullptr ? "leave out 'body'" : "give the 'body'");
         return;
     }
     const auto& probes = build.model.output.probes;

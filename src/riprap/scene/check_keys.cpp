@@ -25,7 +25,7 @@ std::string join(const std::vector<std::string_view>& words, std::string_view se
 }
 
 class Checker {
-   public:
+ public:
     Checker(bool is_planar, std::vector<Diagnostic>& problems) : values_(is_planar, problems), problems_(problems) {}
 
     Value table(const Value& given, const Table& table) {
@@ -48,7 +48,7 @@ class Checker {
         return out;
     }
 
-   private:
+ private:
     void take(const Entry& entry, const Table& table, std::vector<std::string_view>& seen,
               std::map<std::string_view, Value>& accepted) {
         const Key* key = table.find(entry.key);
@@ -101,9 +101,9 @@ class Checker {
         }
         // "auto" and "1 ms" are both texts: a text that is no word of the choice is tried as a quantity.
         if (best != nullptr && best->kind == FormKind::choice && key.forms.size() > 1 &&
-            std::find(best->words.begin(), best->words.end(), given.text) == best->words.end() &&
-            !given.text.empty() && (std::isdigit(static_cast<unsigned char>(given.text.front())) != 0 ||
-                                    given.text.front() == '-' || given.text.front() == '+' || given.text.front() == '.')) {
+            std::find(best->words.begin(), best->words.end(), given.text) == best->words.end() && !given.text.empty() &&
+            (std::isdigit(static_cast<unsigned char>(given.text.front())) != 0 || given.text.front() == '-' ||
+             given.text.front() == '+' || given.text.front() == '.')) {
             best = &key.forms.back();
         }
         if (best == nullptr) {
@@ -139,7 +139,8 @@ class Checker {
                 Value out = Value::table();
                 for (const Entry& entry : given.entries) {
                     if (!entry.value.is_table()) {
-                        problems_.push_back({entry.place, fmt::format("'{}' is {}", entry.key, describe(entry.value.kind)),
+                        problems_.push_back({entry.place,
+                                             fmt::format("'{}' is {}", entry.key, describe(entry.value.kind)),
                                              fmt::format("{} wants a table", form.table().header)});
                         continue;
                     }
@@ -154,7 +155,8 @@ class Checker {
             case FormKind::list: {
                 const auto count = static_cast<std::int64_t>(given.items.size());
                 if (count < form.min_count || count > form.max_count) {
-                    problems_.push_back({given.place, fmt::format("{} has {} entries", name, count), describe_form(form)});
+                    problems_.push_back(
+                        {given.place, fmt::format("{} has {} entries", name, count), describe_form(form)});
                     return std::nullopt;
                 }
                 Value out = Value::array();
@@ -250,9 +252,10 @@ class Checker {
     void add_default(const Value& given, const Table& table, const Key& key, const std::vector<std::string_view>& seen,
                      Value& out) {
         if (key.is_required) {
-            const bool may_be_misspelt = std::any_of(given.entries.begin(), given.entries.end(), [&](const Entry& entry) {
-                return table.find(entry.key) == nullptr && nearest(entry.key, {std::string(key.name)}) == key.name;
-            });
+            const bool may_be_misspelt =
+                std::any_of(given.entries.begin(), given.entries.end(), [&](const Entry& entry) {
+                    return table.find(entry.key) == nullptr && nearest(entry.key, {std::string(key.name)}) == key.name;
+                });
             if (!may_be_misspelt) {
                 problems_.push_back({given.place, fmt::format("{} lacks '{}'", table.header, key.name),
                                      fmt::format("{} {}", describe_form(key.forms.front()), key.help)});

@@ -12,8 +12,11 @@ namespace riprap::scene {
 
 bool is_name(std::string_view text) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const auto is_allowed = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.'; };
-    return !text.empty() && text.size() <= 64 && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_allowed);
+    const auto is_allowed = [&](char c) {
+        return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    };
+    return !text.empty() && text.size() <= 64 && is_letter(text.front()) &&
+           std::all_of(text.begin(), text.end(), is_allowed);
 }
 
 bool fits(const Value& given, const Form& form) {
@@ -66,8 +69,9 @@ std::string describe_form(const Form& form) {
         case FormKind::integer:
             return "an integer" + tail;
         case FormKind::number:
-            return form.dimension.is_plain() ? "a number" + tail
-                                             : fmt::format("{} [{}]{}", describe(form.dimension), si_unit(form.dimension), tail);
+            return form.dimension.is_plain()
+                       ? "a number" + tail
+                       : fmt::format("{} [{}]{}", describe(form.dimension), si_unit(form.dimension), tail);
         case FormKind::text:
             return "a text";
         case FormKind::name:
@@ -128,12 +132,14 @@ std::optional<Value> ValueChecker::number(const Value& given, const Form& form, 
     double value = given.as_number();
     if (given.is_text()) {
         if (unit) {
-            return refuse(given, fmt::format("{} = {}: the unit is already in the name of the key", name, excerpt(given)),
+            return refuse(given,
+                          fmt::format("{} = {}: the unit is already in the name of the key", name, excerpt(given)),
                           "a bare number");
         }
         const Quantity quantity = parse_quantity(given.text, form.dimension);
         if (!quantity.problem.empty()) {
-            return refuse(given, fmt::format("{} = {}: {}", name, excerpt(given), quantity.problem), describe_form(form));
+            return refuse(given, fmt::format("{} = {}: {}", name, excerpt(given), quantity.problem),
+                          describe_form(form));
         }
         value = quantity.value;
     } else if (unit) {
@@ -176,8 +182,11 @@ std::optional<Value> ValueChecker::vector(const Value& given, const Form& form, 
         const bool is_in_plane = form.is_axial ? out.items[0].number == 0 && out.items[1].number == 0
                                                : out.items[2].number == (is_size ? 1.0 : 0.0);
         if (!is_in_plane) {
-            return refuse(given, fmt::format("{} = {} leaves the plane of a scene with dimension = 2", name, excerpt(given)),
-                          form.is_axial ? "only the z component" : is_size ? "x and y; z is 1 m" : "x and y; z is 0");
+            return refuse(given,
+                          fmt::format("{} = {} leaves the plane of a scene with dimension = 2", name, excerpt(given)),
+                          form.is_axial ? "only the z component"
+                          : is_size     ? "x and y; z is 1 m"
+                                        : "x and y; z is 0");
         }
     }
     if (count == 2) {
@@ -206,7 +215,8 @@ std::optional<Value> ValueChecker::text(const Value& given, const Form& form, co
         if (std::find(form.words.begin(), form.words.end(), word) == form.words.end()) {
             const std::string meant = nearest(word, {form.words.begin(), form.words.end()});
             return refuse(given, fmt::format("{} = {} is not known", name, excerpt(given)),
-                          meant.empty() ? describe_form(form) : fmt::format("did you mean \"{}\"? {}", meant, describe_form(form)));
+                          meant.empty() ? describe_form(form)
+                                        : fmt::format("did you mean \"{}\"? {}", meant, describe_form(form)));
         }
     }
     return Value::of(given.text);

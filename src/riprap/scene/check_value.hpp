@@ -10,7 +10,8 @@
 
 namespace riprap::scene {
 
-inline constexpr const char* name_rule = "a name has 1 to 64 letters, digits, '_', '-' or '.', and starts with a letter";
+inline constexpr const char* name_rule =
+    "a name has 1 to 64 letters, digits, '_', '-' or '.', and starts with a letter";
 
 /// True for names that are safe in file names, columns and dotted paths.
 bool is_name(std::string_view text);
@@ -26,7 +27,7 @@ std::string describe_range(const Range& range);
 
 /// Checks single values (numbers, texts, choices, vectors) and converts them to SI.
 class ValueChecker {
-   public:
+ public:
     ValueChecker(bool is_planar, std::vector<Diagnostic>& problems) : is_planar_(is_planar), problems_(problems) {}
 
     /// @param name  of the key, for messages
@@ -35,7 +36,7 @@ class ValueChecker {
     std::optional<Value> check(const Value& given, const Form& form, const std::string& name,
                                const std::optional<Unit>& unit);
 
-   private:
+ private:
     std::optional<Value> number(const Value& given, const Form& form, const std::string& name,
                                 const std::optional<Unit>& unit);
     std::optional<Value> vector(const Value& given, const Form& form, const std::string& name,

@@ -64,9 +64,7 @@ Form vector(const Dimension& dimension, const Range& range) {
 }
 Form direction() { return {.kind = FormKind::vector, .is_nonzero = true}; }
 Form axis() { return {.kind = FormKind::vector, .is_nonzero = true, .is_axial = true}; }
-Form spin(const Dimension& dimension) {
-    return {.kind = FormKind::vector, .dimension = dimension, .is_axial = true};
-}
+Form spin(const Dimension& dimension) { return {.kind = FormKind::vector, .dimension = dimension, .is_axial = true}; }
 Form list(Form item, std::int64_t min_count, std::int64_t max_count) {
     return {.kind = FormKind::list, .item = {std::move(item)}, .min_count = min_count, .max_count = max_count};
 }

@@ -24,7 +24,9 @@ struct Range {
     double high{std::numeric_limits<double>::infinity()};
     bool is_low_open{false};   ///< low itself is refused
     bool is_high_open{false};  ///< high itself is refused
-    bool contains(double v) const { return (is_low_open ? v > low : v >= low) && (is_high_open ? v < high : v <= high); }
+    bool contains(double v) const {
+        return (is_low_open ? v > low : v >= low) && (is_high_open ? v < high : v <= high);
+    }
     bool is_bounded() const { return low > -1e308 || high < 1e308; }
 };
 
@@ -47,22 +49,22 @@ enum class FormKind {
 /// One way to write the value of a key.
 struct Form {
     FormKind kind{FormKind::number};
-    Dimension dimension{};                  ///< of numbers and components
-    Range range{};                          ///< of a number, integer or component
-    std::vector<std::string_view> words{};  ///< of a choice
+    Dimension dimension{};                    ///< of numbers and components
+    Range range{};                            ///< of a number, integer or component
+    std::vector<std::string_view> words{};    ///< of a choice
     std::vector<std::string_view> planned{};  ///< words that other versions may know; refused as not implemented
-    std::vector<Form> item{};               ///< of a list: one entry
-    std::int64_t min_count{0};              ///< entries of a list
+    std::vector<Form> item{};                 ///< of a list: one entry
+    std::int64_t min_count{0};                ///< entries of a list
     std::int64_t max_count{std::numeric_limits<std::int64_t>::max()};
-    bool is_nonzero{false};                 ///< a vector that gives a direction
-    bool is_axial{false};                   ///< a vector about which something turns: along z in a planar scene
-    const Table& (*table)(){nullptr};       ///< of tables; a function, because tables may contain themselves
+    bool is_nonzero{false};            ///< a vector that gives a direction
+    bool is_axial{false};              ///< a vector about which something turns: along z in a planar scene
+    const Table& (*table)(){nullptr};  ///< of tables; a function, because tables may contain themselves
 };
 
 /// One row of the table.
 struct Key {
     std::string_view name;
-    std::vector<Form> forms;         ///< the first whose kind of value fits is used
+    std::vector<Form> forms;  ///< the first whose kind of value fits is used
     std::string_view help;
     std::optional<Value> otherwise;  ///< default
     bool is_required{false};

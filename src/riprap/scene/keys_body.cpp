@@ -82,7 +82,10 @@ const Table& prism_table() {
         "A right prism along z, about its centre: a regular polygon, or any convex one.",
         {{"sides", {integer(3, 64)}, "Corners of a regular polygon.", {}},
          {"circumradius", {length}, "Of the regular polygon.", {}},
-         {"points", {list(list(number(dimension::length), 2, 2), 3, 256)}, "Corners x, y of a convex polygon, in order.", {}},
+         {"points",
+          {list(list(number(dimension::length), 2, 2), 3, 256)},
+          "Corners x, y of a convex polygon, in order.",
+          {}},
          {"height",
           {length},
           "Along z; the prism reaches half of it to either side. Not given in a planar scene, where it is 1 m.",
@@ -110,13 +113,12 @@ const Table& linear_table() {
     return table;
 }
 const Table& sinusoidal_table() {
-    static const Table table{
-        "motion.sinusoidal",
-        "motion = { sinusoidal = { ... } }",
-        "x(t) = x0 + amplitude (sin(2 pi t/period + phase) - sin(phase)).",
-        {{"amplitude", {vector(dimension::length)}, "Amplitude of the displacement.", {}, true},
-         {"period", {number(dimension::time, positive())}, "Period.", {}, true},
-         {"phase", {phase}, "Phase at the start.", Value::of(0.0)}}};
+    static const Table table{"motion.sinusoidal",
+                             "motion = { sinusoidal = { ... } }",
+                             "x(t) = x0 + amplitude (sin(2 pi t/period + phase) - sin(phase)).",
+                             {{"amplitude", {vector(dimension::length)}, "Amplitude of the displacement.", {}, true},
+                              {"period", {number(dimension::time, positive())}, "Period.", {}, true},
+                              {"phase", {phase}, "Phase at the start.", Value::of(0.0)}}};
     return table;
 }
 const Table& motion_data_table() {
@@ -184,30 +186,29 @@ const Table& shape_table() {
 }
 
 const Table& orientation_table() {
-    static const Table table{
-        "orientation",
-        "orientation = { ... }",
-        "How the body is turned from its own axes to those of the world. One way of saying it.",
-        {{"axis_angle", {form::table(orientation_axis_table)}, "A turn about an axis.", {}},
-         {"angle", {number(dimension::angle)}, "A turn about z; the way of planar scenes.", {}},
-         {"euler",
-          {list(number(dimension::angle), 3, 3)},
-          "Turns about the fixed x, then y, then z axis (roll, pitch, yaw).",
-          {}},
-         {"quaternion",
-          {list(number(dimension::plain), 4, 4)},
-          "w, x, y, z of the turn from body to world; any length but zero.",
-          {}},
-         {"dip",
-          {number(dimension::angle, between(-1.5707963267948966, 1.5707963267948966))},
-          "Tilts the body's z axis: its x-y plane dips by this angle below the horizontal, z up.",
-          {}},
-         {"dip_direction",
-          {number(dimension::angle)},
-          "Azimuth towards which the plane dips, clockwise from +y (north) to +x (east).",
-          {}}},
-        {{GroupRule::exactly_one, {"axis_angle", "angle", "euler", "quaternion", "dip"}},
-         {GroupRule::all_or_none, {"dip", "dip_direction"}}}};
+    static const Table table{"orientation",
+                             "orientation = { ... }",
+                             "How the body is turned from its own axes to those of the world. One way of saying it.",
+                             {{"axis_angle", {form::table(orientation_axis_table)}, "A turn about an axis.", {}},
+                              {"angle", {number(dimension::angle)}, "A turn about z; the way of planar scenes.", {}},
+                              {"euler",
+                               {list(number(dimension::angle), 3, 3)},
+                               "Turns about the fixed x, then y, then z axis (roll, pitch, yaw).",
+                               {}},
+                              {"quaternion",
+                               {list(number(dimension::plain), 4, 4)},
+                               "w, x, y, z of the turn from body to world; any length but zero.",
+                               {}},
+                              {"dip",
+                               {number(dimension::angle, between(-1.5707963267948966, 1.5707963267948966))},
+                               "Tilts the body's z axis: its x-y plane dips by this angle below the horizontal, z up.",
+                               {}},
+                              {"dip_direction",
+                               {number(dimension::angle)},
+                               "Azimuth towards which the plane dips, clockwise from +y (north) to +x (east).",
+                               {}}},
+                             {{GroupRule::exactly_one, {"axis_angle", "angle", "euler", "quaternion", "dip"}},
+                              {GroupRule::all_or_none, {"dip", "dip_direction"}}}};
     return table;
 }
 

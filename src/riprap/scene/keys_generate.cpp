@@ -39,10 +39,7 @@ const Table& mix_table() {
           {number(dimension::plain, positive())},
           "Share of this kind by number, relative to those of the other kinds.",
           Value::of(1.0)},
-         {"sizes",
-          {list(number(dimension::plain, positive()), 1, 64)},
-          "Factors on the size, equally likely.",
-          {}}}};
+         {"sizes", {list(number(dimension::plain, positive()), 1, 64)}, "Factors on the size, equally likely.", {}}}};
     return table;
 }
 
@@ -52,7 +49,11 @@ const Table& lattice_table() {
         "lattice = { ... }",
         "Blocks of several kinds at the points of a lattice.",
         {{"origin", {vector(dimension::length)}, "First point of the lattice.", Value::of(Vec3{})},
-         {"counts", {list(integer(1, static_cast<double>(limits::bodies)), 2, 3)}, "Points along x, y and z.", {}, true},
+         {"counts",
+          {list(integer(1, static_cast<double>(limits::bodies)), 2, 3)},
+          "Points along x, y and z.",
+          {},
+          true},
          {"pitch", {vector(dimension::length)}, "Distance between points along x, y and z.", {}, true},
          {"total",
           {integer(1, static_cast<double>(limits::bodies))},

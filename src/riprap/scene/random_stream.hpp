@@ -14,9 +14,9 @@ class RandomStream {
  public:
     RandomStream(std::uint64_t seed, std::string_view name, std::uint64_t number);
 
-    double uniform();                            ///< in [0, 1)
+    double uniform();  ///< in [0, 1)
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
-    Quat orientation(bool is_planar);            ///< uniform over all turns, or over turns about z
+    Quat orientation(bool is_planar);  ///< uniform over all turns, or over turns about z
 
  private:
     std::uint64_t next();

@@ -62,8 +62,9 @@ std::string read_case_file(const std::filesystem::path& path) {
     }
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
-        throw FileError(fmt::format("{} cannot be read: {}", path.string(),
-                                    std::filesystem::exists(path, error) ? "check its permissions" : "there is no such file"));
+        throw FileError(
+            fmt::format("{} cannot be read: {}", path.string(),
+                        std::filesystem::exists(path, error) ? "check its permissions" : "there is no such file"));
     }
     std::string text(limits::case_bytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));

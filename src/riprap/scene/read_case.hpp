@@ -14,8 +14,8 @@ namespace riprap::scene {
 
 /// A file that the case reads besides itself (a surface, a table), with the path as the case writes it.
 struct InputFile {
-    std::string path;         ///< relative to the folder of the case, no "..", no links out of it
-    std::uint64_t hash{0};    ///< of the bytes
+    std::string path;       ///< relative to the folder of the case, no "..", no links out of it
+    std::uint64_t hash{0};  ///< of the bytes
 };
 
 /// A case ready to run.

@@ -67,12 +67,14 @@ std::optional<Polyhedron> ShapeLibrary::make_prism(const Value& table) {
     const Value* height = table.find("height");
     const Value* points = table.find("points");
     if (is_planar_ ? height != nullptr && height->as_number() != 1 : height == nullptr) {
-        problems_.push_back({table.place, is_planar_ ? "a prism of a planar scene is one metre high" : "a prism lacks 'height'",
+        problems_.push_back({table.place,
+                             is_planar_ ? "a prism of a planar scene is one metre high" : "a prism lacks 'height'",
                              is_planar_ ? "leave 'height' out" : "a length [m]"});
         return std::nullopt;
     }
     const std::vector<Point2> corners =
-        points != nullptr ? corners_of(*points) : regular_polygon(get_integer(table, "sides"), get_number(table, "circumradius"));
+        points != nullptr ? corners_of(*points)
+                          : regular_polygon(get_integer(table, "sides"), get_number(table, "circumradius"));
     if (is_planar_) {
         return accept(geometry::planar_prism(corners), table.place);
     }

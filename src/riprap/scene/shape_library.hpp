@@ -38,7 +38,8 @@ class ShapeLibrary {
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_prism(const Value& table);
     std::optional<geometry::Polyhedron> make_planar(const Value& shape);
-    std::optional<geometry::Polyhedron> accept(geometry::Outcome<geometry::Polyhedron> outcome, const SourcePlace& place);
+    std::optional<geometry::Polyhedron> accept(geometry::Outcome<geometry::Polyhedron> outcome,
+                                               const SourcePlace& place);
 
     geometry::ShapeSet& shapes_;
     CaseFiles& files_;

@@ -35,8 +35,9 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
     int best_distance = 1 << 20;
     for (const std::string& candidate : known) {
         int distance = edit_distance(word, candidate);
-        const bool is_part = word.size() >= 3 && candidate.size() >= 3 &&
-                             (candidate.find(word) != std::string::npos || word.find(candidate) != std::string_view::npos);
+        const bool is_part =
+            word.size() >= 3 && candidate.size() >= 3 &&
+            (candidate.find(word) != std::string::npos || word.find(candidate) != std::string_view::npos);
         const int allowed = std::max<int>(1, static_cast<int>(std::max(word.size(), candidate.size())) / 3);
         if (is_part) {
             distance = std::min(distance, allowed);

@@ -16,7 +16,7 @@ namespace {
 
 /// Copies a toml++ tree into values with places. Recursion is bounded by the scan for nesting.
 class Copier {
-   public:
+ public:
     Copier(const std::string& name, std::vector<Diagnostic>& problems) : name_(name), problems_(problems) {}
 
     Value copy(const toml::node& node) {
@@ -60,7 +60,7 @@ class Copier {
         return value;
     }
 
-   private:
+ private:
     SourcePlace place(const toml::source_region& region) const {
         return {name_, static_cast<std::uint32_t>(region.begin.line), static_cast<std::uint32_t>(region.begin.column)};
     }

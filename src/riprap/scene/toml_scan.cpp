@@ -13,7 +13,10 @@ int utf8_length(std::string_view text) {
     if (first < 0x80) {
         return 1;
     }
-    const int length = first >= 0xC2 && first <= 0xDF ? 2 : (first & 0xF0) == 0xE0 ? 3 : first >= 0xF0 && first <= 0xF4 ? 4 : 0;
+    const int length = first >= 0xC2 && first <= 0xDF   ? 2
+                       : (first & 0xF0) == 0xE0         ? 3
+                       : first >= 0xF0 && first <= 0xF4 ? 4
+                                                        : 0;
     if (length == 0 || text.size() < static_cast<std::size_t>(length)) {
         return 0;
     }
@@ -33,7 +36,7 @@ namespace {
 
 /// Walks the text once, knowing only comments and the four kinds of strings.
 class Scanner {
-   public:
+ public:
     explicit Scanner(std::string_view text) : text_(text) {}
 
     /// Empty when the text may be parsed.
@@ -57,7 +60,7 @@ class Scanner {
     std::uint32_t line() const { return line_; }
     std::uint32_t column() const { return column_; }
 
-   private:
+ private:
     /// Steps over one character of a string or comment.
     std::string step() {
         const auto byte = static_cast<unsigned char>(text_[at_]);

@@ -25,8 +25,8 @@ struct Value {
     std::int64_t integer{0};
     double number{0};
     std::string text;
-    std::vector<Value> items;     ///< of an array
-    std::vector<Entry> entries;   ///< of a table, in the order of the file
+    std::vector<Value> items;    ///< of an array
+    std::vector<Entry> entries;  ///< of a table, in the order of the file
 
     static Value of(bool v);
     static Value of(std::int64_t v);
@@ -50,7 +50,7 @@ struct Value {
     /// Sets or replaces a key of a table and returns the stored value.
     Value& set(std::string_view key, Value value, SourcePlace key_place = {});
 
-   private:
+ private:
     static Value with_kind(ValueKind kind);
 };
 

@@ -105,8 +105,8 @@ void write_table(const Value& table, const std::string& path, int depth, std::st
 void json(const Value& value, const std::string& indent, std::string& out) {
     const std::string inner = indent + "  ";
     if (value.is_array()) {
-        const bool is_flat =
-            std::none_of(value.items.begin(), value.items.end(), [](const Value& v) { return v.is_array() || v.is_table(); });
+        const bool is_flat = std::none_of(value.items.begin(), value.items.end(),
+                                          [](const Value& v) { return v.is_array() || v.is_table(); });
         out += '[';
         for (std::size_t i = 0; i < value.items.size(); ++i) {
             out += i > 0 ? "," : "";
