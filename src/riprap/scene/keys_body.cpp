@@ -37,6 +37,16 @@ const Table& hull_table() {
     return table;
 }
 
+const Table& random_hull_table() {
+    static const Table table{"shape.random_hull",
+                             "shape = { random_hull = { ... } }",
+                             "Convex hull of random points on a sphere: an irregular stone.",
+                             {{"corners", {integer(4, 200)}, "Number of points.", Value::of(12)},
+                              {"circumradius", {length}, "Radius of the sphere.", {}, true},
+                              {"seed", {integer(0, 9e15)}, "Which stone.", Value::of(1)}}};
+    return table;
+}
+
 const Table& surface_table() {
     static const Table table{
         "shape.surface",
@@ -171,6 +181,7 @@ const Table& shape_table() {
          {"dodecahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"icosahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"hull", {form::table(hull_table)}, "Convex hull of points.", {}},
+         {"random_hull", {form::table(random_hull_table)}, "An irregular stone.", {}},
          {"polygon",
           {list(list(number(dimension::length), 2, 2), 3, 256)},
           "Corners x, y of a convex polygon, in order; planar scenes only.",
@@ -181,7 +192,7 @@ const Table& shape_table() {
          {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
         {{GroupRule::exactly_one,
           {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "hull",
-           "polygon", "half_space", "stl", "obj", "union"}}}};
+           "random_hull", "polygon", "half_space", "stl", "obj", "union"}}}};
     return table;
 }
 

@@ -137,6 +137,8 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
         one = make_prism(value);
     } else if (kind == "hull") {
         one = make_hull(value);
+    } else if (kind == "random_hull") {
+        one = make_random_hull(value);
     } else if (kind == "stl" || kind == "obj") {
         return make_surface(value, kind == "stl");
     } else {

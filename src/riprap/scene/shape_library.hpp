@@ -36,6 +36,7 @@ class ShapeLibrary {
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
     std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
+    std::optional<geometry::Polyhedron> make_random_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_prism(const Value& table);
     std::optional<geometry::Polyhedron> make_planar(const Value& shape);
     std::optional<geometry::Polyhedron> accept(geometry::Outcome<geometry::Polyhedron> outcome,

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace riprap::scene {
@@ -144,7 +145,10 @@ double shifted(std::string_view digits, int shift) {
     }
     const std::string text = fmt::format("{}e{}", digits.substr(0, e), exponent + shift);
     double value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code == std::errc::result_out_of_range) {
+        return exponent + shift > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+    }
     return value;
 }
 
@@ -255,7 +259,11 @@ Quantity parse_quantity(std::string_view text, const Dimension& expected) {
     if (unit->dimension != expected) {
         return {0, fmt::format("'{}' is {}, not {}", unit_text, describe(unit->dimension), describe(expected))};
     }
-    return {shifted(digits.substr(0, length), unit->decimal) * unit->factor, ""};
+    value = shifted(digits.substr(0, length), unit->decimal) * unit->factor;
+    if (!std::isfinite(value)) {
+        return {0, "the number is out of range"};
+    }
+    return {value, ""};
 }
 
 std::optional<SuffixedKey> split_unit_suffix(std::string_view key) {

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each kind of bad input is refused with its place, what was read and what is allowed.
+#include <chrono>
+
+#include "case_fixture.hpp"
+
+namespace riprap::scene {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+TEST(BadInput, an_unknown_key_is_named_with_place_and_nearest_key) {
+    EXPECT_THAT(problems_of(with(minimal_case, "density =", "densty =")),
+                ElementsAre("case.toml:4:1: unknown key 'densty' in [material.NAME]; did you mean 'density'?"));
+    EXPECT_THAT(problems_of(with(minimal_case, "end =", "End =")),
+                ElementsAre("case.toml:2:1: unknown key 'End' in (top of the file); did you mean 'end'?"));
+    EXPECT_THAT(problems_of(with(minimal_case, "box =", "bxo =")), ElementsAre(HasSubstr("did you mean 'box'?")));
+}
+
+TEST(BadInput, an_unknown_key_that_belongs_elsewhere_says_where) {
+    EXPECT_THAT(problems_of(minimal_case + "friction_mixing = \"mean\"\n"),
+                ElementsAre("case.toml:10:1: unknown key 'friction_mixing' in [[body]]; it is a key of [contact]"));
+}
+
+TEST(BadInput, an_unknown_key_like_no_other_gets_the_list) {
+    EXPECT_THAT(
+        problems_of(minimal_case + "zzzzzz = 1\n"),
+        ElementsAre(AllOf(HasSubstr("unknown key 'zzzzzz' in [[body]]"), HasSubstr("known keys: name, shape"))));
+}
+
+TEST(BadInput, a_missing_key_is_named) {
+    EXPECT_THAT(
+        problems_of(with(minimal_case, "density = 2500.0\n", "")),
+        ElementsAre(StartsWith("case.toml:3:1: [material.NAME] lacks 'density'; a density [kg/m^3], 0 < value")));
+}
+
+TEST(BadInput, a_wrong_unit_is_refused) {
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "\"2500 kg\"")),
+                ElementsAre("case.toml:4:11: density of [material.NAME] = \"2500 kg\": 'kg' is a mass, not a density; "
+                            "a density [kg/m^3], 0 < value"));
+    EXPECT_THAT(problems_of(minimal_case + "position_kg = [1, 2, 3]\n"),
+                ElementsAre(HasSubstr("unknown key 'position_kg'")));
+    EXPECT_THAT(problems_of(minimal_case + "position_mm = [\"1 m\", 2, 3]\n"),
+                ElementsAre(HasSubstr("the unit is already in the name of the key")));
+    EXPECT_THAT(
+        problems_of(minimal_case + "position = [1, 2, 3]\nposition_mm = [1, 2, 3]\n"),
+        ElementsAre("case.toml:11:1: 'position' is given twice in [[body]]; once, with or without a unit in its name"));
+}
+
+TEST(BadInput, a_wrong_type_is_refused) {
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "true")),
+                ElementsAre(HasSubstr("density of [material.NAME] is true or false; a density [kg/m^3]")));
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "[1.0]")), ElementsAre(HasSubstr("is an array; a density")));
+    EXPECT_THAT(problems_of(minimal_case + "fixed = 1\n"),
+                ElementsAre(HasSubstr("fixed of [[body]] is an integer; true or false")));
+    EXPECT_THAT(problems_of(minimal_case + "position = [1, 2]\n"),
+                ElementsAre(HasSubstr("has 2 components; 3 components")));
+    EXPECT_THAT(problems_of(minimal_case + "position = [1, 2, true]\n"),
+                ElementsAre(HasSubstr("a component of position")));
+    EXPECT_THAT(problems_of(minimal_case, {"max_steps=1.5"}), ElementsAre(HasSubstr("max_steps")));
+    EXPECT_THAT(problems_of(with(minimal_case, "[[body]]", "[body]")),
+                Contains(HasSubstr("body of (top of the file) is a table")));
+    EXPECT_THAT(problems_of(with(minimal_case, "end = 1.0", "end = 1979-05-27")),
+                ElementsAre(HasSubstr("a date or time")));
+}
+
+TEST(BadInput, zero_and_negative_density_are_refused) {
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "0.0")),
+                ElementsAre("case.toml:4:11: density of [material.NAME] = 0.0; a density [kg/m^3], 0 < value"));
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "-1")),
+                ElementsAre(HasSubstr("density of [material.NAME] = -1;")));
+    EXPECT_THAT(problems_of(minimal_case + "density = 0\n"), ElementsAre(HasSubstr("density of [[body]] = 0;")));
+}
+
+TEST(BadInput, numbers_that_are_not_finite_or_overflow_are_refused) {
+    EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "inf")), ElementsAre(HasSubstr("is not a finite number")));
+    EXPECT_THAT(problems_of(minimal_case + "position = [nan, 0, 0]\n"),
+                ElementsAre(HasSubstr("is not a finite number")));
+    EXPECT_THAT(problems_of(minimal_case + "position_km = [1e307, 0, 0]\n"),
+                ElementsAre(HasSubstr("is not a finite number")));
+    EXPECT_THAT(problems_of(minimal_case + "position = [\"1e999 m\", 0, 0]\n"), ElementsAre(HasSubstr("out of range")));
+    EXPECT_THAT(problems_of(with(minimal_case, "end = 1.0", "end = 1.0\nseed = 99999999999999999999")), SizeIs(1));
+}
+
+TEST(BadInput, all_problems_are_reported_in_one_run_from_top_to_bottom) {
+    const std::string text = R"(gravty = [0, 0, -9.81]
+end = "1 m"
+[material.rock]
+density = -5
+normal_stiffness = 1e7
+[[body]]
+name = "block 1"
+material = "rok"
+shape = { box = [1, 1], cube = 2 }
+fixed = "yes"
+)";
+    EXPECT_THAT(problems_of(text),
+                ElementsAre(StartsWith("case.toml:1:1: unknown key 'gravty'"), StartsWith("case.toml:2:7: end of"),
+                            StartsWith("case.toml:4:11: density"), StartsWith("case.toml:7:8: name of [[body]]"),
+                            StartsWith("case.toml:9:17: box of"),
+                            StartsWith("case.toml:9:25: shape = { ... } gives both 'box' and 'cube'"),
+                            StartsWith("case.toml:10:9: fixed of [[body]]")));
+}
+
+TEST(BadInput, names_that_point_nowhere_are_refused) {
+    EXPECT_THAT(problems_of(with(minimal_case, "material = \"rock\"", "material = \"rok\"")),
+                ElementsAre("case.toml:8:12: there is no material 'rok'; did you mean 'rock'?"));
+    EXPECT_THAT(problems_of(minimal_case + "[[output.probe]]\nbody = \"blok\"\nquantity = \"position\"\n"),
+                ElementsAre("case.toml:11:8: there is no body 'blok'; did you mean 'block'?"));
+    EXPECT_THAT(problems_of(minimal_case + "[[output.probe]]\nbody = \"block\"\nquantity = \"positon\"\n"),
+                ElementsAre(HasSubstr("did you mean \"position\"?")));
+    EXPECT_THAT(problems_of(minimal_case + "[[body]]\nname = \"block\"\nmaterial = \"rock\"\nshape = { cube = 1 }\n"),
+                ElementsAre(HasSubstr("the name 'block' is taken")));
+}
+
+TEST(BadInput, a_method_that_is_not_implemented_is_an_error_that_says_so) {
+    EXPECT_THAT(problems_of(minimal_case + "[solid]\nmethod = \"explicit_dda\"\n"),
+                ElementsAre(HasSubstr("is not implemented in this version; \"distance_potential_dem\"")));
+}
+
+TEST(BadInput, different_friction_needs_a_mixing_rule) {
+    const std::string two = minimal_case + R"([[body]]
+name = "ground"
+material = "steel"
+fixed = true
+shape = { half_space = { normal = [0, 0, 1] } }
+[material.steel]
+density = 7800
+normal_stiffness = 1e9
+friction_coefficient = 0.3
+)";
+    EXPECT_THAT(problems_of(two),
+                ElementsAre(HasSubstr("materials 'rock' and 'steel' differ, and [contact] lacks 'friction_mixing'")));
+    EXPECT_THAT(problems_of(two + "[contact]\nfriction_mixing = \"minimum\"\n"), IsEmpty());
+}
+
+TEST(BadInput, a_flat_hull_is_refused_at_its_place) {
+    EXPECT_THAT(problems_of(with(minimal_case, "{ box = [1.0, 1.0, 0.5] }",
+                                 "{ hull = { points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]] } }")),
+                ElementsAre(AllOf(StartsWith("case.toml:9:18:"), HasSubstr("one plane"))));
+}
+
+TEST(BadInput, what_cannot_move_by_itself_has_no_velocity_and_no_second_driver) {
+    EXPECT_THAT(problems_of(minimal_case + "fixed = true\nvelocity = [1, 0, 0]\n"),
+                ElementsAre(HasSubstr("does not follow forces")));
+    EXPECT_THAT(problems_of(minimal_case + "fixed = true\nmotion = { linear = { velocity = [1, 0, 0] } }\n"),
+                ElementsAre(HasSubstr("is fixed and has a motion")));
+    EXPECT_THAT(problems_of(minimal_case + "release_time = 1\n"), ElementsAre(HasSubstr("is free from the start")));
+    EXPECT_THAT(problems_of(with(minimal_case, "box = [1.0, 1.0, 0.5]", "half_space = { normal = [0, 0, 1] }")),
+                ElementsAre(HasSubstr("is a half-space, which has no mass")));
+}
+
+TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused) {
+    const std::string expect = minimal_case + "[[expect]]\nname = \"x\"\nquantity = \"kinetic_energy\"\nvalue = 1\n";
+    EXPECT_THAT(problems_of(expect + "tolerance = 0.1\n"), ElementsAre(HasSubstr("[[expect]] lacks 'citation'")));
+    EXPECT_THAT(problems_of(expect + "citation = \"theory\"\n"), ElementsAre(HasSubstr("lacks a tolerance")));
+    EXPECT_THAT(problems_of(with(expect, "kinetic_energy", "kinetic_enrgy") + "citation = \"t\"\ntolerance = 1\n"),
+                ElementsAre(HasSubstr("did you mean 'kinetic_energy'?")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\n"),
+                ElementsAre(HasSubstr("'at' goes with")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\n"), IsEmpty());
+}
+
+TEST(BadInput, a_billion_blocks_from_a_small_file_are_refused_at_once_naming_the_limit) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT(problems_of(minimal_case + "repeat = { counts = [1000, 1000, 1000], pitch = [2, 2, 2] }\n"),
+                ElementsAre("case.toml:10:10: 1000000000 bodies asked for here, 1000000000 so far; a scene has at most "
+                            "2000000 bodies"));
+    EXPECT_THAT(problems_of(minimal_case + "repeat = { counts = [2000000, 2000000, 2000000], pitch = [2, 2, 2] }\n"),
+                ElementsAre(HasSubstr("a scene has at most 2000000 bodies")));
+    EXPECT_THAT(problems_of(minimal_case + "repeat = { counts = [9000000000000000000, 1, 1], pitch = [2, 2, 2] }\n"),
+                SizeIs(1));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
+}
+
+TEST(BadInput, a_path_out_of_the_folder_is_refused_however_it_is_written) {
+    const TemporaryFolder outside, folder;
+    outside.write("points.csv", "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n");
+    folder.write("points.csv", "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n");
+    std::filesystem::create_symlink(outside.path() / "points.csv", folder.path() / "link.csv");
+    std::filesystem::create_directory_symlink(outside.path(), folder.path() / "door");
+    const auto load = [&](const std::string& file) {
+        return problems_of(with(minimal_case, "{ box = [1.0, 1.0, 0.5] }", "{ hull = { file = \"" + file + "\" } }"),
+                           {}, folder.path());
+    };
+    EXPECT_THAT(load("points.csv"), IsEmpty());
+    EXPECT_THAT(load((outside.path() / "points.csv").string()), ElementsAre(HasSubstr("is not a plain relative path")));
+    EXPECT_THAT(load("../points.csv"), ElementsAre(HasSubstr("leaves the folder of the case")));
+    EXPECT_THAT(load("a/../../points.csv"), ElementsAre(HasSubstr("leaves the folder of the case")));
+    EXPECT_THAT(load("link.csv"), ElementsAre(HasSubstr("is a link that leaves the folder")));
+    EXPECT_THAT(load("door/points.csv"), ElementsAre(HasSubstr("is a link that leaves the folder")));
+    EXPECT_THAT(load("."), ElementsAre(HasSubstr("is not a regular file")));
+    EXPECT_THAT(load(""), ElementsAre(HasSubstr("is empty")));
+    EXPECT_THAT(load("a\\u0000b"), SizeIs(1));
+}
+
+TEST(BadInput, a_missing_file_is_named) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(problems_of(with(minimal_case, "{ box = [1.0, 1.0, 0.5] }", "{ hull = { file = \"none.csv\" } }"), {},
+                            folder.path()),
+                ElementsAre(AllOf(StartsWith("case.toml:9:"), HasSubstr("\"none.csv\" cannot be read: No such file"))));
+    EXPECT_THROW(read_case(folder.path() / "none.toml"), FileError);
+    EXPECT_THROW(read_case(folder.path()), FileError);
+}
+
+TEST(BadInput, broken_toml_is_reported_with_its_place) {
+    EXPECT_THAT(problems_of("end = \n"), ElementsAre(StartsWith("case.toml:1:")));
+    EXPECT_THAT(problems_of("end = 1\nend = 2\n"), ElementsAre(StartsWith("case.toml:2:7: ")));
+    EXPECT_THAT(problems_of("[material.rock\n"), SizeIs(1));
+    EXPECT_THAT(problems_of("title = \"open\n"), SizeIs(1));
+}
+
+TEST(BadInput, bytes_that_are_not_utf8_and_keys_outside_ascii_never_reach_the_parser) {
+    EXPECT_THAT(problems_of("title = \"a\xff\"\n"),
+                ElementsAre("case.toml:1:11: byte 0xff is not valid UTF-8; a case file is TOML 1.0 in UTF-8"));
+    EXPECT_THAT(problems_of("# comment \xc0\xaf\n"), ElementsAre(HasSubstr("byte 0xc0 is not valid UTF-8")));
+    EXPECT_THAT(problems_of("title = \"\xed\xa0\x80\"\n"), ElementsAre(HasSubstr("is not valid UTF-8")));
+    EXPECT_THAT(problems_of("title = \"\xf4\x90\x80\x80\"\n"), ElementsAre(HasSubstr("is not valid UTF-8")));
+    EXPECT_THAT(problems_of("title = \"cut \xe2\x82"), ElementsAre(HasSubstr("is not valid UTF-8")));
+    EXPECT_THAT(problems_of("t\xc3\xaftle = 1\n"), ElementsAre(HasSubstr("a character outside ASCII in a key")));
+    EXPECT_THAT(problems_of(std::string("title = \"a\0b\"\n", 14)), ElementsAre(HasSubstr("control character 0x00")));
+    EXPECT_THAT(problems_of("title = \"caf\xc3\xa9\"\n" + minimal_case), IsEmpty());
+}
+
+TEST(BadInput, deep_nesting_long_keys_and_huge_files_are_refused_before_parsing) {
+    EXPECT_THAT(problems_of("a = " + std::string(100000, '[')),
+                ElementsAre(HasSubstr("brackets nested more than 32 deep")));
+    std::string dotted = "a";
+    for (int i = 0; i < 100000; ++i) {
+        dotted += ".a";
+    }
+    EXPECT_THAT(problems_of(dotted + " = 1\n"), ElementsAre(HasSubstr("a key of more than 16 dotted parts")));
+    EXPECT_THAT(problems_of("[" + dotted + "]\n"), ElementsAre(HasSubstr("a key of more than 16 dotted parts")));
+    EXPECT_THAT(problems_of(std::string(5 << 20, '#')), ElementsAre(HasSubstr("the case file has 5242880 bytes")));
+    std::string numbers = "a = [";
+    for (int i = 0; i < 600000; ++i) {
+        numbers += "1,";
+    }
+    EXPECT_THAT(problems_of(numbers + "]\n"), ElementsAre(HasSubstr("too many values")));
+}
+
+TEST(BadInput, a_flood_of_problems_is_cut_and_counted) {
+    std::string text = minimal_case;
+    for (int i = 0; i < 500; ++i) {
+        text += "unknown" + std::to_string(i) + " = 1\n";
+    }
+    const auto problems = problems_of(text);
+    EXPECT_THAT(problems, SizeIs(101));
+    EXPECT_THAT(problems.back(), HasSubstr("400 more problems"));
+}
+
+TEST(BadInput, a_planar_scene_stays_in_its_plane) {
+    const std::string planar =
+        with(with(with(minimal_case, "gravity", "dimension = 2\ngravity"), "[0.0, 0.0, -9.81]", "[0.0, -9.81]"),
+             "[1.0, 1.0, 0.5]", "[1.0, 0.5]");
+    EXPECT_THAT(problems_of(planar), IsEmpty());
+    EXPECT_THAT(problems_of(planar + "position = [0, 0, 1]\n"), ElementsAre(HasSubstr("leaves the plane")));
+    EXPECT_THAT(problems_of(planar + "angular_velocity = [1, 0, 0]\n"), ElementsAre(HasSubstr("leaves the plane")));
+    EXPECT_THAT(problems_of(planar + "orientation = { euler_deg = [10, 0, 0] }\n"),
+                ElementsAre(HasSubstr("out of the plane")));
+    EXPECT_THAT(problems_of(with(planar, "box = [1.0, 0.5]", "octahedron = 1.0")),
+                ElementsAre(HasSubstr("is no shape of a planar scene")));
+    EXPECT_THAT(problems_of(planar + "repeat = { counts = [2, 2, 2], pitch = [2, 2] }\n"),
+                ElementsAre(HasSubstr("leave the plane")));
+    EXPECT_THAT(problems_of(with(minimal_case, "box = [1.0, 1.0, 0.5]", "polygon = [[0, 0], [1, 0], [0, 1]]")),
+                ElementsAre(HasSubstr("polygons are for dimension = 2")));
+}
+
+}  // namespace
+}  // namespace riprap::scene
