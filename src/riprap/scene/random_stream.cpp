@@ -5,31 +5,20 @@
 #include <numbers>
 
 #include "riprap/core/fields.hpp"
+#include "riprap/geometry/random_bits.hpp"
 
 namespace riprap::scene {
-
-namespace {
-constexpr std::uint64_t golden = 0x9E3779B97F4A7C15ULL;
-
-std::uint64_t scramble(std::uint64_t z) {
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-}
-}  // namespace
 
 std::uint64_t seed_of(std::uint64_t case_seed, std::string_view name) {
     Hasher hasher;
     hasher.add(name.data(), name.size());
-    return scramble(case_seed + golden) ^ hasher.value();
+    return geometry::mix_bits(case_seed, hasher.value());
 }
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view name, std::uint64_t number)
-    : state_(scramble(seed_of(seed, name) + golden * (number + 1))) {}
+    : key_(geometry::mix_bits(seed_of(seed, name), number)) {}
 
-std::uint64_t RandomStream::next() { return scramble(state_ += golden); }
-
-double RandomStream::uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+double RandomStream::uniform() { return geometry::unit_interval(geometry::mix_bits(key_, count_++)); }
 
 Quat RandomStream::orientation(bool is_planar) {
     constexpr double turn = 2 * std::numbers::pi;

@@ -19,8 +19,7 @@ class RandomStream {
     Quat orientation(bool is_planar);  ///< uniform over all turns, or over turns about z
 
  private:
-    std::uint64_t next();
-    std::uint64_t state_;
+    std::uint64_t key_, count_{0};
 };
 
 /// The seed of one part of a case: its own where given, else made from that of the case and its name.
