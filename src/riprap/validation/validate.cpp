@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/timer.hpp"
+
+namespace riprap::validation {
+
+namespace {
+
+std::string full_name(const ValidationCase& one) { return fmt::format("{}/{}", one.suite, one.name); }
+
+bool is_selected(const ValidationCase& one, const ValidateOptions& options) {
+    const auto names = [&one](const std::string& text) { return text == full_name(one); };
+    if (std::any_of(options.selection.begin(), options.selection.end(), names)) {
+        return true;  // by its own name: long or not
+    }
+    const bool suite_wanted = options.selection.empty() || std::find(options.selection.begin(), options.selection.end(),
+                                                                     one.suite) != options.selection.end();
+    return suite_wanted && (options.is_full || !one.is_long);
+}
+
+/// Names of the selection that no suite and no case bears.
+std::vector<std::string> unknown_names(const ValidateOptions& options, std::span<const ValidationCase> cases) {
+    std::vector<std::string> unknown;
+    for (const std::string& text : options.selection) {
+        const auto bears = [&text](const ValidationCase& one) { return text == one.suite || text == full_name(one); };
+        if (std::none_of(cases.begin(), cases.end(), bears)) {
+            unknown.push_back(text);
+        }
+    }
+    return unknown;
+}
+
+std::filesystem::path case_folder(const ValidateOptions& options) {
+    if (!options.folder.empty()) {
+        return options.folder;
+    }
+    std::error_code ignored;
+    return std::filesystem::is_directory("validation", ignored) ? "validation" : RIPRAP_VALIDATION_FOLDER;
+}
+
+CaseReport run_one(const ValidationCase& one, const ValidateOptions& options) {
+    CaseReport report{std::string(one.name)};
+    CaseSetting setting;
+    setting.folder = case_folder(options) / one.suite / one.name;
+    setting.results = options.results.empty() ? "" : std::filesystem::path(options.results) / one.suite;
+    setting.is_full = options.is_full;
+    const Timer timer;
+    try {
+        one.run(setting, report);
+        if (report.results().empty()) {
+            report.fail("the case compared nothing");
+        }
+    } catch (const std::exception& error) {
+        report.fail(error.what());
+    }
+    report.set_seconds(timer.seconds());
+    return report;
+}
+
+}  // namespace
+
+void write_plot(const CaseSetting& setting, std::string_view name, const Plot& plot) {
+    if (!setting.results.empty()) {
+        write_svg(setting.results / fmt::format("{}.svg", name), plot);
+    }
+}
+
+int validate(const ValidateOptions& options, std::span<const ValidationCase> cases, std::ostream& out,
+             std::ostream* progress) {
+    if (const std::vector<std::string> unknown = unknown_names(options, cases); !unknown.empty()) {
+        std::string known;
+        for (const ValidationCase& one : cases) {
+            known += fmt::format("  {:<28} {}{}\n", full_name(one), one.title, one.is_long ? " (long)" : "");
+        }
+        std::cerr << fmt::format("no suite or case of validation is called '{}'; there are:\n{}", unknown.front(),
+                                 known);
+        return static_cast<int>(ExitCode::usage);
+    }
+    std::vector<std::string_view> suites;
+    for (const ValidationCase& one : cases) {
+        if (is_selected(one, options) && std::find(suites.begin(), suites.end(), one.suite) == suites.end()) {
+            suites.push_back(one.suite);
+        }
+    }
+    std::vector<Result> all_results;
+    for (const std::string_view suite : suites) {
+        std::vector<Result> results;
+        for (const ValidationCase& one : cases) {
+            if (one.suite != suite || !is_selected(one, options)) {
+                continue;
+            }
+            if (progress != nullptr) {
+                *progress << fmt::format("{}: {}\n", full_name(one), one.title) << std::flush;
+            }
+            const CaseReport report = run_one(one, options);
+            results.insert(results.end(), report.results().begin(), report.results().end());
+        }
+        if (!options.as_json) {
+            out << to_table(suite, results) << std::flush;
+        }
+        for (Result& result : results) {
+            // One JSON document, whatever was asked for: with several suites a case carries the name of its own.
+            result.name = suites.size() > 1 ? fmt::format("{}/{}", suite, result.name) : result.name;
+            all_results.push_back(std::move(result));
+        }
+    }
+    if (options.as_json) {
+        out << to_json(suites.size() == 1 ? suites.front() : "all", all_results) << std::flush;
+    }
+    const bool has_failed = std::any_of(all_results.begin(), all_results.end(),
+                                        [](const Result& result) { return result.verdict == Verdict::not_reproduced; });
+    return static_cast<int>(has_failed ? ExitCode::failed : ExitCode::success);
+}
+
+int validate_main(const ValidateOptions& options) {
+    return validate(options, all_cases(), std::cout, options.as_json ? nullptr : &std::cerr);
+}
+
+}  // namespace riprap::validation

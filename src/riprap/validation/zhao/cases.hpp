@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/validation/registry.hpp"
+
+// The examples of the distance-potential paper [Zhao]; set-up, choices and tolerances:
+// validation/zhao/<case>/README.md.
+
+namespace riprap::validation::zhao {
+
+void golden_values(const CaseSetting& setting, CaseReport& report);
+
+}  // namespace riprap::validation::zhao

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/validation/scene_builder.hpp"
+#include "riprap/validation/zhao/cases.hpp"
+
+namespace riprap::validation::zhao {
+
+namespace {
+
+/// One pair of bodies with its energy, force and moment about the centre of A, from exact clipping by other means.
+struct Golden {
+    const char* name;
+    geometry::Polyhedron a, b;
+    Pose pose_a;
+    double energy;
+    Vec3 force, moment;
+};
+
+std::array<Golden, 4> golden_pairs() {
+    const auto cube = geometry::cube(1);
+    return {{
+        {"T1",
+         cube,
+         cube,
+         {{0.2, 0.1, 0.9}, {}},
+         0.0133,
+         {0.0173333333333, 0.0153333333333, 0.2553333333333},
+         {-0.0058666666667, 0.0177333333333, -0.0006666666667}},
+        {"T2",
+         cube,
+         cube,
+         {{0.1, 0.05, 1.05}, turn({1, 1, 0}, M_PI / 6)},
+         0.00391081523410,
+         {0.0014100194, 0, 0.0652695015},
+         {-0.0082576783, -0.0091733908, 0.0002790609}},
+        {"T3",
+         geometry::regular_tetrahedron(1),
+         geometry::box({2, 1, 0.5}),
+         {{0.3, 0.1, 0.45}, turn({1, 2, 3}, 0.7)},
+         0.00665091276072,
+         {0, 0, 0.0810017635},
+         {-0.0015770415, -0.0061905956, 0}},
+        {"T4", cube, cube, {{0, 0, 0.99}, {}}, 1.97346666667e-4, {0, 0, 0.0392053333333}, {}},
+    }};
+}
+
+/// Force on A, its moment about the centre of A, and the energy of one pair with k_n = 1 Pa.
+struct Wrench {
+    double energy{0};
+    Vec3 force{}, moment{};
+};
+
+class PairProbe {
+ public:
+    PairProbe(const geometry::Polyhedron& a, const geometry::Polyhedron& b)
+        : a_(shapes_.add_convex(a)), b_(shapes_.add_convex(b)) {}
+
+    Wrench at(const Pose& pose_a) const {
+        contact::SeparatingCache cache;
+        contact::NormalContact contact{};
+        if (!contact::find_contact(shapes_.view(a_), contact::to_frame(pose_a), 1.0, shapes_.view(b_),
+                                   contact::to_frame(Pose{}), 1.0, {}, cache, contact)) {
+            return {};
+        }
+        return {contact.energy, contact.force, contact.moment + cross(contact.point - pose_a.position, contact.force)};
+    }
+
+    /// Largest component of force + dE/dx and moment + dE/dtheta by central differences of step h.
+    double gradient_error(const Pose& pose, double h) const {
+        const Wrench wrench = at(pose);
+        double error = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 step{};
+            step[axis] = h;
+            const double along = (at({pose.position + step, pose.orientation}).energy -
+                                  at({pose.position - step, pose.orientation}).energy) /
+                                 (2 * h);
+            const double about = (at({pose.position, from_rotation_vector(step) * pose.orientation}).energy -
+                                  at({pose.position, from_rotation_vector(-step) * pose.orientation}).energy) /
+                                 (2 * h);
+            error = std::max({error, std::abs(along + wrench.force[axis]), std::abs(about + wrench.moment[axis])});
+        }
+        return error;
+    }
+
+ private:
+    geometry::ShapeSet shapes_;
+    ShapeId a_, b_;
+};
+
+double largest_difference(const Vec3& a, const Vec3& b) {
+    return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+}  // namespace
+
+void golden_values(const CaseSetting&, CaseReport& report) {
+    constexpr double tolerance = 1e-9;  // the reference values are printed to ten digits
+    for (const Golden& golden : golden_pairs()) {
+        const PairProbe probe(golden.a, golden.b);
+        const Wrench wrench = probe.at(golden.pose_a);
+        const auto of = [&golden](const char* what) { return fmt::format("{} {}", golden.name, what); };
+        report.judge({of("energy"), "J", {}, golden.energy, {}}, wrench.energy, Absolute{tolerance});
+        report.judge_below({of("error of the force"), "N", {}, {}, {}}, largest_difference(wrench.force, golden.force),
+                           tolerance);
+        report.judge_below({of("error of the moment"), "N m", {}, {}, {}},
+                           largest_difference(wrench.moment, golden.moment), tolerance);
+        report.judge_below({of("force + dE/dx, moment + dE/dtheta"), "N", {}, {}, {}},
+                           probe.gradient_error(golden.pose_a, 1e-4), 1e-8);
+    }
+}
+
+}  // namespace riprap::validation::zhao
