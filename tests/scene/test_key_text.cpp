@@ -57,7 +57,7 @@ TEST(KeyTable, every_default_passes_its_own_check) {
 }
 
 TEST(KeyTable, the_manual_page_in_the_repository_is_the_one_the_table_makes) {
-    const std::string path = std::string(RIPRAP_SOURCE_DIR) + "/docs/reference/case-file.md";
+    const std::string path = "docs/reference/case-file.md";  // tests run in the root of the tree
     if (std::getenv("RIPRAP_WRITE_REFERENCE") != nullptr) {
         std::ofstream(path) << case_manual();
     }

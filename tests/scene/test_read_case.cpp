@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(ReadCase, the_example_of_the_style_guide_loads) {
-    const LoadedCase loaded = read_case(std::string(RIPRAP_SOURCE_DIR) + "/cases/hello_block/case.toml");
+    const LoadedCase loaded = read_case("cases/hello_block/case.toml");
     const sim::Model& model = loaded.model;
     EXPECT_EQ(model.title, "A block slides down a 30 degree plane");
     EXPECT_EQ(model.gravity.value, (Vec3{4.905, 0, -8.496}));
