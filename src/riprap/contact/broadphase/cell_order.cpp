@@ -76,6 +76,7 @@ void CellOrder::build(const PartBounds& bounds, std::span<const std::uint8_t> is
     place_levels(bounds, skin);
     sort_parts(bounds);
     find_cells();
+    index_cells();
     copy_entries(bounds);
 }
 
@@ -195,6 +196,32 @@ void CellOrder::find_cells() {
     }
 }
 
+void CellOrder::index_cells() {
+    std::size_t slot_count = 0;
+    for (GridLevel& level : levels_) {
+        const std::uint64_t last_key = level.key(level.high) & ~level.tag;
+        const std::size_t cells = level.cell_end - level.cell_begin;
+        level.lookup_shift =
+            std::max(0, static_cast<int>(std::bit_width(last_key)) - static_cast<int>(std::bit_width(2 * cells)));
+        level.lookup_begin = slot_count;
+        slot_count += (last_key >> level.lookup_shift) + 2;
+    }
+    lookup_.resize(slot_count);
+    for (const GridLevel& level : levels_) {
+        const std::size_t slots = (level.key(level.high) & ~level.tag) >> level.lookup_shift;
+        std::size_t next = 0;
+        for (std::size_t cell = level.cell_begin; cell < level.cell_end; ++cell) {
+            const std::size_t slot = (cell_key_[cell] & ~level.tag) >> level.lookup_shift;
+            for (; next <= slot; ++next) {
+                lookup_[level.lookup_begin + next] = static_cast<std::uint32_t>(cell);
+            }
+        }
+        for (; next <= slots + 1; ++next) {
+            lookup_[level.lookup_begin + next] = static_cast<std::uint32_t>(level.cell_end);
+        }
+    }
+}
+
 void CellOrder::copy_entries(const PartBounds& bounds) {
     entry_.resize(part_.size());
     owner_.resize(part_.size());
@@ -209,7 +236,7 @@ void CellOrder::copy_entries(const PartBounds& bounds) {
 std::size_t CellOrder::bytes() const {
     const auto held = [](const auto&... buffers) { return (0 + ... + (buffers.capacity() * sizeof(buffers[0]))); };
     return held(classified_radius_, classified_giant_, members_, member_level_, levels_, key_, key_scratch_, part_,
-                part_scratch_, cell_number_, cell_key_, cell_start_, entry_, owner_);
+                part_scratch_, cell_number_, cell_key_, cell_start_, lookup_, entry_, owner_);
 }
 
 }  // namespace riprap::contact

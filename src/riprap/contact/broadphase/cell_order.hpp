@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -24,6 +25,8 @@ struct GridLevel {
     int bits_x, bits_y;                ///< of a cell index less `low`
     std::uint64_t tag;                 ///< number of the level, above the bits of the cell
     std::size_t cell_begin, cell_end;  ///< its occupied cells, in key order
+    int lookup_shift;                  ///< bits of a key below those that index the lookup table
+    std::size_t lookup_begin;          ///< of this level in the table
 
     std::uint64_t key(const CellIndex& cell) const {
         const auto x = static_cast<std::uint64_t>(cell.x - low.x), y = static_cast<std::uint64_t>(cell.y - low.y),
@@ -59,6 +62,23 @@ class CellOrder {
     /// Occupied cells of all levels: cell c holds entries cell_start[c] .. cell_start[c+1] - 1.
     std::span<const std::uint64_t> cell_key() const { return cell_key_; }
     std::span<const std::uint32_t> cell_start() const { return cell_start_; }
+    /// First occupied cell of the level whose key is not below `key`. The leading bits of the key look up a short run
+    /// of cells, in which the rest is found by stepping (or by bisection, where cells crowd).
+    std::size_t first_cell(const GridLevel& level, std::uint64_t key) const {
+        const std::size_t slot = level.lookup_begin + ((key & ~level.tag) >> level.lookup_shift);
+        std::size_t cell = lookup_[slot];
+        const std::size_t end = lookup_[slot + 1];
+        if (end - cell > 16) {
+            return static_cast<std::size_t>(std::lower_bound(cell_key_.begin() + static_cast<std::ptrdiff_t>(cell),
+                                                             cell_key_.begin() + static_cast<std::ptrdiff_t>(end),
+                                                             key) -
+                                            cell_key_.begin());
+        }
+        while (cell < end && cell_key_[cell] < key) {
+            ++cell;
+        }
+        return cell;
+    }
 
     struct Entry {
         Vec3 center;
@@ -78,6 +98,7 @@ class CellOrder {
     void place_levels(const PartBounds& bounds, double skin);
     void sort_parts(const PartBounds& bounds);
     void find_cells();
+    void index_cells();
     void copy_entries(const PartBounds& bounds);
 
     // Size classes; kept while radii, giants and factor stay the same.
@@ -95,6 +116,7 @@ class CellOrder {
     std::vector<std::uint32_t> cell_number_;
     std::vector<std::uint64_t> cell_key_;
     std::vector<std::uint32_t> cell_start_;
+    std::vector<std::uint32_t> lookup_;  ///< first cell with at least the leading bits of the slot
     std::vector<Entry> entry_;
     std::vector<Owner> owner_;
 };

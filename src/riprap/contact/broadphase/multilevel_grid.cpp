@@ -17,67 +17,62 @@ struct Range {
     std::size_t begin, end;
 };
 
-/// Writes the pairs of entry i with the entries of a range. Every candidate is written and kept only if it counts:
-/// a branch here would be mispredicted for one candidate in four.
-void scan(const CellOrder& order, std::size_t i, Range range, double skin, PairList& found) {
-    const CellOrder::Entry* const entry = order.entry().data();
-    const CellOrder::Owner* const owner = order.owner().data();
-    const CellOrder::Entry self = entry[i];
-    const CellOrder::Owner own = owner[i];
-    PartPair* out = found.reserve(range.end - range.begin);
-    for (std::size_t j = range.begin; j < range.end; ++j) {
-        const bool is_pair =
-            static_cast<int>(spheres_within(self.center, self.radius, entry[j].center, entry[j].radius, skin)) &
-            static_cast<int>(own.group != owner[j].group);
-        *out = {std::min(own.part, owner[j].part), std::max(own.part, owner[j].part)};
-        out += is_pair ? 1 : 0;
-    }
-    found.advance_to(out);
-}
+/// The occupied ones among a few ranges.
+struct Ranges {
+    std::array<Range, 9> range{};
+    std::size_t count{0};
+    std::size_t entries{0};
 
-/// First occupied cell of the level whose key is not below `key`, sought outwards from `hint`: neighbouring queries
-/// find neighbouring cells, in a few steps.
-std::size_t seek(std::span<const std::uint64_t> keys, const GridLevel& level, std::size_t hint, std::uint64_t key) {
-    std::size_t low = level.cell_begin, high = level.cell_end;
-    if (hint < high && keys[hint] < key) {
-        for (std::size_t step = 1; hint + step < high; step *= 2) {
-            if (keys[hint + step] >= key) {
-                high = hint + step;
-                break;
-            }
-            low = hint + step;
-        }
-        low = std::max(low, hint + 1);
-    } else {
-        high = std::min(high, hint);
-        for (std::size_t step = 1; hint >= low + step; step *= 2) {
-            if (keys[hint - step] < key) {
-                low = hint - step + 1;
-                break;
-            }
-            high = hint - step;
-        }
+    void clear() { count = entries = 0; }
+    void add(Range r) {
+        range[count] = r;
+        count += r.begin < r.end ? 1 : 0;
+        entries += r.end - r.begin;
     }
-    const auto first = keys.begin() + static_cast<std::ptrdiff_t>(low);
-    const auto last = keys.begin() + static_cast<std::ptrdiff_t>(high);
-    return static_cast<std::size_t>(std::lower_bound(first, last, key) - keys.begin());
-}
+};
 
-/// Entries in cells (x-1 .. x+1, y, z) of a level; `cursor` remembers where the row was last found.
-Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& middle, std::size_t& cursor) {
+/// Tests of one entry against ranges of others.
+class Scan {
+ public:
+    Scan(const CellOrder& order, double skin)
+        : entry_(order.entry().data()), owner_(order.owner().data()), skin_(skin) {}
+
+    /// Writes the pairs of entry i with the entries of the range to `out`, which has room for all of them. Every
+    /// candidate is written and kept only if it counts: a branch here would often be predicted wrongly.
+    PartPair* operator()(std::size_t i, Range range, PartPair* out) const {
+        const CellOrder::Entry self = entry_[i];
+        const CellOrder::Owner own = owner_[i];
+        for (std::size_t j = range.begin; j < range.end; ++j) {
+            const auto is_near = static_cast<unsigned>(
+                spheres_within(self.center, self.radius, entry_[j].center, entry_[j].radius, skin_));
+            const auto is_allowed = static_cast<unsigned>(own.group != owner_[j].group);
+            *out = {std::min(own.part, owner_[j].part), std::max(own.part, owner_[j].part)};
+            out += is_near & is_allowed;
+        }
+        return out;
+    }
+
+ private:
+    const CellOrder::Entry* entry_;
+    const CellOrder::Owner* owner_;
+    double skin_;
+};
+
+/// Entries in cells (x-1 .. x+1, y, z) of a level.
+Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& middle) {
     const std::int32_t x_low = std::max(middle.x - 1, level.low.x), x_high = std::min(middle.x + 1, level.high.x);
     if (middle.y < level.low.y || middle.y > level.high.y || middle.z < level.low.z || middle.z > level.high.z ||
         x_low > x_high) {
         return {0, 0};
     }
     const auto keys = order.cell_key();
-    cursor = seek(keys, level, cursor, level.key({x_low, middle.y, middle.z}));
+    const std::size_t begin = order.first_cell(level, level.key({x_low, middle.y, middle.z}));
     const std::uint64_t last_key = level.key({x_high, middle.y, middle.z});
-    std::size_t end = cursor;
+    std::size_t end = begin;
     while (end < level.cell_end && keys[end] <= last_key) {
         ++end;
     }
-    return {order.cell_start()[cursor], order.cell_start()[end]};
+    return {order.cell_start()[begin], order.cell_start()[end]};
 }
 
 }  // namespace
@@ -129,21 +124,24 @@ void MultilevelGrid::search_own_level(const Piece& piece, double skin, PairList&
     const GridLevel& level = order_.levels()[piece.level];
     const auto keys = order_.cell_key();
     const auto starts = order_.cell_start();
-    std::array<std::size_t, 4> cursor{};
-    cursor.fill(piece.cell_begin);
+    const Scan scan(order_, skin);
+    Ranges rows;
     for (std::size_t cell = piece.cell_begin; cell < piece.cell_end; ++cell) {
         const CellIndex index = level.cell_of_key(keys[cell]);
         const bool has_next = index.x < level.high.x && cell + 1 < level.cell_end && keys[cell + 1] == keys[cell] + 1;
         const std::size_t own_end = starts[cell + 1], next_end = starts[cell + (has_next ? 2 : 1)];
-        const std::array<Range, 4> rows{find_row(order_, level, {index.x, index.y + 1, index.z}, cursor[0]),
-                                        find_row(order_, level, {index.x, index.y - 1, index.z + 1}, cursor[1]),
-                                        find_row(order_, level, {index.x, index.y, index.z + 1}, cursor[2]),
-                                        find_row(order_, level, {index.x, index.y + 1, index.z + 1}, cursor[3])};
+        rows.clear();
+        rows.add(find_row(order_, level, {index.x, index.y + 1, index.z}));
+        rows.add(find_row(order_, level, {index.x, index.y - 1, index.z + 1}));
+        rows.add(find_row(order_, level, {index.x, index.y, index.z + 1}));
+        rows.add(find_row(order_, level, {index.x, index.y + 1, index.z + 1}));
         for (std::size_t i = starts[cell]; i < own_end; ++i) {
-            scan(order_, i, {i + 1, next_end}, skin, found);
-            for (const Range& row : rows) {
-                scan(order_, i, row, skin, found);
+            PartPair* out = found.reserve(rows.entries + next_end - i);
+            out = scan(i, {i + 1, next_end}, out);
+            for (std::size_t row = 0; row < rows.count; ++row) {
+                out = scan(i, rows.range[row], out);
             }
+            found.advance_to(out);
         }
     }
 }
@@ -152,23 +150,25 @@ void MultilevelGrid::search_coarser_level(const Piece& piece, const GridLevel& c
                                           PairList& found) const {
     const auto entries = order_.entry();
     const std::size_t begin = order_.cell_start()[piece.cell_begin], end = order_.cell_start()[piece.cell_end];
-    std::array<std::size_t, 9> cursor{};
-    cursor.fill(coarser.cell_begin);
-    std::array<Range, 9> rows{};
+    const Scan scan(order_, skin);
+    Ranges rows;
     CellIndex rows_of{};
     for (std::size_t i = begin; i < end; ++i) {
         const CellIndex index = order_.cell_at(coarser, entries[i].center);
         if (i == begin || index != rows_of) {
             rows_of = index;
-            for (std::int32_t row = 0; row < 9; ++row) {
-                const CellIndex middle{index.x, index.y + row % 3 - 1, index.z + row / 3 - 1};
-                rows[static_cast<std::size_t>(row)] =
-                    find_row(order_, coarser, middle, cursor[static_cast<std::size_t>(row)]);
+            rows.clear();
+            for (std::int32_t dz = -1; dz <= 1; ++dz) {
+                for (std::int32_t dy = -1; dy <= 1; ++dy) {
+                    rows.add(find_row(order_, coarser, {index.x, index.y + dy, index.z + dz}));
+                }
             }
         }
-        for (const Range& row : rows) {
-            scan(order_, i, row, skin, found);
+        PartPair* out = found.reserve(rows.entries);
+        for (std::size_t row = 0; row < rows.count; ++row) {
+            out = scan(i, rows.range[row], out);
         }
+        found.advance_to(out);
     }
 }
 
