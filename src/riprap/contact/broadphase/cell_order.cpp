@@ -12,20 +12,25 @@ namespace riprap::contact {
 
 namespace {
 
-/// Cell indices stay within +-index_limit: 20 bits an axis, which leaves four bits of a key for the level.
+/// Cell indices stay within +-index_limit: 20 bits an axis, which leaves four
+/// bits of a key for the level.
 constexpr double index_limit = (1 << 19) - 2;
-/// Relative growth of a cell. An index is at most 2^19 and is formed with three roundings, so it is off by less than
-/// 2^19 * 2^-51 = 2.4e-10; two parts within reach then stay in neighbouring cells.
+/// Relative growth of a cell. An index is at most 2^19 and is formed with three
+/// roundings, so it is off by less than 2^19 * 2^-51 = 2.4e-10; two parts
+/// within reach then stay in neighbouring cells.
 constexpr double cell_margin = 1e-8;
 
-/// floor(v), kept within the limits; NaN goes to the lower end, where it pairs with nothing.
+/// floor(v), kept within the limits; NaN goes to the lower end, where it pairs
+/// with nothing.
 std::int32_t bounded_floor(double v) {
     v = v > -index_limit ? v : -index_limit;
     v = v < index_limit ? v : index_limit;
     return static_cast<std::int32_t>(std::floor(v));
 }
 
-int bits_for(std::int32_t low, std::int32_t high) { return std::bit_width(static_cast<std::uint32_t>(high - low)); }
+int bits_for(std::int32_t low, std::int32_t high) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(high - low)));
+}
 
 /// Per-axis median over at most 255 members: unmoved by a few runaway parts.
 Vec3 sample_median(std::span<const Vec3> center, std::span<const std::int32_t> members) {
@@ -78,6 +83,7 @@ void CellOrder::build(const PartBounds& bounds, std::span<const std::uint8_t> is
     find_cells();
     index_cells();
     copy_entries(bounds);
+    sort_queries();
 }
 
 void CellOrder::classify(const PartBounds& bounds, std::span<const std::uint8_t> is_giant, double factor) {
@@ -132,6 +138,13 @@ CellIndex CellOrder::cell_at(const GridLevel& level, const Vec3& center) const {
     return {bounded_floor(q.x), bounded_floor(q.y), bounded_floor(q.z)};
 }
 
+CellIndex CellOrder::cell_inside(const GridLevel& level, const Vec3& center) const {
+    const CellIndex cell = cell_at(level, center);
+    // Only a NaN lies outside the box.
+    return {std::clamp(cell.x, level.low.x, level.high.x), std::clamp(cell.y, level.low.y, level.high.y),
+            std::clamp(cell.z, level.low.z, level.high.z)};
+}
+
 void CellOrder::place_levels(const PartBounds& bounds, double skin) {
     origin_ = sample_median(bounds.center, members_);
     const Box box = bounding_box(bounds.center, members_);
@@ -158,11 +171,7 @@ void CellOrder::sort_parts(const PartBounds& bounds) {
         const auto i = static_cast<std::size_t>(m);
         const std::int32_t part = members_[i];
         const GridLevel& level = levels_[member_level_[i]];
-        CellIndex cell = cell_at(level, bounds.center[static_cast<std::size_t>(part)]);
-        // Only a NaN lies outside the box.
-        cell = {std::clamp(cell.x, level.low.x, level.high.x), std::clamp(cell.y, level.low.y, level.high.y),
-                std::clamp(cell.z, level.low.z, level.high.z)};
-        key_[i] = level.key(cell);
+        key_[i] = level.key(cell_inside(level, bounds.center[static_cast<std::size_t>(part)]));
         part_[i] = static_cast<std::uint32_t>(part);
     });
     parallel::sort_by_key(key_, part_, key_scratch_, part_scratch_);
@@ -233,10 +242,30 @@ void CellOrder::copy_entries(const PartBounds& bounds) {
     });
 }
 
+void CellOrder::sort_queries() {
+    std::size_t count = 0;
+    for (const GridLevel& level : levels_) {
+        count += entry_.size() - cell_start_[level.cell_end];
+    }
+    query_key_.resize(count);
+    query_.resize(count);
+    std::size_t begin = 0;
+    for (const GridLevel& level : levels_) {
+        const std::size_t first = cell_start_[level.cell_end];
+        parallel::for_each(static_cast<std::int64_t>(entry_.size() - first), [&](std::int64_t q) {
+            const std::size_t i = first + static_cast<std::size_t>(q), slot = begin + static_cast<std::size_t>(q);
+            query_key_[slot] = level.key(cell_inside(level, entry_[i].center));
+            query_[slot] = static_cast<std::uint32_t>(i);
+        });
+        begin += entry_.size() - first;
+    }
+    parallel::sort_by_key(query_key_, query_, key_scratch_, part_scratch_);
+}
+
 std::size_t CellOrder::bytes() const {
     const auto held = [](const auto&... buffers) { return (0 + ... + (buffers.capacity() * sizeof(buffers[0]))); };
     return held(classified_radius_, classified_giant_, members_, member_level_, levels_, key_, key_scratch_, part_,
-                part_scratch_, cell_number_, cell_key_, cell_start_, lookup_, entry_, owner_);
+                part_scratch_, cell_number_, cell_key_, cell_start_, lookup_, entry_, owner_, query_key_, query_);
 }
 
 }  // namespace riprap::contact

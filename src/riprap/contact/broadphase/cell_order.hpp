@@ -17,10 +17,12 @@ struct CellIndex {
     friend constexpr bool operator==(const CellIndex&, const CellIndex&) = default;
 };
 
-/// One level of the hierarchy: the parts of one size class on a uniform grid of their own.
+/// One level of the hierarchy: the parts of one size class on a uniform grid of
+/// their own.
 struct GridLevel {
     double largest_radius;             ///< R_max of the class [m]
-    double inverse_cell;               ///< 1/l, l = 2 R_max + skin, a little more for round-off [1/m]
+    double inverse_cell;               ///< 1/l, l = 2 R_max + skin, a little more for round-off
+                                       ///< [1/m]
     CellIndex low, high;               ///< cell indices of the corners of the scene's box
     int bits_x, bits_y;                ///< of a cell index less `low`
     std::uint64_t tag;                 ///< number of the level, above the bits of the cell
@@ -41,29 +43,35 @@ struct GridLevel {
     }
 };
 
-/// Ordinary parts sorted by size class and cell, with contiguous copies of what a search reads. Keys order cells by z,
-/// then y, then x, so that three neighbours in x lie side by side in memory.
+/// Ordinary parts sorted by size class and cell, with contiguous copies of what
+/// a search reads. Keys order cells by z, then y, then x, so that three
+/// neighbours in x lie side by side in memory.
 ///
-/// Any coordinates are safe. Cell indices count from the median of a sample of centres and stop at +-2^19 - 2: what
-/// lies farther shares the outermost cells. That keeps neighbours neighbours, so no pair is lost and no key overflows;
-/// only a crowd a million cells away from the median would be searched slowly.
+/// Any coordinates are safe. Cell indices count from the median of a sample of
+/// centres and stop at +-2^19 - 2: what lies farther shares the outermost
+/// cells. That keeps neighbours neighbours, so no pair is lost and no key
+/// overflows; only a crowd a million cells away from the median would be
+/// searched slowly.
 class CellOrder {
  public:
     static constexpr int level_limit = 16;
 
     /// @param is_giant  one entry per part; giants stay out
-    /// @param factor    gamma > 1: radii of class k lie in (R/gamma^(k+1), R/gamma^k], R the largest [-]; the last of
-    ///                  at most 16 classes takes all that are smaller; infinity puts all parts in one class
+    /// @param factor    gamma > 1: radii of class k lie in (R/gamma^(k+1),
+    /// R/gamma^k], R the largest [-]; the last of
+    ///                  at most 16 classes takes all that are smaller; infinity
+    ///                  puts all parts in one class
     void build(const PartBounds& bounds, std::span<const std::uint8_t> is_giant, double skin, double factor);
 
     std::span<const GridLevel> levels() const { return levels_; }
-    CellIndex cell_at(const GridLevel& level, const Vec3& center) const;
 
-    /// Occupied cells of all levels: cell c holds entries cell_start[c] .. cell_start[c+1] - 1.
+    /// Occupied cells of all levels: cell c holds entries cell_start[c] ..
+    /// cell_start[c+1] - 1.
     std::span<const std::uint64_t> cell_key() const { return cell_key_; }
     std::span<const std::uint32_t> cell_start() const { return cell_start_; }
-    /// First occupied cell of the level whose key is not below `key`. The leading bits of the key look up a short run
-    /// of cells, in which the rest is found by stepping (or by bisection, where cells crowd).
+    /// First occupied cell of the level whose key is not below `key`. The leading
+    /// bits of the key look up a short run of cells, in which the rest is found
+    /// by stepping (or by bisection, where cells crowd).
     std::size_t first_cell(const GridLevel& level, std::uint64_t key) const {
         const std::size_t slot = level.lookup_begin + ((key & ~level.tag) >> level.lookup_shift);
         std::size_t cell = lookup_[slot];
@@ -84,10 +92,18 @@ class CellOrder {
         Vec3 center;
         double radius;
     };
-    /// Entries equal in `group` never pair: the body's number, or -1 for every immobile part.
+    /// Entries equal in `group` never pair: the body's number, or -1 for every
+    /// immobile part.
     struct Owner {
         std::int32_t part, group;
     };
+    /// Parts of finer levels as they look into a coarser one, sorted by level and
+    /// cell of the coarser one, so that all that look into the same 27 cells
+    /// follow each other: the key of the cell they lie in, and their entry.
+    std::span<const std::uint64_t> query_key() const { return query_key_; }
+    std::span<const std::uint32_t> query() const { return query_; }
+    const GridLevel& level_of_key(std::uint64_t key) const { return levels_[key >> cell_bits_]; }
+
     std::span<const Entry> entry() const { return entry_; }
     std::span<const Owner> owner() const { return owner_; }
     std::span<const std::int32_t> members() const { return members_; }  ///< parts that are no giants, increasing
@@ -100,6 +116,9 @@ class CellOrder {
     void find_cells();
     void index_cells();
     void copy_entries(const PartBounds& bounds);
+    void sort_queries();
+    CellIndex cell_at(const GridLevel& level, const Vec3& center) const;
+    CellIndex cell_inside(const GridLevel& level, const Vec3& center) const;
 
     // Size classes; kept while radii, giants and factor stay the same.
     std::vector<double> classified_radius_;
@@ -119,6 +138,8 @@ class CellOrder {
     std::vector<std::uint32_t> lookup_;  ///< first cell with at least the leading bits of the slot
     std::vector<Entry> entry_;
     std::vector<Owner> owner_;
+    std::vector<std::uint64_t> query_key_;
+    std::vector<std::uint32_t> query_;
 };
 
 }  // namespace riprap::contact

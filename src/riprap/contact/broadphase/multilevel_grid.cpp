@@ -31,32 +31,20 @@ struct Ranges {
     }
 };
 
-/// Tests of one entry against ranges of others.
-class Scan {
- public:
-    Scan(const CellOrder& order, double skin)
-        : entry_(order.entry().data()), owner_(order.owner().data()), skin_(skin) {}
-
-    /// Writes the pairs of entry i with the entries of the range to `out`, which has room for all of them. Every
-    /// candidate is written and kept only if it counts: a branch here would often be predicted wrongly.
-    PartPair* operator()(std::size_t i, Range range, PartPair* out) const {
-        const CellOrder::Entry self = entry_[i];
-        const CellOrder::Owner own = owner_[i];
-        for (std::size_t j = range.begin; j < range.end; ++j) {
-            const auto is_near = static_cast<unsigned>(
-                spheres_within(self.center, self.radius, entry_[j].center, entry_[j].radius, skin_));
-            const auto is_allowed = static_cast<unsigned>(own.group != owner_[j].group);
-            *out = {std::min(own.part, owner_[j].part), std::max(own.part, owner_[j].part)};
-            out += is_near & is_allowed;
-        }
-        return out;
+/// Writes the pairs of one entry with others to `out`, which has room for all
+/// of them. Every candidate is written and kept only if it counts: a branch
+/// here would often be predicted wrongly.
+inline PartPair* scan(const CellOrder::Entry self, const CellOrder::Owner own, const CellOrder::Entry* entry,
+                      const CellOrder::Owner* owner, std::size_t count, double skin, PartPair* out) {
+    for (std::size_t j = 0; j < count; ++j) {
+        const auto is_near =
+            static_cast<unsigned>(spheres_within(self.center, self.radius, entry[j].center, entry[j].radius, skin));
+        const auto is_allowed = static_cast<unsigned>(own.group != owner[j].group);
+        *out = {std::min(own.part, owner[j].part), std::max(own.part, owner[j].part)};
+        out += is_near & is_allowed;
     }
-
- private:
-    const CellOrder::Entry* entry_;
-    const CellOrder::Owner* owner_;
-    double skin_;
-};
+    return out;
+}
 
 /// Entries in cells (x-1 .. x+1, y, z) of a level.
 Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& middle) {
@@ -90,11 +78,14 @@ void MultilevelGrid::find_pairs(const PartBounds& bounds, std::span<const Giant>
     const std::size_t giant_blocks = giants.empty() ? 0 : 1 + order_.members().size() / giant_block;
     const std::size_t list_count = pieces_.size() + giant_blocks;
     found_.resize(std::max(found_.size(), list_count));
+    around_.resize(std::max(around_.size(), pieces_.size()));
     parallel::for_each_uneven(static_cast<std::int64_t>(list_count), 1, [&](std::int64_t list) {
         const auto k = static_cast<std::size_t>(list);
         found_[k].clear();
-        if (k < pieces_.size()) {
-            search_piece(pieces_[k], skin, found_[k]);
+        if (k < pieces_.size() && pieces_[k].is_query) {
+            search_coarser_levels(pieces_[k], skin, around_[k], found_[k]);
+        } else if (k < pieces_.size()) {
+            search_own_level(pieces_[k], skin, found_[k]);
         } else {
             search_giants(bounds, skin, k - pieces_.size(), found_[k]);
         }
@@ -103,20 +94,17 @@ void MultilevelGrid::find_pairs(const PartBounds& bounds, std::span<const Giant>
 }
 
 void MultilevelGrid::cut_into_pieces() {
-    const std::size_t cells_per_piece = std::max<std::size_t>(256, order_.cell_key().size() / 512);
     pieces_.clear();
+    const std::size_t cells = std::max<std::size_t>(256, order_.cell_key().size() / 512);
     for (std::size_t k = 0; k < order_.levels().size(); ++k) {
         const GridLevel& level = order_.levels()[k];
-        for (std::size_t cell = level.cell_begin; cell < level.cell_end; cell += cells_per_piece) {
-            pieces_.push_back({k, cell, std::min(cell + cells_per_piece, level.cell_end)});
+        for (std::size_t cell = level.cell_begin; cell < level.cell_end; cell += cells) {
+            pieces_.push_back({k, cell, std::min(cell + cells, level.cell_end), false});
         }
     }
-}
-
-void MultilevelGrid::search_piece(const Piece& piece, double skin, PairList& found) const {
-    search_own_level(piece, skin, found);
-    for (std::size_t coarser = 0; coarser < piece.level; ++coarser) {
-        search_coarser_level(piece, order_.levels()[coarser], skin, found);
+    const std::size_t queries = std::max<std::size_t>(1024, order_.query().size() / 512);
+    for (std::size_t q = 0; q < order_.query().size(); q += queries) {
+        pieces_.push_back({0, q, std::min(q + queries, order_.query().size()), true});
     }
 }
 
@@ -124,9 +112,10 @@ void MultilevelGrid::search_own_level(const Piece& piece, double skin, PairList&
     const GridLevel& level = order_.levels()[piece.level];
     const auto keys = order_.cell_key();
     const auto starts = order_.cell_start();
-    const Scan scan(order_, skin);
+    const auto* const entry = order_.entry().data();
+    const auto* const owner = order_.owner().data();
     Ranges rows;
-    for (std::size_t cell = piece.cell_begin; cell < piece.cell_end; ++cell) {
+    for (std::size_t cell = piece.begin; cell < piece.end; ++cell) {
         const CellIndex index = level.cell_of_key(keys[cell]);
         const bool has_next = index.x < level.high.x && cell + 1 < level.cell_end && keys[cell + 1] == keys[cell] + 1;
         const std::size_t own_end = starts[cell + 1], next_end = starts[cell + (has_next ? 2 : 1)];
@@ -137,38 +126,38 @@ void MultilevelGrid::search_own_level(const Piece& piece, double skin, PairList&
         rows.add(find_row(order_, level, {index.x, index.y + 1, index.z + 1}));
         for (std::size_t i = starts[cell]; i < own_end; ++i) {
             PartPair* out = found.reserve(rows.entries + next_end - i);
-            out = scan(i, {i + 1, next_end}, out);
+            out = scan(entry[i], owner[i], entry + i + 1, owner + i + 1, next_end - i - 1, skin, out);
             for (std::size_t row = 0; row < rows.count; ++row) {
-                out = scan(i, rows.range[row], out);
+                const Range r = rows.range[row];
+                out = scan(entry[i], owner[i], entry + r.begin, owner + r.begin, r.end - r.begin, skin, out);
             }
             found.advance_to(out);
         }
     }
 }
 
-void MultilevelGrid::search_coarser_level(const Piece& piece, const GridLevel& coarser, double skin,
-                                          PairList& found) const {
-    const auto entries = order_.entry();
-    const std::size_t begin = order_.cell_start()[piece.cell_begin], end = order_.cell_start()[piece.cell_end];
-    const Scan scan(order_, skin);
-    Ranges rows;
-    CellIndex rows_of{};
-    for (std::size_t i = begin; i < end; ++i) {
-        const CellIndex index = order_.cell_at(coarser, entries[i].center);
-        if (i == begin || index != rows_of) {
-            rows_of = index;
-            rows.clear();
-            for (std::int32_t dz = -1; dz <= 1; ++dz) {
-                for (std::int32_t dy = -1; dy <= 1; ++dy) {
-                    rows.add(find_row(order_, coarser, {index.x, index.y + dy, index.z + dz}));
+void MultilevelGrid::search_coarser_levels(const Piece& piece, double skin, Neighbourhood& around,
+                                           PairList& found) const {
+    const auto entry = order_.entry();
+    const auto owner = order_.owner();
+    for (std::size_t q = piece.begin; q < piece.end; ++q) {
+        const std::uint64_t key = order_.query_key()[q];
+        if (q == piece.begin || key != order_.query_key()[q - 1]) {
+            around.entry.clear();
+            around.owner.clear();
+            const GridLevel& level = order_.level_of_key(key);
+            const CellIndex index = level.cell_of_key(key);
+            for (std::int32_t row = 0; row < 9; ++row) {
+                const Range r = find_row(order_, level, {index.x, index.y + row % 3 - 1, index.z + row / 3 - 1});
+                for (std::size_t j = r.begin; j < r.end; ++j) {
+                    around.entry.push_back(entry[j]);
+                    around.owner.push_back(owner[j]);
                 }
             }
         }
-        PartPair* out = found.reserve(rows.entries);
-        for (std::size_t row = 0; row < rows.count; ++row) {
-            out = scan(i, rows.range[row], out);
-        }
-        found.advance_to(out);
+        const std::size_t i = order_.query()[q], count = around.entry.size();
+        found.advance_to(
+            scan(entry[i], owner[i], around.entry.data(), around.owner.data(), count, skin, found.reserve(count)));
     }
 }
 
@@ -195,6 +184,10 @@ std::size_t MultilevelGrid::bytes() const {
     std::size_t total = order_.bytes() + sorter_.bytes() + is_giant_.capacity() + pieces_.capacity() * sizeof(Piece);
     for (const PairList& list : found_) {
         total += list.bytes();
+    }
+    for (const Neighbourhood& around : around_) {
+        total +=
+            around.entry.capacity() * sizeof(CellOrder::Entry) + around.owner.capacity() * sizeof(CellOrder::Owner);
     }
     return total;
 }

@@ -12,17 +12,21 @@
 
 namespace riprap::contact {
 
-/// Finds candidate pairs in O(n * levels): a hierarchy of uniform grids, one per size class, each with cells of twice
-/// the largest radius of its class plus the skin. A part searches half of the 27 cells around it on its own level and
-/// all 27 on every coarser level, never a finer one, so a large part does not enumerate the many small ones around it.
-/// After the grouped grids of [Zhao, eqs 37-40], with the cell size corrected (docs/theory/broadphase.md).
+/// Finds candidate pairs in O(n * levels): a hierarchy of uniform grids, one
+/// per size class, each with cells of twice the largest radius of its class
+/// plus the skin. A part searches half of the 27 cells around it on its own
+/// level and all 27 on every coarser level, never a finer one, so a large part
+/// does not enumerate the many small ones around it. After the grouped grids of
+/// [Zhao, eqs 37-40], with the cell size corrected (docs/theory/broadphase.md).
 ///
-/// The object only holds buffers: the pairs depend on the arguments alone, and are the same at any thread count.
+/// The object only holds buffers: the pairs depend on the arguments alone, and
+/// are the same at any thread count.
 class MultilevelGrid {
  public:
     /// Same pairs, in the same order, as find_pairs_brute_force.
     ///
-    /// @param giants  parts kept out of the grid and tested by their planes; see choose_giants
+    /// @param giants  parts kept out of the grid and tested by their planes; see
+    /// choose_giants
     /// @param skin    s >= 0 [m]
     /// @param factor  gamma > 1, ratio of radii between size classes [-]
     /// @param pairs   receives the pairs; its memory is reused
@@ -33,14 +37,20 @@ class MultilevelGrid {
     std::size_t bytes() const;
 
  private:
-    /// A run of occupied cells of one level.
+    /// What one task searches: a run of occupied cells of one level against their
+    /// own level, or a run of queries into coarser levels.
     struct Piece {
-        std::size_t level, cell_begin, cell_end;
+        std::size_t level, begin, end;
+        bool is_query;
+    };
+    /// Copies of the entries in the 27 cells around a query's, side by side.
+    struct Neighbourhood {
+        std::vector<CellOrder::Entry> entry;
+        std::vector<CellOrder::Owner> owner;
     };
     void cut_into_pieces();
-    void search_piece(const Piece& piece, double skin, PairList& found) const;
     void search_own_level(const Piece& piece, double skin, PairList& found) const;
-    void search_coarser_level(const Piece& piece, const GridLevel& coarser, double skin, PairList& found) const;
+    void search_coarser_levels(const Piece& piece, double skin, Neighbourhood& around, PairList& found) const;
     void search_giants(const PartBounds& bounds, double skin, std::size_t block, PairList& found) const;
 
     CellOrder order_;
@@ -48,6 +58,7 @@ class MultilevelGrid {
     std::vector<std::uint8_t> is_giant_;
     std::vector<Piece> pieces_;
     std::vector<PairList> found_;
+    std::vector<Neighbourhood> around_;
     PairSorter sorter_;
 };
 
