@@ -138,6 +138,14 @@ TEST(SurfaceAudit, ACollapsedFaceIsLeftOutOnlyWhenAsked) {
     EXPECT_THAT(texts(audit.notes), Contains(HasSubstr("1 faces of zero area, the first face 13, were left out")));
 }
 
+TEST(SurfaceAudit, ASurfaceOfWhichNothingIsLeftIsRefused) {
+    // Found by fuzzing: one vertex far away makes the weld tolerance larger than every face; with all faces left out
+    // as asked, there were neither parts nor problems.
+    const Surface surface = read_obj(sample_bytes("one_far_vertex.obj"), "far.obj", 1.0);
+    EXPECT_THAT(texts(audit_surface(surface, {.drop_collapsed = true}).problems),
+                ElementsAre(HasSubstr("far.obj: no face with an area is left")));
+}
+
 TEST(SurfaceAudit, AFlatSurfaceHasNoVolume) {
     Polyhedron sheet;
     sheet.vertices = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};

@@ -144,9 +144,6 @@ void report_flat(const SurfaceMesh& mesh, ProblemList& problems) {
             widest = f;
         }
     }
-    if (mesh.faces.empty()) {
-        return;
-    }
     const Plane plane = face_plane(mesh.points, mesh.faces[widest]);
     const bool is_flat = std::all_of(mesh.points.begin(), mesh.points.end(), [&](const Vec3& x) {
         return std::abs(dot(plane.normal, x) - plane.offset) <= mesh.tolerance;
@@ -237,6 +234,9 @@ SurfaceMesh weld_surface(const Surface& surface, const SurfaceAuditOptions& opti
     if (collapsed_count > 0 && options.drop_collapsed) {
         note(first_collapsed, fmt::format("{} faces of zero area, the first {}, were left out", collapsed_count,
                                           surface.name_of(first_collapsed)));
+    }
+    if (mesh.faces.empty() && problems.is_empty()) {
+        problems.add(surface.file, "no face with an area is left", "a closed surface around a volume");
     }
     if (problems.is_empty()) {
         report_flat(mesh, problems);
