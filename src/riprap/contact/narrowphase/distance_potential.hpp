@@ -19,6 +19,7 @@ enum class Sides { both, contactor };
 struct DistancePotentialOptions {
     Potential potential{Potential::distance};
     Sides sides{Sides::both};
+    bool with_energy{true};  ///< also find NormalContact::energy; costs time, wanted only where the ledger looks
 };
 
 /// A direction that separated a pair when last looked at, in the frame of A. Scratch: it may only *reject*, and only

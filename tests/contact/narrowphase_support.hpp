@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/contact/narrowphase/distance_potential_plain.hpp"
+#include "riprap/geometry/convex_hull.hpp"
+#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::contact::testing {
+
+/// A convex part at a place.
+struct Block {
+    ShapeId shape;
+    Pose pose;
+    double stiffness{1};  ///< [Pa]
+};
+
+/// Shapes of a test and the two ways to look at a pair of them.
+class Pairs {
+ public:
+    geometry::ShapeSet shapes;
+    DistancePotentialOptions options{};
+
+    /// The fast kernel; the force is zero where the blocks do not touch.
+    NormalContact fast(const Block& a, const Block& b) const {
+        SeparatingCache cache;
+        NormalContact contact{};
+        is_touching = find_contact(shapes.view(a.shape), to_frame(a.pose), a.stiffness, shapes.view(b.shape),
+                                   to_frame(b.pose), b.stiffness, options, cache, contact);
+        return contact;
+    }
+    /// The oracle.
+    NormalContact plain(const Block& a, const Block& b) const {
+        NormalContact contact{};
+        const auto outcome =
+            plain::find_contact<512>(shapes.view(a.shape), to_frame(a.pose), a.stiffness, shapes.view(b.shape),
+                                     to_frame(b.pose), b.stiffness, options, contact);
+        EXPECT_NE(outcome, plain::Outcome::overflow);
+        is_touching = outcome == plain::Outcome::touching;
+        return contact;
+    }
+    mutable bool is_touching{false};
+};
+
+/// Moment of the force on A about `centre` [N m].
+inline Vec3 moment_about(const NormalContact& contact, const Vec3& centre) {
+    return contact.moment + cross(contact.point - centre, contact.force);
+}
+
+inline Pose moved(Pose pose, const Vec3& by) {
+    pose.position += by;
+    return pose;
+}
+/// Turned about its own origin by a rotation vector in world axes.
+inline Pose turned(Pose pose, const Vec3& rotation) {
+    pose.orientation = normalized(from_rotation_vector(rotation) * pose.orientation);
+    return pose;
+}
+
+/// -dE/dx and -dE/dtheta of A by central differences of fourth order, exact where E is a quartic in the displacement;
+/// `energy` maps a pose of A to E.
+template <class Energy>
+std::pair<Vec3, Vec3> energy_gradient(const Pose& pose, double step, const Energy& energy) {
+    const auto slope = [&](auto&& move, const Vec3& direction) {
+        const auto difference = [&](double h) {
+            return energy(move(pose, h * direction)) - energy(move(pose, -h * direction));
+        };
+        return (8 * difference(step) - difference(2 * step)) / (12 * step);
+    };
+    Vec3 force, moment;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 direction;
+        direction[axis] = 1;
+        force[axis] = -slope(moved, direction);
+        moment[axis] = -slope(turned, direction);
+    }
+    return {force, moment};
+}
+
+inline void expect_near(const Vec3& value, const Vec3& expected, double tolerance, const char* what) {
+    EXPECT_NEAR(value.x, expected.x, tolerance) << what;
+    EXPECT_NEAR(value.y, expected.y, tolerance) << what;
+    EXPECT_NEAR(value.z, expected.z, tolerance) << what;
+}
+
+}  // namespace riprap::contact::testing
