@@ -52,6 +52,16 @@ std::vector<std::pair<std::string, Polyhedron>> all_shapes() {
     return shapes;
 }
 
+Polyhedron triangulated_cube() {
+    const Polyhedron solid = cube(1);
+    Polyhedron result{solid.vertices, {}, {}};
+    for (const auto& loop : solid.faces) {
+        result.faces.push_back({loop[0], loop[1], loop[2]});
+        result.faces.push_back({loop[0], loop[2], loop[3]});
+    }
+    return result;
+}
+
 TEST(HalfEdges, OfEveryBuilderSatisfyEulerAndPointOutwards) {
     for (const auto& [name, shape] : all_shapes()) {
         SCOPED_TRACE(name);
@@ -197,6 +207,48 @@ TEST(HalfEdges, RefuseMoreThanTwoFacesOnAnEdgeAndSpareVertices) {
     EXPECT_THAT(half_edges(shape).problems(), says("no face uses vertex 4"));
     shape.faces.push_back({0, 1, 4});
     EXPECT_THAT(half_edges(shape).problems(), says("3 faces share the edge between vertices 0 and 1"));
+}
+
+// Any list of loops ends in a valid mesh or in problems, never in a wild index or an endless walk.
+TEST(HalfEdges, OfArbitraryLoopsAreValidOrRefused) {
+    std::mt19937_64 random(32);
+    const auto up_to = [&](std::uint64_t n) { return static_cast<std::int32_t>(random() % n); };
+    int accepted = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        Polyhedron shape = trial % 2 == 0 ? regular_tetrahedron(1) : triangulated_cube();
+        const std::int32_t changes = up_to(4);
+        for (std::int32_t change = 0; change < changes; ++change) {
+            auto& loop = shape.faces[static_cast<std::size_t>(up_to(shape.faces.size()))];
+            switch (up_to(5)) {
+                case 0:
+                    if (!loop.empty()) {
+                        loop[static_cast<std::size_t>(up_to(loop.size()))] = up_to(10) - 1;
+                    }
+                    break;
+                case 1:
+                    std::reverse(loop.begin(), loop.end());
+                    break;
+                case 2:
+                    shape.faces.push_back(loop);
+                    break;
+                case 3:
+                    loop.resize(static_cast<std::size_t>(up_to(5)), up_to(8));
+                    break;
+                default:
+                    std::swap(loop, shape.faces.front());
+                    break;
+            }
+        }
+        const Outcome<HalfEdgeMesh> outcome = half_edges(shape);
+        if (outcome) {
+            ++accepted;
+            EXPECT_EQ(outcome.value().vertex_count() - outcome.value().edge_count() + outcome.value().face_count(), 2);
+        } else {
+            EXPECT_FALSE(outcome.problems().empty());
+        }
+    }
+    EXPECT_GT(accepted, 4000);  // a quarter is left as it was
+    EXPECT_LT(accepted, 16000);
 }
 
 TEST(HalfEdges, ListAtMostTwentyProblems) {

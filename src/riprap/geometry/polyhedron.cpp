@@ -8,7 +8,7 @@ namespace riprap::geometry {
 
 namespace {
 
-/// a b - c d to within 1.5 units in the last place of the result [Kahan].
+/// a b - c d to within 1.5 units in the last place of the result [Jeannerod2013].
 double difference_of_products(double a, double b, double c, double d) {
     const double cd = c * d;
     const double error = std::fma(-c, d, cd);

@@ -44,8 +44,8 @@ MassProperties mass_properties(const Polyhedron& polyhedron);
 /// Inertia tensor per unit density, tr(S) I - S, from second moments S [m^5].
 Mat3 inertia_from_second_moment(const Mat3& second_moment);
 
-/// Vector area of a vertex loop, 1/2 sum of x_i x x_(i+1) about its first vertex [m^2] [Newell]: along the outward
-/// normal, as long as the area of the loop. Exact for plane loops, the least-squares choice for bent ones.
+/// Vector area of a vertex loop, 1/2 sum of x_i x x_(i+1) about its first vertex [m^2] [Tampieri1992]: along the
+/// outward normal, as long as the area of the loop. Exact for plane loops, the least-squares choice for bent ones.
 Vec3 vector_area(std::span<const Vec3> vertices, std::span<const std::int32_t> loop);
 
 /// Plane of a face: direction of its vector area, offset the mean over its vertices.
