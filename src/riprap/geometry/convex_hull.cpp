@@ -13,12 +13,12 @@
 #include <new>
 #include <numbers>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "riprap/geometry/half_edge.hpp"
 #include "riprap/geometry/merge_faces.hpp"
+#include "riprap/geometry/random_bits.hpp"
 
 namespace riprap::geometry {
 
@@ -236,8 +236,8 @@ Outcome<Polyhedron> random_hull(std::uint64_t seed, int corner_count, double cir
         return GeometryProblem{fmt::format("a random block of circumradius {} m", circumradius),
                                "give a positive finite length"};
     }
-    std::mt19937_64 random(seed);
-    const auto uniform = [&] { return 0x1p-53 * static_cast<double>(random() >> 11); };
+    std::uint64_t drawn = 0;
+    const auto uniform = [&] { return unit_interval(mix_bits(seed, drawn++)); };
     constexpr int attempts = 100'000;  // four points: about one draw in a hundred will do
     constexpr double smallest_depth = 0.1;
     std::vector<Vec3> points(static_cast<std::size_t>(corner_count));
