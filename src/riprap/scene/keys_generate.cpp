@@ -118,7 +118,7 @@ const Table& rock_mass_table() {
     static const Table table{
         "rock_mass",
         "[[rock_mass]]",
-        "A convex region cut into blocks by joint sets; blocks are named NAME[0], NAME[1], ... from below.",
+        "A convex region cut into blocks by joint sets; named NAME[0], NAME[1], ...",
         {{"name", {form::name()}, "Unique.", {}, true},
          {"material", {form::name()}, "Name of the material of all blocks.", {}, true},
          {"region", {form::table(shape_table)}, "A convex shape.", {}, true},
