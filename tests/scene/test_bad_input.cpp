@@ -131,7 +131,7 @@ TEST(BadInput, different_friction_needs_a_mixing_rule) {
 name = "ground"
 material = "steel"
 fixed = true
-shape = { half_space = { normal = [0, 0, 1] } }
+shape = { half_space = { normal = [0, 0, 1], offset = -0.25 } }
 [material.steel]
 density = 7800
 normal_stiffness = 1e9

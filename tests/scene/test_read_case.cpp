@@ -64,7 +64,7 @@ TEST(ReadCase, the_resolved_case_reads_back_to_the_same_model) {
     const std::string text =
         with(minimal_case, "end = 1.0\n", "end = \"1 min\"\ntitle = \"quotes \\\" and \\\\ and \\u00e9\"\n") + R"(
 orientation = { axis_angle = { axis = [1, 1, 0], angle_deg = 30 } }
-repeat = { counts = [2, 3, 2], pitch_cm = [120, 120, 80], random_orientation = true, jitter = 0.01 }
+repeat = { counts = [2, 3, 2], pitch_cm = [170, 170, 170], random_orientation = true, jitter = 0.01 }
 [solid]
 local_damping = 0.1
 [[output.probe]]
@@ -221,7 +221,7 @@ TEST(ReadCase, a_pair_of_materials_replaces_the_mixed_values) {
 name = "ground"
 material = "steel"
 fixed = true
-shape = { half_space = { normal = [0, 0, 1] } }
+shape = { half_space = { normal = [0, 0, 1], offset = -0.25 } }
 [material.steel]
 density = 7800
 normal_stiffness = 1e9

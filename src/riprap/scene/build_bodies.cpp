@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "riprap/scene/build_case.hpp"
-#include "riprap/scene/limits.hpp"
+#include "riprap/scene/initial_overlaps.hpp"
 #include "riprap/scene/random_stream.hpp"
 #include "riprap/scene/shape_library.hpp"
 
@@ -56,6 +57,8 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
     const std::int64_t nx = counts[0].integer, ny = counts[1].integer, nz = counts.size() > 2 ? counts[2].integer : 1;
     const bool is_turned = get_boolean(repeat, "random_orientation");
     const double jitter = get_number(repeat, "jitter");
+    const double turn = get_number(repeat, "turn");
+    const Vec3 axis = normalized(get_vector(repeat, "turn_axis")), center = get_vector(repeat, "turn_center");
     const Value* scales = repeat.find("scales");
     for (std::int64_t i = 0; i < nx * ny * nz; ++i) {
         body::NewBody copy = body;
@@ -63,6 +66,11 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
         copy.name_index = static_cast<std::int32_t>(i);
         copy.pose.position += {pitch.x * static_cast<double>(i % nx), pitch.y * static_cast<double>(i / nx % ny),
                                pitch.z * static_cast<double>(i / nx / ny)};
+        if (turn != 0) {
+            const Quat by = from_rotation_vector(static_cast<double>(i) * turn * axis);
+            copy.pose.position = center + rotate(by, copy.pose.position - center);
+            copy.pose.orientation = by * copy.pose.orientation;
+        }
         if (jitter > 0) {
             const double x = random.uniform(-jitter, jitter), y = random.uniform(-jitter, jitter);
             const double z = random.uniform(-jitter, jitter);
@@ -132,9 +140,29 @@ void build_body(CaseBuild& build, const Value& table) {
 
 void CaseBuild::claim_name(const Value& table) {
     const Value* name = table.find("name");
-    if (name != nullptr && !names.insert(name->text).second) {
+    if (name != nullptr && !names.emplace(name->text, name->place).second) {
         problem(name->place, fmt::format("the name '{}' is taken", name->text),
                 "names of [[body]], [[pack]] and [[rock_mass]] are unique");
+    }
+}
+
+void check_overlaps(CaseBuild& build) {
+    constexpr std::size_t most = 10;  // a shifted pack has thousands
+    const double max_share = get_number(get(build.root, "contact"), "max_initial_overlap");
+    const auto overlaps = find_initial_overlaps(build.model, build.state, max_share);
+    const body::BodySet& bodies = build.model.bodies;
+    for (std::size_t i = 0; i < std::min(overlaps.size(), most); ++i) {
+        const InitialOverlap& overlap = overlaps[i];
+        const std::string& name =
+            bodies.names[static_cast<std::size_t>(bodies.name_id[static_cast<std::size_t>(overlap.b.value)])];
+        build.problem(build.names[name],
+                      fmt::format("'{}' starts {:.3g} m deep in '{}', {:.3g} % of the smaller inscribed radius",
+                                  bodies.name(overlap.b), overlap.depth, bodies.name(overlap.a), 100 * overlap.share),
+                      fmt::format("at most {:.3g} % (max_initial_overlap of [contact])", 100 * max_share));
+    }
+    if (overlaps.size() > most) {
+        build.problem(build.root.place,
+                      fmt::format("{} more pairs of bodies start inside each other", overlaps.size() - most), "");
     }
 }
 

@@ -26,7 +26,7 @@ struct CaseBuild {
     std::vector<Diagnostic>& problems;
     std::vector<std::string>& warnings;
     std::map<std::string, MaterialId> materials{};
-    std::set<std::string> names{};  ///< of bodies, packs and rock masses
+    std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<MaterialId> used_materials{};
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
@@ -36,6 +36,8 @@ struct CaseBuild {
     MaterialId material_of(const Value& table);
     /// Notes the name of a body, pack or rock mass; a problem when it is taken.
     void claim_name(const Value& table);
+    /// True for "NAME" and "NAME[17]" where NAME was claimed: there may be no such body only because of a problem.
+    bool is_claimed(const std::string& body) const { return names.contains(body.substr(0, body.find('['))); }
 };
 
 void build_materials(CaseBuild& build);
@@ -45,6 +47,9 @@ void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
 void build_output(CaseBuild& build);  ///< last: probes and expects look bodies up
+
+/// Refuses bodies that start inside each other.
+void check_overlaps(CaseBuild& build);
 
 /// The turn that an orientation table means; the identity for null.
 Quat orientation_of(const Value* table);

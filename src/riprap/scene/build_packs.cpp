@@ -74,7 +74,8 @@ bool accept(CaseBuild& build, const geometry::Outcome<T>& outcome, const SourceP
 }
 
 /// Adds blocks given in world coordinates, each with a shape of its own.
-void add_blocks(CaseBuild& build, const Value& table, const body::NewBody& common, const std::vector<Polyhedron>& blocks) {
+void add_blocks(CaseBuild& build, const Value& table, const body::NewBody& common,
+                const std::vector<Polyhedron>& blocks) {
     if (build.model.bodies.size() + static_cast<std::int64_t>(blocks.size()) > limits::bodies) {
         build.problem(table.place, fmt::format("'{}' has {} blocks", common.name, blocks.size()),
                       fmt::format("a scene has at most {} bodies", limits::bodies));
@@ -99,10 +100,11 @@ void build_voronoi(CaseBuild& build, const Value& table, const Value& voronoi, c
     if (!region || !common.material.is_valid()) {
         return;
     }
-    const auto blocks = geometry::voronoi_blocks(*region, {.block_count = get_integer(voronoi, "count"),
-                                                           .seed = seed_for(build, voronoi, common.name),
-                                                           .lloyd_iterations = static_cast<int>(get_integer(voronoi, "lloyd")),
-                                                           .gap = get_number(voronoi, "gap")});
+    const auto blocks =
+        geometry::voronoi_blocks(*region, {.block_count = get_integer(voronoi, "count"),
+                                           .seed = seed_for(build, voronoi, common.name),
+                                           .lloyd_iterations = static_cast<int>(get_integer(voronoi, "lloyd")),
+                                           .gap = get_number(voronoi, "gap")});
     if (accept(build, blocks, voronoi.place)) {
         add_blocks(build, table, common, blocks.value());
     }
@@ -148,7 +150,8 @@ void build_lattice(CaseBuild& build, const Value& lattice, const body::NewBody& 
     const auto& counts = get(lattice, "counts").items;
     const std::int64_t nx = counts[0].integer, ny = counts[1].integer, nz = counts.size() > 2 ? counts[2].integer : 1;
     if (build.is_planar && nz != 1) {
-        build.problem(lattice.place, "a lattice along z leaves the plane of a scene with dimension = 2", "counts = [nx, ny]");
+        build.problem(lattice.place, "a lattice along z leaves the plane of a scene with dimension = 2",
+                      "counts = [nx, ny]");
         return;
     }
     const std::vector<Kind> kinds = read_mix(build, get(lattice, "mix"));
@@ -163,7 +166,8 @@ void build_lattice(CaseBuild& build, const Value& lattice, const body::NewBody& 
     for (std::int64_t i = 0; i < count; ++i) {
         RandomStream random(seed, common.name, static_cast<std::uint64_t>(i));
         const double share = random.uniform();
-        const auto kind = std::find_if(kinds.begin(), kinds.end() - 1, [share](const Kind& k) { return share < k.share_end; });
+        const auto kind =
+            std::find_if(kinds.begin(), kinds.end() - 1, [share](const Kind& k) { return share < k.share_end; });
         const auto size = static_cast<std::size_t>(random.uniform() * static_cast<double>(kind->sizes.size()));
         body::NewBody block = common;
         block.parts = kind->sizes[size];
@@ -222,8 +226,9 @@ void build_rock_masses(CaseBuild& build) {
             continue;
         }
         if (rock.value().skipped_cuts > 0) {
-            build.warnings.push_back(fmt::format("'{}': {} cuts left out, since they would make blocks smaller than minimum_volume",
-                                                 common.name, rock.value().skipped_cuts));
+            build.warnings.push_back(
+                fmt::format("'{}': {} cuts left out, since they would make blocks smaller than minimum_volume",
+                            common.name, rock.value().skipped_cuts));
         }
         add_blocks(build, table, common, rock.value().blocks);
     }

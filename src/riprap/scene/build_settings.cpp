@@ -40,6 +40,9 @@ void read_probe(CaseBuild& build, const Value& table) {
     const Value* body = table.find("body");
     if (body != nullptr) {
         probe.body = sim::find_body(build.model.bodies, body->text);
+        if (!probe.body.is_valid() && build.is_claimed(body->text) && !build.problems.empty()) {
+            return;  // the body itself has a problem
+        }
         if (!probe.body.is_valid()) {
             const std::string meant = nearest(body->text, build.model.bodies.names);
             build.problem(body->place, fmt::format("there is no body '{}'", body->text),
@@ -105,6 +108,9 @@ void read_expect(CaseBuild& build, const Value& table) {
             build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
             return;
         }
+    }
+    if (!build.problems.empty()) {
+        return;  // the body or probe that it names may be missing for another reason
     }
     if (!sim::find_column(build.model, expect.quantity)) {
         std::vector<std::string> known;

@@ -152,6 +152,10 @@ const Table& contact_table() {
           "Rule for the friction coefficient; required when materials differ in friction.",
           {}},
          {"cohesion_mixing", {choice(rules)}, "Rule for cohesion; required when materials differ in it.", {}},
+         {"max_initial_overlap",
+          {number(dimension::plain, positive())},
+          "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",
+          Value::of(0.1)},
          {"pair", {table_list(contact_pair_table)}, "Values for one pair of materials.", Value::array()}}};
     return table;
 }

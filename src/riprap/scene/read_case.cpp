@@ -102,8 +102,9 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     if (loaded.model.bodies.size() == 0 && problems.empty()) {
         build.problem(resolved.place, "the case has no bodies", "at least one [[body]], [[pack]] or [[rock_mass]]");
     }
+    build_output(build);
     if (problems.empty()) {
-        build_output(build);
+        check_overlaps(build);
     }
     throw_if_any(problems);
 
