@@ -33,7 +33,8 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-inline std::filesystem::path source_folder() { return RIPRAP_SOURCE_DIR; }
+/// Tests run in the root of the tree.
+inline std::filesystem::path source_folder() { return "."; }
 
 /// The shortest useful case; tests append to it or replace lines of it.
 inline const std::string minimal_case = R"(gravity = [0.0, 0.0, -9.81]
