@@ -11,7 +11,7 @@ namespace {
 /// Candidates evaluated by one thread at a time, and before their results are moved to their final place. Neither
 /// changes any result; a wave bounds the memory of intermediate records.
 constexpr std::int64_t chunk_size = 128;
-constexpr std::int64_t wave_size = 128 * chunk_size;
+constexpr std::int64_t wave_size = 64 * chunk_size;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 }  // namespace

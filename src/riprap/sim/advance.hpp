@@ -46,7 +46,7 @@ struct StepStatus {
 /// What one step reports.
 struct StepReport {
     StepStatus status;
-    Ledger ledger;            ///< complete every step
+    Ledger ledger;            ///< complete where Measure asks for it
     double dt{0};             ///< [s]
     double dt_bound{0};       ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts
     double max_speed{0};      ///< [m/s]
@@ -57,8 +57,16 @@ struct StepReport {
     bool pairs_rebuilt{false};
 };
 
-/// One step. On failure State may be non-finite: the driver keeps the last good one.
-StepReport advance(const Model& model, State& state, Scratch& scratch, double dt);
+/// How much of the ledger a step works out. The elastic energy of an overlap is a function of the pose and costs more
+/// than its force, so a run asks for it only where a row is written. It changes no bit of the State.
+enum class Measure {
+    energy,  ///< everything
+    flow,    ///< all but the elastic energy and the residual
+};
+
+/// One step. On failure State may be non-finite: the driver keeps the last good one. The first step of a run measures
+/// the energy whatever is asked.
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy);
 
 /// Sets driven bodies to their pose and velocity at state.time and starts the ledger. Call once on a fresh State.
 void initialise(const Model& model, State& state);

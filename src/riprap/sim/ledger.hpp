@@ -12,6 +12,7 @@ struct Ledger {
     double time{0};                 ///< [s]
     double kinetic{0};              ///< of free bodies [J]
     double potential{0};            ///< -m g . x of free bodies [J]
+    bool has_energy{true};          ///< elastic and residual were asked for (see Measure)
     double elastic{0};              ///< stored in overlaps [J]
     double shear{0};                ///< stored in tangential and torsional springs [J]
     double dissipated_friction{0};  ///< [J], accumulated like all below

@@ -27,7 +27,6 @@ enum Total : std::size_t {
     reference_angular_momentum = reference_momentum + 3,
     kinetic_low = reference_angular_momentum + 3,
     kinetic_high,
-    stored_high,
     total_count
 };
 
@@ -101,6 +100,7 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
     const double dissipated = ledger.dissipated_friction + ledger.dissipated_contact + ledger.dissipated_damping;
     const double stored = ledger.elastic + ledger.shear;
     const double closure = ledger.kinetic + ledger.potential + stored + dissipated - work;
+    ledger.has_energy = step.has_elastic;
     if (is_first) {
         totals[is_started] = 1;
         totals[reference_energy] = closure;
@@ -110,10 +110,9 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
     }
     totals[kinetic_low] = std::min(totals[kinetic_low], ledger.kinetic);
     totals[kinetic_high] = std::max(totals[kinetic_high], ledger.kinetic);
-    totals[stored_high] = std::max(totals[stored_high], stored);
-    ledger.residual = closure - totals[reference_energy];
-    ledger.turnover = std::max(
-        {totals[kinetic_high] - totals[kinetic_low], totals[stored_high], std::abs(dissipated), std::abs(work)});
+    ledger.residual = step.has_elastic ? closure - totals[reference_energy] : 0;
+    ledger.turnover =
+        std::max({totals[kinetic_high] - totals[kinetic_low], stored, std::abs(dissipated), std::abs(work)});
     ledger.momentum_residual = ledger.momentum - ledger.impulse - get(totals, reference_momentum);
     ledger.angular_momentum_residual =
         ledger.angular_momentum - ledger.angular_impulse - get(totals, reference_angular_momentum);

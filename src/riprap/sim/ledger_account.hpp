@@ -12,7 +12,8 @@ struct LedgerStep {
     const solid::KickReport& kick;
     double kick_time;      ///< [s]
     Vec3 gravity;          ///< at the kick [m/s^2]
-    double elastic;        ///< stored in overlaps [J]
+    double elastic;        ///< stored in overlaps [J]; read where has_elastic
+    bool has_elastic;      ///< always so at the first kick
     double shear;          ///< stored in tangential springs [J]
     double friction_loss;  ///< since the last kick [J]
     double damping_loss;   ///< of contact dashpots since the last kick [J]
