@@ -38,8 +38,8 @@ class Pairs {
     NormalContact plain(const Block& a, const Block& b) const {
         NormalContact contact{};
         const auto outcome =
-            plain::find_contact<512>(shapes.view(a.shape), to_frame(a.pose), a.stiffness, shapes.view(b.shape),
-                                     to_frame(b.pose), b.stiffness, options, contact);
+            plain::find_contact<64>(shapes.view(a.shape), to_frame(a.pose), a.stiffness, shapes.view(b.shape),
+                                    to_frame(b.pose), b.stiffness, options, contact);
         EXPECT_NE(outcome, plain::Outcome::overflow);
         is_touching = outcome == plain::Outcome::touching;
         return contact;
@@ -80,6 +80,23 @@ std::pair<Vec3, Vec3> energy_gradient(const Pose& pose, double step, const Energ
         moment[axis] = -slope(turned, direction);
     }
     return {force, moment};
+}
+
+inline void expect_near_vector(const Vec3& value, const Vec3& expected, double tolerance) {
+    EXPECT_LE(norm(value - expected), tolerance);
+}
+
+/// Every column of a contact of the fast kernel against the oracle's, to a fraction of the size of that column.
+inline void expect_same(const NormalContact& fast, const NormalContact& plain, double tolerance, double length) {
+    const double force = norm(plain.force);
+    expect_near_vector(fast.force, plain.force, tolerance * force);
+    expect_near_vector(fast.point, plain.point, tolerance * length);
+    expect_near_vector(fast.moment, plain.moment, tolerance * force * length);
+    EXPECT_NEAR(fast.area, plain.area, tolerance * length * length);
+    EXPECT_NEAR(fast.stiffness, plain.stiffness, tolerance * (1 + plain.stiffness));
+    EXPECT_NEAR(fast.energy, plain.energy, tolerance * force * length);
+    EXPECT_NEAR(fast.depth, plain.depth, tolerance * length);
+    EXPECT_NEAR(fast.potential, plain.potential, tolerance);
 }
 
 inline void expect_near(const Vec3& value, const Vec3& expected, double tolerance, const char* what) {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include "contact/narrowphase_support.hpp"
 
@@ -88,6 +90,45 @@ TEST_F(DistancePotential, IsTheGradientOfItsEnergyAtTheGoldenPairs) {
         expect_near(contact.force, force, 1e-8, "force");
         expect_near(moment_about(contact, golden.pose_a.position), moment, 1e-8, "moment");
     }
+}
+
+/// Random blocks of 4 to 12 corners about one metre wide, and two placed so that they overlap in most draws.
+class RandomBlocks : public DistancePotential {
+ protected:
+    std::mt19937_64 random{20240611};
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+    Vec3 point(double radius) { return {uniform(-radius, radius), uniform(-radius, radius), uniform(-radius, radius)}; }
+    Quat orientation() { return normalized(Quat{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}); }
+    Block block() {
+        const int corners = 4 + static_cast<int>(random() % 9);
+        return add(geometry::random_hull(random(), corners, 0.5).value(), {point(0.35), orientation()},
+                   uniform(0.5, 2));
+    }
+};
+
+TEST_F(RandomBlocks, TheFastKernelAgreesWithTheOracle) {
+    int touching = 0;
+    std::vector<Block> stock;
+    for (int i = 0; i < 100; ++i) {
+        stock.push_back(block());
+    }
+    for (int i = 0; i < 2000; ++i) {
+        Block a = stock[random() % stock.size()], b = stock[random() % stock.size()];
+        a.pose = {point(0.35), orientation()};
+        b.pose = {point(0.35), orientation()};
+        pairs.options.sides = i % 4 == 0 ? Sides::contactor : Sides::both;
+        pairs.options.potential = i % 3 == 0 ? Potential::fdem : Potential::distance;
+        const NormalContact plain = pairs.plain(a, b);
+        const bool plain_touches = pairs.is_touching;
+        const NormalContact fast = pairs.fast(a, b);
+        ASSERT_EQ(pairs.is_touching, plain_touches) << "pair " << i;
+        if (pairs.is_touching && norm(plain.force) > 1e-6) {
+            ++touching;
+            expect_same(fast, plain, 1e-11, 1.0);
+            ASSERT_FALSE(HasFailure()) << "pair " << i;
+        }
+    }
+    EXPECT_GT(touching, 1000);
 }
 
 }  // namespace

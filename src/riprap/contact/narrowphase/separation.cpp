@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/narrowphase/separation.hpp"
+
+#include "riprap/contact/narrowphase/lanes.hpp"
+
+namespace riprap::contact {
+
+namespace {
+
+constexpr int attempt_limit = 12;
+
+/// Largest d . x over the vertices, d in the body frame.
+double reach(const geometry::ConvexView& view, const Vec3& d) {
+    Lanes best = load(view.vertex_x) * d.x + load(view.vertex_y) * d.y + load(view.vertex_z) * d.z;
+    for (int i = geometry::shape_lanes; i < view.vertex_count; i += geometry::shape_lanes) {
+        best = max(best, load(view.vertex_x + i) * d.x + load(view.vertex_y + i) * d.y + load(view.vertex_z + i) * d.z);
+    }
+    const double a = best[0] > best[4] ? best[0] : best[4], b = best[1] > best[5] ? best[1] : best[5];
+    const double c = best[2] > best[6] ? best[2] : best[6], e = best[3] > best[7] ? best[3] : best[7];
+    const double ac = a > c ? a : c, be = b > e ? b : e;
+    return ac > be ? ac : be;
+}
+
+/// Vertex farthest along d (world), in the world.
+Vec3 support(const geometry::ConvexView& view, const Frame& frame, const Vec3& direction) {
+    const Vec3 d = transpose_times(frame.axes, direction);
+    int best = 0;
+    double most = dot(view.vertex(0), d);
+    for (int i = 1; i < view.vertex_count; ++i) {
+        const double here = dot(view.vertex(i), d);
+        best = here > most ? i : best;
+        most = here > most ? here : most;
+    }
+    return frame.origin + frame.axes * view.vertex(best);
+}
+
+}  // namespace
+
+double gap_along(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
+                 const Frame& frame_b, const Vec3& direction) {
+    return dot(direction, frame_b.origin - frame_a.origin) - reach(a, transpose_times(frame_a.axes, direction)) -
+           reach(b, -transpose_times(frame_b.axes, direction));
+}
+
+Vec3 find_separating_direction(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
+                               const Frame& frame_b, const Vec3& start) {
+    Vec3 d = norm_squared(start) > 0 ? normalized(start) : Vec3{0, 0, 1};
+    const double margin = separation_margin * (a.circumradius + b.circumradius);
+    for (int attempt = 0; attempt < attempt_limit; ++attempt) {
+        const Vec3 between = support(b, frame_b, -d) - support(a, frame_a, d);
+        const double gap = dot(between, d);
+        if (gap > margin) {
+            return d;
+        }
+        const double length2 = norm_squared(between);
+        if (length2 == 0) {
+            return {};
+        }
+        d = normalized(d - (2 * gap / length2) * between);
+    }
+    return {};
+}
+
+}  // namespace riprap::contact
