@@ -25,4 +25,7 @@ bool same_bits(const char* what, const std::vector<T>& host, const std::vector<T
 /// for_each, reduce, exclusive_scan and sort_by_key against the host's.
 bool check_parallel();
 
+/// The plain distance-potential kernel on many pairs of blocks against the host's.
+bool check_contact();
+
 }  // namespace selftest

@@ -15,7 +15,8 @@ int main() {
     }
     try {
         std::printf("device: %s\n", riprap::parallel::cuda::device_name().c_str());
-        const bool ok = selftest::check_parallel();
+        bool ok = selftest::check_parallel();
+        ok &= selftest::check_contact();
         std::printf(ok ? "all equal\n" : "the device differs from the host\n");
         return ok ? 0 : 1;
     } catch (const std::exception& error) {
