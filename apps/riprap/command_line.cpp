@@ -1,24 +1,111 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/run/find_case.hpp"
+#include "riprap/run/run_case.hpp"
+#include "riprap/scene/key_text.hpp"
 
 namespace riprap {
 
 namespace {
 
 constexpr const char* exit_code_help =
-    "Exit codes: 0 success; 1 an expected answer was missed; 2 bad command line; 3 the case or an input file is "
-    "wrong;\n"
-    "4 the state became non-finite or absurd; 5 a file cannot be read or written; 6 bad checkpoint; 70 a bug in "
-    "Riprap;\n"
-    "128 + n stopped by signal n after writing a checkpoint.";
+    "Exit codes:\n"
+    "  0    success\n"
+    "  1    an expected answer was missed\n"
+    "  2    bad command line\n"
+    "  3    the case or an input file is wrong\n"
+    "  4    the state became non-finite or absurd\n"
+    "  5    a file cannot be read or written\n"
+    "  6    a checkpoint is truncated, damaged or of another case\n"
+    "  70   a bug in Riprap\n"
+    "  128+n  stopped by signal n, after writing a checkpoint";
+
+constexpr const char* case_help = "A case file, a folder with a case.toml, or a name from `riprap list`";
+constexpr int max_threads = 1024;
 
 using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action) {
+    auto options = std::make_shared<run::RunOptions>();
+    auto out = std::make_shared<std::string>();
+    CLI::App* command = app.add_subcommand("run", "Run a case into a folder");
+    command->add_option("CASE", options->case_path, case_help)->required();
+    command->add_option("--out", *out, "The run folder (default: runs/NAME)");
+    command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--set", options->overrides, "Replace a key of the case: --set end=2 --set solid.skin=0.2")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    CLI::Option* resume = command->add_flag("--resume", options->resume, "Continue the run in the folder, if any");
+    command->add_flag("--force", options->force, "Replace the run in the folder, if any")->excludes(resume);
+    command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
+    command->callback([&action, options, out] {
+        action = [options, out] {
+            const std::filesystem::path file = run::find_case(options->case_path);
+            options->case_path = file.string();
+            options->out =
+                out->empty() ? std::filesystem::path("runs") / run::short_name(file) : std::filesystem::path(*out);
+            return run::run_case(*options);
+        };
+    });
+}
+
+void add_resume(CLI::App& app, Action& action) {
+    auto options = std::make_shared<run::ResumeOptions>();
+    CLI::App* command = app.add_subcommand("resume", "Continue a run from its last checkpoint");
+    command->add_option("DIR", options->folder, "The run folder")->required();
+    command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--end", options->end, "Run to this time instead [s]")->check(CLI::PositiveNumber);
+    command->add_option("--max-steps", options->max_steps, "Stop after this many steps in all; -1 = no limit");
+    command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
+    command->callback([&action, options] { action = [options] { return run::resume_run(*options); }; });
+}
+
+void add_check(CLI::App& app, Action& action) {
+    struct Options {
+        std::string case_text;
+        std::vector<std::string> overrides;
+        bool as_json{false};
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "check", "Read a case, report every problem, and predict time step, steps, memory and output");
+    command->add_option("CASE", options->case_text, case_help)->required();
+    command->add_option("--set", options->overrides, "Replace a key of the case")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command->add_flag("--json", options->as_json, "As JSON");
+    command->callback([&action, options] {
+        action = [options] { return print_check(options->case_text, options->overrides, options->as_json); };
+    });
+}
+
+void add_list(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
+    auto as_json = std::make_shared<bool>(false);
+    command->add_flag("--json", *as_json, "As JSON");
+    command->callback([&action, as_json] { action = [as_json] { return print_list(*as_json); }; });
+}
+
+void add_schema(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of the case file");
+    auto as_keys = std::make_shared<bool>(false);
+    command->add_flag("--keys", *as_keys, "Print the keys as a list for reading instead");
+    command->callback([&action, as_keys] {
+        action = [as_keys] {
+            fmt::print("{}\n", *as_keys ? scene::key_listing() : scene::case_schema());
+            return 0;
+        };
+    });
+}
 
 void add_version(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("version", "Print the version and how it was built");
@@ -34,6 +121,11 @@ int command_line(int argument_count, char** arguments) {
     app.require_subcommand(1);
     app.footer(exit_code_help);
     Action action;
+    add_run(app, action);
+    add_check(app, action);
+    add_resume(app, action);
+    add_list(app, action);
+    add_schema(app, action);
     add_version(app, action);
     try {
         app.parse(argument_count, arguments);

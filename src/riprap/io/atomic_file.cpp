@@ -109,6 +109,16 @@ void flush_folder(const std::filesystem::path& folder) {
     flush_to_disk(file, folder);
 }
 
+void flush_file_system(const std::filesystem::path& folder) {
+    const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!file.is_open()) {
+        throw file_error("open folder", folder, errno);
+    }
+    if (::syncfs(file.number()) != 0) {
+        throw file_error("flush the disk of", folder, errno);
+    }
+}
+
 AtomicFile::AtomicFile(std::filesystem::path target)
     : target_(std::move(target)),
       partial_(partial_name(target_)),
@@ -146,19 +156,25 @@ void AtomicFile::flush() {
     flush_to_disk(file_, target_);
 }
 
-void AtomicFile::commit() {
-    flush();
+void AtomicFile::commit(Durability durability) {
+    if (durability == Durability::now) {
+        flush();
+    } else {
+        write_buffer();
+    }
     if (::rename(partial_.c_str(), target_.c_str()) != 0) {
         throw file_error("write", target_, errno);
     }
     file_.close();
-    flush_folder(folder_of(target_));
+    if (durability == Durability::now) {
+        flush_folder(folder_of(target_));
+    }
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+void write_file(const std::filesystem::path& path, std::string_view text, Durability durability) {
     AtomicFile file(path);
     file.write(text);
-    file.commit();
+    file.commit(durability);
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t limit) {

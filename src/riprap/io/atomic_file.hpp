@@ -43,6 +43,16 @@ void flush_to_disk(const FileDescriptor& file, const std::filesystem::path& path
 /// Flushes the entries of a folder to the disk, so that a rename or a new file in it survives a power cut.
 void flush_folder(const std::filesystem::path& folder);
 
+/// When a file is on the disk. Either way another process sees the old file or the whole new one.
+enum class Durability {
+    now,    ///< before the call returns: safe against a power cut
+    later,  ///< when the system gets to it, or at the next flush_file_system: for files that can be written again
+};
+
+/// Flushes everything written to the file system that holds `folder`. One call for many files written with
+/// Durability::later. @throws FileError also for earlier writes that failed in the background
+void flush_file_system(const std::filesystem::path& folder);
+
 /// A file that appears whole or not at all. Without `commit` the destructor removes the temporary file.
 class AtomicFile {
  public:
@@ -58,7 +68,7 @@ class AtomicFile {
     /// The file reaches the disk under its temporary name. Called by `commit` where it was not before.
     void flush();
     /// The target is replaced.
-    void commit();
+    void commit(Durability durability = Durability::now);
 
  private:
     std::filesystem::path target_, partial_;
@@ -68,7 +78,7 @@ class AtomicFile {
 };
 
 /// Replaces the file by `text`, atomically. @throws FileError
-void write_file(const std::filesystem::path& path, std::string_view text);
+void write_file(const std::filesystem::path& path, std::string_view text, Durability durability = Durability::now);
 
 /// Reads a whole file of at most `limit` bytes. @throws FileError
 std::string read_file(const std::filesystem::path& path, std::size_t limit);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
+#include <cstdio>
 
 #include "riprap/io/atomic_file.hpp"
 
@@ -141,7 +143,7 @@ Section unpack_section(Unpacker& in) {
 std::uint64_t Section::bytes() const { return count * static_cast<std::uint64_t>(components) * bytes_of(type); }
 
 void write_sections(const std::filesystem::path& path, const CheckpointHeader& header,
-                    std::span<const Section> sections) {
+                    std::span<const Section> sections, const std::filesystem::path& previous) {
     std::uint64_t file_bytes = header_bytes + magic_end.size();
     for (const Section& section : sections) {
         RIPRAP_ASSERT(!section.name.empty() && section.name.size() <= max_name_bytes, std::string(section.name));
@@ -156,6 +158,10 @@ void write_sections(const std::filesystem::path& path, const CheckpointHeader& h
         file.write(&crc, sizeof crc);
     }
     file.write(magic_end);
+    file.flush();  // whole on the disk before the old one moves
+    if (!previous.empty() && std::rename(path.c_str(), previous.c_str()) != 0 && errno != ENOENT) {
+        throw file_error("write", previous, errno);
+    }
     file.commit();
 }
 

@@ -58,9 +58,10 @@ constexpr std::size_t bytes_of(FieldType type) {
     }
 }
 
-/// Writes the file, atomically. @throws FileError
+/// Writes the file, atomically. A file that stood there before is kept as `previous` where that is given: at every
+/// moment at least one of the two is whole. @throws FileError
 void write_sections(const std::filesystem::path& path, const CheckpointHeader& header,
-                    std::span<const Section> sections);
+                    std::span<const Section> sections, const std::filesystem::path& previous = {});
 
 /// A checkpoint in memory, checked from the first byte to the last.
 class Checkpoint {

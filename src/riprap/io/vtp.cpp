@@ -38,45 +38,46 @@ void PolyData::add_point_array(std::string_view name, std::span<const std::int32
     point_arrays += vtk_array(name, values);
 }
 
-void write_vtp(const std::filesystem::path& path, const PolyData& data, double time) {
+std::string encode_vtp(const PolyData& data, double time) {
     const std::size_t point_count = data.points.size();
-    AtomicFile file(path);
-    file.write(fmt::format(file_head, "PolyData"));
-    file.write("  <PolyData>\n    <FieldData>\n");
-    file.write(
-        fmt::format("      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
-                    "</DataArray>\n",
-                    time));
-    file.write("    </FieldData>\n");
-    file.write(
-        fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\""
-                    " NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-                    point_count, data.is_point_cloud ? point_count : 0, data.offsets.size()));
-    file.write("      <Points>\n" + vtk_array("Points", data.points) + "      </Points>\n");
+    std::string text = fmt::format(file_head, "PolyData");
+    text += "  <PolyData>\n    <FieldData>\n";
+    text += fmt::format(
+        "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+        time);
+    text += "    </FieldData>\n";
+    text += fmt::format(
+        "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
+        " NumberOfPolys=\"{}\">\n",
+        point_count, data.is_point_cloud ? point_count : 0, data.offsets.size());
+    text += "      <Points>\n" + vtk_array("Points", data.points) + "      </Points>\n";
     if (data.is_point_cloud) {
         std::vector<std::int32_t> own(point_count), ends(point_count);
         std::iota(own.begin(), own.end(), 0);
         std::iota(ends.begin(), ends.end(), 1);
-        file.write(cells("Verts", own, ends));
+        text += cells("Verts", own, ends);
     } else {
-        file.write(cells("Polys", data.connectivity, data.offsets));
+        text += cells("Polys", data.connectivity, data.offsets);
     }
-    file.write("      <PointData>\n" + data.point_arrays + "      </PointData>\n");
-    file.write("      <CellData>\n" + data.cell_arrays + "      </CellData>\n");
-    file.write("    </Piece>\n  </PolyData>\n</VTKFile>\n");
-    file.commit();
+    text += "      <PointData>\n" + data.point_arrays + "      </PointData>\n";
+    text += "      <CellData>\n" + data.cell_arrays + "      </CellData>\n";
+    text += "    </Piece>\n  </PolyData>\n</VTKFile>\n";
+    return text;
+}
+
+void write_vtp(const std::filesystem::path& path, const PolyData& data, double time) {
+    write_file(path, encode_vtp(data, time), Durability::later);
 }
 
 void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> frames) {
-    AtomicFile file(path);
-    file.write(
+    std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-        "  <Collection>\n");
+        "  <Collection>\n";
     for (const PvdFrame& frame : frames) {
-        file.write(fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file));
+        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
     }
-    file.write("  </Collection>\n</VTKFile>\n");
-    file.commit();
+    text += "  </Collection>\n</VTKFile>\n";
+    write_file(path, text, Durability::later);
 }
 
 }  // namespace riprap::io

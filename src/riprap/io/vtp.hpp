@@ -29,7 +29,10 @@ struct PolyData {
     std::string cell_arrays, point_arrays;  ///< DataArray elements, encoded
 };
 
-/// Writes one frame, atomically. `time` is stored as TimeValue [s]. @throws FileError
+/// The text of one frame. `time` is stored as TimeValue [s].
+std::string encode_vtp(const PolyData& data, double time);
+
+/// Writes one frame, whole or not at all; on the disk at the next flush_file_system. @throws FileError
 void write_vtp(const std::filesystem::path& path, const PolyData& data, double time);
 
 /// One entry of a PVD file.
@@ -38,7 +41,7 @@ struct PvdFrame {
     std::string file;  ///< relative to the PVD file
 };
 
-/// Replaces the PVD file, atomically: a viewer that reads while the run writes sees whole frames only.
+/// Replaces the PVD file in the same way: a viewer that reads while the run writes sees whole frames only.
 void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> frames);
 
 }  // namespace riprap::io

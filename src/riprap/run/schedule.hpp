@@ -27,6 +27,15 @@ class Schedule {
         return -1;
     }
 
+    /// How many times are due from step 0 to `last_step`.
+    std::int64_t due_count(std::int64_t last_step) const {
+        auto k = static_cast<std::int64_t>(std::floor(static_cast<double>(last_step) / steps_between_)) + 1;
+        while (k >= 0 && step_of(k) > last_step) {
+            --k;
+        }
+        return k + 1;
+    }
+
  private:
     double steps_between_;
 };

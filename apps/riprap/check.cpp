@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/run/check_case.hpp"
+#include "riprap/run/find_case.hpp"
+
+namespace riprap {
+
+namespace {
+
+std::string problems_json(const CaseError& error) {
+    nlohmann::ordered_json problems = nlohmann::ordered_json::array();
+    for (const Diagnostic& problem : error.problems()) {
+        problems.push_back({{"file", problem.place.file},
+                            {"line", problem.place.line},
+                            {"column", problem.place.column},
+                            {"message", problem.message},
+                            {"allowed", problem.allowed}});
+    }
+    return nlohmann::ordered_json{{"problems", problems}}.dump(2, ' ', false,
+                                                               nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+int print_check(const std::string& case_text, const std::vector<std::string>& overrides, bool as_json) {
+    try {
+        const scene::LoadedCase loaded = scene::read_case(run::find_case(case_text).string(), overrides);
+        const run::CaseCheck check = run::check_case(loaded);
+        fmt::print("{}\n", as_json ? run::check_json(check) : run::check_text(check));
+        return static_cast<int>(check.refusal.empty() ? ExitCode::success : ExitCode::numerical);
+    } catch (const CaseError& error) {
+        if (!as_json) {
+            throw;
+        }
+        fmt::print("{}\n", problems_json(error));
+        return static_cast<int>(ExitCode::bad_case);
+    }
+}
+
+}  // namespace riprap

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/check_case.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "riprap/io/scene_frame.hpp"
+#include "riprap/run/expects.hpp"
+#include "riprap/run/outputs.hpp"
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+/// Bytes of a number in a table, separator included, and of the fixed columns of ledger.csv.
+constexpr double bytes_per_number = 19;
+constexpr double ledger_columns = 35;
+
+double predicted_frame_bytes(const sim::Model& model, const sim::State& initial, const sim::State& state,
+                             const sim::Scratch& scratch) {
+    if (!model.output.vtk) {
+        return 0;
+    }
+    const std::vector<io::DrawnPlane> planes = io::draw_planes(model, initial);
+    const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
+    double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
+    if (model.output.contacts) {
+        bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::string size_text(double bytes) {
+    constexpr std::array<const char*, 5> units{"B", "kB", "MB", "GB", "TB"};
+    std::size_t unit = 0;
+    while (bytes >= 1000 && unit + 1 < units.size()) {
+        bytes /= 1000;
+        ++unit;
+    }
+    return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
+CaseCheck check_case(const scene::LoadedCase& loaded) {
+    const sim::Model& model = loaded.model;
+    const ExpectWatch watch(model);
+    const sim::TimeStepBound bound = sim::time_step_bound(model);
+    CaseCheck check;
+    check.title = model.title;
+    check.bodies = model.bodies.size();
+    check.parts = model.bodies.part_count();
+    check.shapes = model.shapes.size();
+    check.time_step = sim::choose_time_step(model, bound);
+    check.time_step_limit = bound.limit;
+    check.limited_by = bound.reason;
+    check.end = model.time.end;
+    check.warnings = loaded.warnings;
+    for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
+        if (model.bodies.drive[static_cast<std::size_t>(i)] == body::Drive::free) {
+            check.free_bodies += 1;
+            check.mass += model.bodies.mass[static_cast<std::size_t>(i)];
+        }
+    }
+    check.steps = count_steps(model.time.end, check.time_step, model.time.max_steps);
+
+    sim::State initial = loaded.state;
+    sim::initialise(model, initial);
+    sim::State state = initial;
+    sim::Scratch scratch;
+    const sim::StepReport report = advance(model, state, scratch, check.time_step);
+    check.refusal = report.status.text;
+    check.contacts = report.contact_count;
+    check.max_overlap = report.max_depth;
+    check.max_potential = report.max_potential;
+    check.memory_bytes = sim::memory_bytes(model, state, scratch);
+
+    const double run_time = static_cast<double>(check.steps) * check.time_step;
+    const auto times = [&](double interval) {
+        return static_cast<double>(Schedule(interval, check.time_step).due_count(check.steps)) + (run_time > 0 ? 1 : 0);
+    };
+    check.frames = model.output.vtk ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
+    double columns = ledger_columns;
+    for (const sim::Probe& probe : model.output.probes) {
+        columns += static_cast<double>(sim::columns_of(probe).size());
+    }
+    check.output_bytes = static_cast<std::size_t>(static_cast<double>(check.frames) *
+                                                      predicted_frame_bytes(model, initial, state, scratch) +
+                                                  times(row_interval(model)) * columns * bytes_per_number);
+    return check;
+}
+
+std::string check_text(const CaseCheck& check) {
+    std::string text = fmt::format(
+        "{}\n  bodies        {} ({} free, {:.6g} kg), {} convex parts, {} shapes\n"
+        "  time step     {:.6g} s of at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
+        "  at time 0     {} contacts, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
+        "  memory        {}\n  output        {} in {} frames and the tables\n",
+        check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, check.parts,
+        check.shapes, check.time_step, check.time_step_limit, check.limited_by, check.steps, check.end, check.contacts,
+        check.max_overlap, 100 * check.max_potential, size_text(static_cast<double>(check.memory_bytes)),
+        size_text(static_cast<double>(check.output_bytes)), check.frames);
+    for (const std::string& warning : check.warnings) {
+        text += "  warning: " + warning + '\n';
+    }
+    if (!check.refusal.empty()) {
+        text += "  the first step is refused: " + check.refusal + '\n';
+    }
+    return text;
+}
+
+std::string check_json(const CaseCheck& check) {
+    const nlohmann::ordered_json json{{"title", check.title},
+                                      {"bodies", check.bodies},
+                                      {"free_bodies", check.free_bodies},
+                                      {"parts", check.parts},
+                                      {"shapes", check.shapes},
+                                      {"mass", check.mass},
+                                      {"time_step", check.time_step},
+                                      {"time_step_limit", check.time_step_limit},
+                                      {"limited_by", check.limited_by},
+                                      {"end", check.end},
+                                      {"steps", check.steps},
+                                      {"frames", check.frames},
+                                      {"contacts", check.contacts},
+                                      {"max_overlap", check.max_overlap},
+                                      {"max_potential", check.max_potential},
+                                      {"memory_bytes", check.memory_bytes},
+                                      {"output_bytes", check.output_bytes},
+                                      {"refusal", check.refusal},
+                                      {"warnings", check.warnings}};
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace riprap::run

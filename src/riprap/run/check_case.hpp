@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap::run {
+
+/// What a run of a case would be, found out without running it: the case is read and checked whole, and one step is
+/// tried on a copy of its State.
+struct CaseCheck {
+    std::string title;
+    std::int64_t bodies{0}, free_bodies{0}, parts{0}, shapes{0};
+    double mass{0};             ///< of free bodies [kg]
+    double time_step{0};        ///< [s]
+    double time_step_limit{0};  ///< [s]
+    std::string limited_by;
+    double end{0};  ///< [s]
+    std::int64_t steps{0};
+    std::int64_t frames{0};
+    std::int64_t contacts{0};  ///< at time 0
+    double max_overlap{0};     ///< at time 0 [m]
+    double max_potential{0};   ///< at time 0, of the inscribed radius [-]
+    std::size_t memory_bytes{0};
+    std::size_t output_bytes{0};  ///< predicted for all frames and tables
+    std::string refusal;          ///< what the tried step was refused for; empty = accepted
+    std::vector<std::string> warnings;
+};
+
+/// @throws CaseError with every problem of the case
+CaseCheck check_case(const scene::LoadedCase& loaded);
+
+/// For people, and as one JSON object.
+std::string check_text(const CaseCheck& check);
+std::string check_json(const CaseCheck& check);
+
+/// "1.5 GB", "20 kB"
+std::string size_text(double bytes);
+
+}  // namespace riprap::run

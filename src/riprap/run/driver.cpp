@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/driver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+constexpr std::int64_t steps_between_copies = 32;
+
+std::string signal_name(int signal) {
+    switch (signal) {
+        case SIGINT:
+            return "SIGINT";
+        case SIGTERM:
+            return "SIGTERM";
+        case SIGHUP:
+            return "SIGHUP";
+        default:
+            return fmt::format("signal {}", signal);
+    }
+}
+
+}  // namespace
+
+void GoodState::keep(const sim::State& state) {
+    if (!copy_ || state.step >= copy_->step + steps_between_copies) {
+        copy_ = state;
+    }
+}
+
+sim::State GoodState::at(const sim::Model& model, std::int64_t step, double dt) const {
+    sim::State state = *copy_;
+    sim::Scratch scratch;
+    while (state.step < step) {
+        const sim::State before = state;
+        if (!advance(model, state, scratch, dt).status.ok()) {
+            return before;
+        }
+    }
+    return state;
+}
+
+Driver::Driver(RunFolder folder, scene::LoadedCase loaded, bool is_quiet)
+    : folder_(std::move(folder)),
+      loaded_(std::move(loaded)),
+      is_quiet_(is_quiet),
+      initial_(loaded_.state),
+      bound_(sim::time_step_bound(loaded_.model)),
+      watch_(loaded_.model) {
+    sim::initialise(model(), initial_);
+    state_ = initial_;
+    record_.dt = sim::choose_time_step(model(), bound_);
+    record_.end = model().time.end;
+    record_.max_steps = model().time.max_steps;
+}
+
+void Driver::store_case(const std::vector<std::string>& overrides) const {
+    run::store_case(folder_, loaded_, overrides);
+}
+
+void Driver::start() {
+    log_ = std::make_unique<RunLog>(folder_);
+    announce("start");
+    outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_.dt, nullptr);
+    watch_.look(now());
+    outputs_->after_step(now());
+    outputs_->note(record_);
+    record_.expects = watch_.save();
+    save_checkpoint(folder_, model(), state_, record_);
+}
+
+void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_steps) {
+    Restart restart = load_checkpoint(folder_, model(), initial_);
+    log_ = std::make_unique<RunLog>(folder_);
+    if (!restart.notice.empty()) {
+        log_->add("notice", restart.notice);
+        say(restart.notice);
+    }
+    state_ = std::move(restart.state);
+    record_ = std::move(restart.record);
+    record_.end = end.value_or(record_.end);
+    record_.max_steps = max_steps.value_or(record_.max_steps);
+    record_.resumes += 1;
+    earlier_seconds_ = record_.wall_seconds;
+    watch_.load(record_.expects);
+    announce(fmt::format("resume at step {}", state_.step));
+    if (state_.step < last_step()) {
+        outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_.dt, &record_);
+    }
+}
+
+void Driver::announce(const std::string& beginning) {
+    const std::int64_t steps = last_step();
+    log_->add(
+        "start",
+        fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {} threads", beginning,
+                    model().title, model().bodies.size(), record_.dt, steps, record_.end, parallel::thread_count()),
+        {{"step", static_cast<double>(state_.step)},
+         {"steps", static_cast<double>(steps)},
+         {"time_step", record_.dt},
+         {"threads", parallel::thread_count()}});
+    for (const std::string& warning : loaded_.warnings) {
+        log_->add("warning", warning);
+        say("warning: " + warning);
+    }
+    say(
+        fmt::format("{}\n  {} bodies, {} convex parts, {} threads\n  time step {:.6g} s of at most {:.6g} s ({})\n"
+                    "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
+                    model().title.empty() ? "(untitled)" : model().title, model().bodies.size(),
+                    model().bodies.part_count(), parallel::thread_count(), record_.dt, bound_.limit, bound_.reason,
+                    steps, record_.end, state_.step, folder_.root.string()));
+}
+
+int Driver::run() {
+    if (state_.step >= last_step() && outputs_ == nullptr) {
+        say(fmt::format(
+            "nothing left to do: the run is at step {}, t = {:.6g} s; --end and --max-steps take it further",
+            state_.step, state_.time));
+        return verdict(watch_.judge(is_at_end()));
+    }
+    const StopRequest stop;
+    Progress progress(state_.step, last_step(), model().bodies.size(), is_quiet_);
+    while (state_.step < last_step()) {
+        if (stop.signal() != 0) {
+            return interrupt(progress, stop.signal());
+        }
+        good_.keep(state_);
+        const std::int64_t step = state_.step;
+        sim::StepReport report = advance(model(), state_, scratch_, record_.dt);
+        if (!report.status.ok()) {
+            return fail(progress, step, report.status.text);
+        }
+        report_ = std::move(report);
+        has_stepped_ = true;
+        watch_.look(now());
+        outputs_->after_step(now());
+        if (progress.seconds() - last_checkpoint_ >= model().output.checkpoint_interval) {
+            checkpoint(progress);
+        }
+        progress.show(state_.step, state_.time);
+    }
+    return finish(progress);
+}
+
+void Driver::checkpoint(const Progress& progress) {
+    outputs_->note(record_);
+    record_.expects = watch_.save();
+    record_.wall_seconds = earlier_seconds_ + progress.seconds();
+    save_checkpoint(folder_, model(), state_, record_);
+    last_checkpoint_ = progress.seconds();
+    log_->add("checkpoint", fmt::format("step {}, t = {:.6g} s", state_.step, state_.time),
+              {{"step", static_cast<double>(state_.step)},
+               {"time", state_.time},
+               {"ns_per_body_step", progress.cost(state_.step)}});
+}
+
+int Driver::finish(const Progress& progress) {
+    Progress last_line = progress;
+    last_line.finish(state_.step, state_.time);
+    const std::vector<ExpectResult> results = watch_.judge(is_at_end());
+    // The checkpoint comes last: killed before it, the run continues from the one before and writes all this again.
+    outputs_->note(record_);
+    outputs_->at_end(now());
+    summarise(progress, "finished", is_at_end() ? "" : "max_steps reached", results);
+    record_.expects = watch_.save();
+    record_.wall_seconds = earlier_seconds_ + progress.seconds();
+    save_checkpoint(folder_, model(), state_, record_);
+    log_->add("end", fmt::format("finished at step {}, t = {:.6g} s", state_.step, state_.time),
+              {{"step", static_cast<double>(state_.step)}, {"time", state_.time}});
+    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} J of {:.2g} J turned over",
+                    sim::state_hash(state_), report_.ledger.residual, report_.ledger.turnover));
+    return verdict(results);
+}
+
+int Driver::interrupt(const Progress& progress, int signal) {
+    checkpoint(progress);
+    const std::string reason = "stopped by " + signal_name(signal);
+    summarise(progress, "interrupted", reason, watch_.judge(false));
+    log_->add("end", reason, {{"step", static_cast<double>(state_.step)}, {"time", state_.time}});
+    fmt::print(stderr, "\nriprap: {} at step {}, t = {:.6g} s; continue with `riprap resume {}`\n", reason, state_.step,
+               state_.time, folder_.root.string());
+    return static_cast<int>(ExitCode::signal_base) + signal;
+}
+
+int Driver::fail(const Progress& progress, std::int64_t step, const std::string& reason) {
+    state_ = good_.at(model(), step, record_.dt);
+    checkpoint(progress);
+    summarise(progress, "failed", reason, watch_.judge(false));
+    log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state_.step)}, {"time", state_.time}});
+    fmt::print(stderr,
+               "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
+               "  a smaller time_step, a stiffer material or more damping usually helps\n",
+               step + 1, reason, state_.step, state_.time, folder_.checkpoint_latest().string());
+    return static_cast<int>(ExitCode::numerical);
+}
+
+int Driver::verdict(const std::vector<ExpectResult>& results) const {
+    const std::string table = verdict_table(results);
+    if (!table.empty()) {
+        fmt::print("{}", table);
+    }
+    std::fflush(stdout);
+    const bool has_failed = std::any_of(results.begin(), results.end(),
+                                        [](const ExpectResult& result) { return result.verdict == Verdict::failed; });
+    return static_cast<int>(has_failed ? ExitCode::failed : ExitCode::success);
+}
+
+void Driver::summarise(const Progress& progress, const std::string& status, const std::string& reason,
+                       const std::vector<ExpectResult>& results) const {
+    write_summary(folder_, {.status = status,
+                            .reason = reason,
+                            .title = model().title,
+                            .state_hash = sim::state_hash(state_),
+                            .steps = state_.step,
+                            .time = state_.time,
+                            .dt = record_.dt,
+                            .wall_seconds = earlier_seconds_ + progress.seconds(),
+                            .cost = progress.cost(state_.step),
+                            .body_count = model().bodies.size(),
+                            .memory_bytes = has_stepped_ ? sim::memory_bytes(model(), state_, scratch_) : 0,
+                            .threads = parallel::thread_count(),
+                            .resumes = record_.resumes,
+                            .ledger = report_.ledger,
+                            .stages = sim::stage_times(scratch_),
+                            .expects = results});
+}
+
+void Driver::say(const std::string& text) const {
+    if (!is_quiet_) {
+        fmt::print("{}\n", text);
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace riprap::run {
+
+/// A case or a suite of cases that comes with Riprap.
+struct KnownCase {
+    std::string name;   ///< as `riprap run` takes it: "hello_block", "zhao/sliding"
+    std::string title;  ///< of the case file; empty where it has none
+    std::filesystem::path file;
+};
+
+/// Folders that may hold `cases/` and `validation/`: the working folder, the installed share beside the program,
+/// and, for a program run from its build tree, the source tree.
+std::vector<std::filesystem::path> case_roots();
+
+/// The case file that the command line means by `text`: a file, a folder with a case.toml, or the name of a known
+/// case. @throws FileError with the nearest thing to do
+std::filesystem::path find_case(const std::string& text);
+
+/// A short name for the run folder of a case: that of its folder, or of its file where that is not case.toml.
+std::string short_name(const std::filesystem::path& case_file);
+
+/// Cases below `cases/` and `validation/` of the first root that has them, sorted by name.
+std::vector<KnownCase> known_cases(const std::string& collection);
+
+}  // namespace riprap::run

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace riprap::run {
+
+namespace {
+
+std::vector<sim::Column> all_probe_columns(const sim::Model& model) {
+    std::vector<sim::Column> columns;
+    for (const sim::Probe& probe : model.output.probes) {
+        for (sim::Column& column : sim::columns_of(probe)) {
+            columns.push_back(std::move(column));
+        }
+    }
+    return columns;
+}
+
+/// Every quantity of the scene except time, which has a column of its own.
+std::vector<sim::Column> all_scene_columns() {
+    std::vector<sim::Column> columns;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body && info.name != "time") {
+            for (sim::Column& column : sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)})) {
+                columns.push_back(std::move(column));
+            }
+        }
+    }
+    return columns;
+}
+
+std::vector<io::CsvColumn> with_time(const std::vector<sim::Column>& columns) {
+    std::vector<io::CsvColumn> headings{{"time", "s"}};
+    for (const sim::Column& column : columns) {
+        headings.push_back({column.name, column.unit});
+    }
+    return headings;
+}
+
+io::GrowingCsv open_table(const std::filesystem::path& path, const std::vector<sim::Column>& columns,
+                          const RunRecord* record, std::size_t which) {
+    const std::vector<io::CsvColumn> headings = with_time(columns);
+    return record == nullptr ? io::GrowingCsv(path, headings)
+                             : io::GrowingCsv(path, headings, record->csv_bytes[which]);
+}
+
+std::vector<double> row_of(double time, const std::vector<sim::Column>& columns, const sim::Moment& moment) {
+    std::vector<double> row{time};
+    for (const sim::Column& column : columns) {
+        row.push_back(evaluate(column, moment));
+    }
+    return row;
+}
+
+std::string frame_tag(std::size_t number) { return fmt::format("{:06}", number); }
+
+}  // namespace
+
+double frame_interval(const sim::Model& model) {
+    return model.output.interval > 0 ? model.output.interval : model.time.end / 100;
+}
+double row_interval(const sim::Model& model) {
+    return model.output.probe_interval > 0 ? model.output.probe_interval : model.time.end / 1000;
+}
+
+Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, double dt,
+                 const RunRecord* record)
+    : folder_(folder),
+      model_(model),
+      frame_schedule_(frame_interval(model), dt),
+      row_schedule_(row_interval(model), dt),
+      planes_(io::draw_planes(model, initial)),
+      probe_columns_(all_probe_columns(model)),
+      ledger_columns_(all_scene_columns()),
+      probes_(open_table(folder.probes(), probe_columns_, record, 0)),
+      ledger_(open_table(folder.ledger(), ledger_columns_, record, 1)) {
+    if (record != nullptr) {
+        frame_times_ = record->frame_times;
+    }
+}
+
+void Outputs::after_step(const sim::Moment& moment) {
+    const std::int64_t step = moment.state.step;
+    if (row_schedule_.due_at(step) >= 0) {
+        write_probe_row(moment);
+        write_ledger_row(moment);
+    }
+    const std::int64_t frame = frame_schedule_.due_at(step);
+    if (model_.output.vtk && frame >= 0) {
+        write_frame(moment, frame_tag(static_cast<std::size_t>(frame)));
+        frame_times_.resize(static_cast<std::size_t>(frame));
+        frame_times_.push_back(moment.state.time);
+        write_lists(nullptr);
+    }
+}
+
+void Outputs::write_probe_row(const sim::Moment& moment) {
+    probes_.add_row(row_of(moment.state.time, probe_columns_, moment));
+}
+
+void Outputs::write_ledger_row(const sim::Moment& moment) {
+    if (moment.report != nullptr) {  // the ledger is measured within a step: there is none at time 0
+        ledger_.add_row(row_of(moment.report->ledger.time, ledger_columns_, moment));
+    }
+}
+
+void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
+    const bool has_contacts = moment.scratch != nullptr;
+    const std::vector<Vec3> no_force;
+    const std::vector<contact::ContactRow> none;
+    write_vtp(folder_.frames() / ("bodies_" + tag + ".vtp"),
+              io::draw_bodies(model_, moment.initial, moment.state, planes_,
+                              has_contacts ? moment.scratch->contact_force() : no_force),
+              moment.state.time);
+    if (model_.output.contacts) {
+        write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
+                  io::draw_contacts(model_, has_contacts ? moment.scratch->contacts() : none), moment.state.time);
+    }
+}
+
+void Outputs::write_lists(const sim::Moment* last) const {
+    const auto list = [&](const std::string& kind) {
+        std::vector<io::PvdFrame> frames;
+        for (std::size_t i = 0; i < frame_times_.size(); ++i) {
+            frames.push_back({frame_times_[i], "frames/" + kind + "_" + frame_tag(i) + ".vtp"});
+        }
+        if (last != nullptr) {
+            frames.push_back({last->state.time, "frames/" + kind + "_end.vtp"});
+        }
+        return frames;
+    };
+    io::write_pvd(folder_.root / "out.pvd", list("bodies"));
+    if (model_.output.contacts) {
+        io::write_pvd(folder_.root / "contacts.pvd", list("contacts"));
+    }
+}
+
+void Outputs::note(RunRecord& record) {
+    probes_.flush(false);
+    ledger_.flush(false);
+    io::flush_file_system(folder_.root);  // frames included: what a checkpoint counts on is on the disk before it
+    record.csv_bytes = {probes_.bytes(), ledger_.bytes()};
+    record.frame_times = frame_times_;
+}
+
+void Outputs::at_end(const sim::Moment& moment) {
+    const std::int64_t step = moment.state.step;
+    if (row_schedule_.due_at(step) < 0) {
+        write_probe_row(moment);
+        write_ledger_row(moment);
+    }
+    probes_.flush(true);
+    ledger_.flush(true);
+    if (model_.output.vtk && frame_schedule_.due_at(step) < 0) {
+        write_frame(moment, "end");
+        write_lists(&moment);
+    }
+    const std::vector<Vec3> no_force;
+    io::write_bodies_csv(folder_.bodies(), model_, moment.initial, moment.state,
+                         moment.scratch != nullptr ? moment.scratch->contact_force() : no_force);
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace riprap::run {
+
+namespace {
+constexpr double terminal_period = 0.2;  // [s]
+constexpr double plain_period = 30;      // [s]
+constexpr int bar_width = 24;
+}  // namespace
+
+std::string duration_text(double seconds) {
+    const double s = std::max(0.0, seconds);
+    if (!std::isfinite(s) || s > 1e9) {
+        return "?";
+    }
+    const auto whole = static_cast<std::int64_t>(std::lround(s));
+    if (whole >= 3600) {
+        return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+    }
+    if (whole >= 60) {
+        return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    }
+    return s < 9.5 ? fmt::format("{:.1f} s", s) : fmt::format("{} s", whole);
+}
+
+Progress::Progress(std::int64_t first_step, std::int64_t last_step, std::int64_t body_count, bool is_quiet)
+    : first_step_(first_step),
+      last_step_(last_step),
+      body_count_(std::max<std::int64_t>(1, body_count)),
+      is_quiet_(is_quiet),
+      is_terminal_(isatty(STDOUT_FILENO) != 0),
+      next_print_(is_terminal_ ? terminal_period : plain_period),
+      next_tenth_step_(tenth_after(first_step)) {}
+
+std::int64_t Progress::tenth_after(std::int64_t step) const {
+    const auto steps = static_cast<double>(last_step_ - first_step_);
+    const double tenths = std::floor(10 * static_cast<double>(step - first_step_) / std::max(1.0, steps)) + 1;
+    return first_step_ + static_cast<std::int64_t>(std::ceil(tenths * steps / 10));
+}
+
+double Progress::cost(std::int64_t step) const {
+    const auto done = static_cast<double>(step - first_step_);
+    return done > 0 ? 1e9 * timer_.seconds() / (done * static_cast<double>(body_count_)) : 0;
+}
+
+std::string Progress::line(std::int64_t step, double time) const {
+    const auto done = static_cast<double>(step - first_step_);
+    const double left = done > 0 ? timer_.seconds() / done * static_cast<double>(last_step_ - step) : 0;
+    const double share = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 1;
+    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {:.0f} ns per body-step  {} left", 100 * share, time, step,
+                       last_step_, cost(step), duration_text(left));
+}
+
+void Progress::print(std::int64_t step, double time) {
+    if (!is_terminal_) {
+        fmt::print("{}\n", line(step, time));
+    } else {
+        const double share = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 1;
+        const auto filled = static_cast<std::size_t>(std::lround(bar_width * std::clamp(share, 0.0, 1.0)));
+        fmt::print("\r\033[K[{:<{}}] {}", std::string(filled, '='), bar_width, line(step, time));
+    }
+    std::fflush(stdout);
+}
+
+void Progress::show(std::int64_t step, double time) {
+    if (is_quiet_) {
+        return;
+    }
+    const double now = timer_.seconds();
+    const bool is_tenth = !is_terminal_ && step >= next_tenth_step_ && step < last_step_;
+    if (now < next_print_ && !is_tenth) {
+        return;
+    }
+    next_print_ = now + (is_terminal_ ? terminal_period : plain_period);
+    next_tenth_step_ = tenth_after(step);
+    print(step, time);
+}
+
+void Progress::finish(std::int64_t step, double time) {
+    if (is_quiet_) {
+        return;
+    }
+    print(step, time);
+    if (is_terminal_) {
+        fmt::print("\n");
+    }
+}
+
+}  // namespace riprap::run

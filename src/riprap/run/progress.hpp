@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "riprap/core/timer.hpp"
+
+namespace riprap::run {
+
+/// How far a run is and what it costs: one line that is written over on a terminal, a line per tenth (and at least
+/// every half minute) anywhere else.
+class Progress {
+ public:
+    /// @param is_quiet  nothing is printed at all
+    Progress(std::int64_t first_step, std::int64_t last_step, std::int64_t body_count, bool is_quiet);
+
+    /// Called after every step; prints now and then.
+    void show(std::int64_t step, double time);
+    /// The last line.
+    void finish(std::int64_t step, double time);
+
+    /// Wall-clock cost so far [ns per body and step]; 0 before the first step.
+    double cost(std::int64_t step) const;
+    double seconds() const { return timer_.seconds(); }
+
+ private:
+    std::string line(std::int64_t step, double time) const;
+    std::int64_t tenth_after(std::int64_t step) const;
+    void print(std::int64_t step, double time);
+
+    Timer timer_;
+    std::int64_t first_step_, last_step_, body_count_;
+    bool is_quiet_, is_terminal_;
+    double next_print_;             ///< [s] of the timer
+    std::int64_t next_tenth_step_;  ///< off a terminal
+};
+
+/// "1 h 02 min", "3 min 20 s", "12 s"
+std::string duration_text(double seconds);
+
+}  // namespace riprap::run

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/restart.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace riprap::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const io::Checkpoint& checkpoint, const std::string& why) {
+    throw CheckpointError("checkpoint '" + checkpoint.name() + "': " + why);
+}
+
+void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, const contact::ContactHistory& history) {
+    const std::size_t count = history.size();
+    if (history.feature.size() != count || history.normal.size() != count || history.shear_force.size() != count ||
+        history.torsion.size() != count) {
+        refuse(checkpoint, "the arrays of the contact history differ in length");
+    }
+    const auto part_count = static_cast<std::uint64_t>(model.bodies.part_count());
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t a = history.pair[i] >> 32U, b = history.pair[i] & 0xFFFFFFFFU;
+        if (a >= b || b >= part_count) {
+            refuse(checkpoint, fmt::format("contact {} is between parts {} and {} of {}", i, a, b, part_count));
+        }
+        if (i > 0 &&
+            std::pair(history.pair[i - 1], history.feature[i - 1]) >= std::pair(history.pair[i], history.feature[i])) {
+            refuse(checkpoint, fmt::format("contact {} is out of order", i));
+        }
+    }
+}
+
+void check_orientations(const io::Checkpoint& checkpoint, const sim::State& state) {
+    constexpr double tolerance = 1e-6;  // the integrator keeps unit quaternions to round-off
+    for (std::size_t i = 0; i < state.bodies.orientation.size(); ++i) {
+        const Quat& q = state.bodies.orientation[i];
+        if (std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) > tolerance) {
+            refuse(checkpoint, fmt::format("the orientation of body {} is not a rotation", i));
+        }
+    }
+}
+
+void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
+    if (!(record.dt > 0) || !std::isfinite(record.dt) || !std::isfinite(record.end)) {
+        refuse(checkpoint, "the time step or the end of the run is not a positive number");
+    }
+    if (record.csv_bytes.size() != 2) {
+        refuse(checkpoint, "the lengths of the tables are missing");
+    }
+}
+
+/// One checkpoint file, or the reason why it cannot be used.
+struct Attempt {
+    std::optional<Restart> restart;
+    std::string reason;
+};
+
+Attempt try_checkpoint(const fs::path& path, const sim::Model& model, const sim::State& initial) {
+    if (!fs::exists(path)) {
+        return {std::nullopt, fmt::format("'{}' is missing", path.string())};
+    }
+    try {
+        const io::Checkpoint checkpoint = io::Checkpoint::read(path);
+        if (checkpoint.header().case_hash == model.case_hash) {
+            return {restore_checkpoint(checkpoint, model, initial), {}};
+        }
+    } catch (const CheckpointError& error) {
+        return {std::nullopt, error.what()};
+    }
+    throw CheckpointError("checkpoint '" + path.string() +
+                          "' belongs to another case; start this one with --force or in another folder with --out");
+}
+
+}  // namespace
+
+void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& state,
+                     const RunRecord& record) {
+    std::vector<io::Section> sections;
+    append_sections(state, sections);
+    append_sections(record, sections);
+    io::write_sections(folder.checkpoint_latest(), {model.case_hash, state.step, state.time}, sections,
+                       folder.checkpoint_previous());
+}
+
+Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
+    Restart restart{initial, {}, {}};
+    const auto has_fixed_length = [](std::string_view name) {
+        return name.substr(0, 5) == "body." || name == "ledger.totals";
+    };
+    io::restore(checkpoint, restart.state, has_fixed_length);
+    io::restore(checkpoint, restart.record, [](std::string_view) { return false; });
+    const NonFinite wrong = find_non_finite(restart.state);
+    if (!wrong.name.empty()) {
+        refuse(checkpoint, fmt::format("{}[{}] is not a finite number", wrong.name, wrong.entry));
+    }
+    if (restart.state.step < 0 || restart.state.time < 0) {
+        refuse(checkpoint, "time or step is negative");
+    }
+    check_contacts(checkpoint, model, restart.state.contacts);
+    check_orientations(checkpoint, restart.state);
+    check_record(checkpoint, restart.record);
+    return restart;
+}
+
+Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& initial) {
+    Attempt latest = try_checkpoint(folder.checkpoint_latest(), model, initial);
+    if (latest.restart) {
+        return std::move(*latest.restart);
+    }
+    Attempt previous = try_checkpoint(folder.checkpoint_previous(), model, initial);
+    if (!previous.restart) {
+        throw CheckpointError(latest.reason + "; " + previous.reason +
+                              "; there is nothing to continue from, start again with --force");
+    }
+    if (fs::exists(folder.checkpoint_latest())) {
+        fs::rename(folder.checkpoint_latest(), folder.checkpoint_damaged());
+    }
+    previous.restart->notice = fmt::format("{}; continuing from the checkpoint before, at step {}", latest.reason,
+                                           previous.restart->state.step);
+    return std::move(*previous.restart);
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Checkpoints of a run: State, and the little that the driver itself must remember to continue as if nothing had
+// happened.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "riprap/io/checkpoint.hpp"
+#include "riprap/run/run_folder.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::run {
+
+/// The driver's memory at one step.
+struct RunRecord {
+    double dt{0};                ///< of every step [s]
+    double end{0};               ///< time asked for, which `riprap resume --end` may have moved [s]
+    std::int64_t max_steps{-1};  ///< likewise
+    double wall_seconds{0};      ///< of all sessions so far [s]
+    std::int64_t resumes{0};
+    std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
+    std::vector<double> frame_times;       ///< times of the frames written [s]
+    std::vector<double> expects;           ///< running figures of the expected answers
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("run.dt", self.dt);
+        visit("run.end", self.end);
+        visit("run.max_steps", self.max_steps);
+        visit("run.wall_seconds", self.wall_seconds);
+        visit("run.resumes", self.resumes);
+        visit("run.csv_bytes", self.csv_bytes);
+        visit("run.frame_times", self.frame_times);
+        visit("run.expects", self.expects);
+    }
+};
+
+/// Where a run continues.
+struct Restart {
+    sim::State state;
+    RunRecord record;
+    std::string notice;  ///< why the latest checkpoint was not used; empty when it was
+};
+
+/// Writes the latest checkpoint and keeps the one before. @throws FileError; the old checkpoints are then untouched
+void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& state,
+                     const RunRecord& record);
+
+/// Reads the latest checkpoint or, where that is damaged or missing, the previous one (the damaged file is set
+/// aside, so that it never replaces a good one).
+/// @param initial  State of the case at time 0, initialised: gives the sizes that a checkpoint must have
+/// @throws CheckpointError when there is none to use, or it belongs to another case
+Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& initial);
+
+/// Turns one checkpoint into State and record, checking all that later code relies on: sizes, part numbers and order
+/// of the contact history, finite numbers. @throws CheckpointError
+Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial);
+
+}  // namespace riprap::run

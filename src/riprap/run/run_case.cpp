@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/run/driver.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+void use_threads(int threads) {
+    parallel::set_thread_count(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// --force would remove the case before it is copied.
+void refuse_case_inside(const RunFolder& folder, const std::string& case_folder) {
+    namespace fs = std::filesystem;
+    const fs::path inside = fs::weakly_canonical(case_folder.empty() ? "." : case_folder);
+    const fs::path root = fs::weakly_canonical(folder.root);
+    const fs::path relative = inside.lexically_relative(root);
+    if (!relative.empty() && *relative.begin() != "..") {
+        throw FileError("the case lies in the run folder '" + folder.root.string() +
+                        "' itself; choose another folder with --out, or continue with `riprap resume`");
+    }
+}
+
+}  // namespace
+
+int run_case(const RunOptions& options) {
+    use_threads(options.threads);
+    scene::LoadedCase loaded = scene::read_case(options.case_path, options.overrides);
+    const RunFolder folder{options.out};
+    refuse_case_inside(folder, loaded.folder);
+    const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
+    Driver driver(folder, std::move(loaded), options.quiet);  // refuses a bad case before any file is touched
+    const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
+    const FolderLock lock(folder);
+    if (is_continued) {
+        driver.resume({}, {});
+    } else {
+        remove_run(folder);
+        driver.store_case(options.overrides);
+        driver.start();
+    }
+    return driver.run();
+}
+
+int resume_run(const ResumeOptions& options) {
+    use_threads(options.threads);
+    const RunFolder folder{options.folder};
+    Driver driver(folder, load_stored_case(folder), options.quiet);
+    const FolderLock lock(folder);
+    if (folder.has_checkpoint()) {
+        driver.resume(options.end, options.max_steps);
+    } else {
+        driver.start();  // stopped before its first checkpoint: nothing is lost by beginning again
+    }
+    return driver.run();
+}
+
+}  // namespace riprap::run

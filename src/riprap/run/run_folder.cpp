@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/run_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+
+#include "riprap/run/provenance.hpp"
+#include "riprap/scene/limits.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t ticket_limit = std::size_t{1} << 24;
+
+/// Everything a run writes, so that --force removes that and nothing else.
+constexpr std::array<std::string_view, 13> own_names{
+    "run.json",   "case",       "resolved.toml", "checkpoint",   "frames",  "run.log",      "run.jsonl",
+    "probes.csv", "ledger.csv", "bodies.csv",    "summary.json", "out.pvd", "contacts.pvd",
+};
+
+/// Names in a folder that are none of ours. Hidden names (locks, partial files) do not count.
+std::vector<std::string> foreign_names(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.front() != '.' && std::find(own_names.begin(), own_names.end(), name) == own_names.end()) {
+            names.push_back(name);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const RunFolder& folder)
+    : file_(::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    if (!file_.is_open()) {
+        throw io::file_error("write", folder.lock(), errno);
+    }
+    if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
+        if (errno == EWOULDBLOCK) {
+            throw FileError("another riprap is writing to '" + folder.root.string() +
+                            "'; wait for it or choose another folder with --out");
+        }
+        throw io::file_error("lock", folder.lock(), errno);
+    }
+}
+
+bool claim(const RunFolder& folder, Existing existing) {
+    std::error_code error;
+    if (fs::exists(folder.root, error) && !fs::is_directory(folder.root, error)) {
+        throw FileError("'" + folder.root.string() + "' is a file; choose another folder with --out");
+    }
+    io::make_folder(folder.root);
+    if (folder.has_run() && existing == Existing::resume) {
+        return true;
+    }
+    if (existing != Existing::replace) {
+        if (folder.has_run()) {
+            throw FileError("'" + folder.root.string() +
+                            "' holds a run already; --resume continues it, --force replaces it, --out writes "
+                            "elsewhere");
+        }
+        const std::vector<std::string> foreign = foreign_names(folder.root);
+        if (!foreign.empty()) {
+            throw FileError("'" + folder.root.string() + "' is not empty (it holds '" + foreign.front() +
+                            "'); --force writes there all the same, --out writes elsewhere");
+        }
+    }
+    return false;
+}
+
+void remove_run(const RunFolder& folder) {
+    for (const std::string_view name : own_names) {  // the ticket goes first: from then on there is no run here
+        std::error_code error;
+        fs::remove_all(folder.root / name, error);
+        if (error) {
+            throw io::file_error("remove", folder.root / name, error.value());
+        }
+    }
+}
+
+void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides) {
+    io::make_folder(folder.case_folder());
+    io::make_folder(folder.frames());
+    io::make_folder(folder.checkpoint_latest().parent_path());
+    for (const scene::InputFile& input : loaded.inputs) {
+        const fs::path copy = folder.case_folder() / input.path;
+        io::make_folder(copy.parent_path());
+        io::write_file(copy, io::read_file(fs::path(loaded.folder) / input.path, scene::limits::surface_bytes));
+    }
+    io::write_file(folder.case_file(), loaded.source_text);
+    io::write_file(folder.resolved_case(), loaded.resolved_toml);
+    const nlohmann::ordered_json ticket{{"case", "case/case.toml"},
+                                        {"set", overrides},
+                                        {"case_hash", fmt::format("{:016x}", loaded.model.case_hash)},
+                                        {"riprap", build_info().version}};
+    io::write_file(folder.ticket(), ticket.dump(2) + '\n');
+}
+
+scene::LoadedCase load_stored_case(const RunFolder& folder) {
+    if (!folder.has_run()) {
+        throw FileError("'" + folder.root.string() +
+                        "' holds no run: there is no run.json; start one with "
+                        "`riprap run CASE --out " +
+                        folder.root.string() + "`");
+    }
+    std::vector<std::string> overrides;
+    try {
+        const auto ticket = nlohmann::json::parse(io::read_file(folder.ticket(), ticket_limit));
+        overrides = ticket.at("set").get<std::vector<std::string>>();
+    } catch (const nlohmann::json::exception& error) {
+        throw FileError("'" + folder.ticket().string() + "' is damaged: " + error.what());
+    }
+    return scene::read_case(folder.case_file().string(), overrides);
+}
+
+}  // namespace riprap::run

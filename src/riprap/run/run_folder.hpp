@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The folder of one run: where everything lies, who may write into it, and how it is found again.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap::run {
+
+/// Names inside a run folder (docs/howto/output-files.md).
+struct RunFolder {
+    std::filesystem::path root;
+
+    std::filesystem::path ticket() const { return root / "run.json"; }
+    std::filesystem::path case_folder() const { return root / "case"; }
+    std::filesystem::path case_file() const { return case_folder() / "case.toml"; }
+    std::filesystem::path resolved_case() const { return root / "resolved.toml"; }
+    std::filesystem::path checkpoint_latest() const { return root / "checkpoint" / "latest"; }
+    std::filesystem::path checkpoint_previous() const { return root / "checkpoint" / "previous"; }
+    std::filesystem::path checkpoint_damaged() const { return root / "checkpoint" / "damaged"; }
+    std::filesystem::path frames() const { return root / "frames"; }
+    std::filesystem::path log() const { return root / "run.log"; }
+    std::filesystem::path events() const { return root / "run.jsonl"; }
+    std::filesystem::path probes() const { return root / "probes.csv"; }
+    std::filesystem::path ledger() const { return root / "ledger.csv"; }
+    std::filesystem::path bodies() const { return root / "bodies.csv"; }
+    std::filesystem::path summary() const { return root / "summary.json"; }
+    std::filesystem::path lock() const { return root / ".lock"; }
+
+    /// A run was started here: its case is complete.
+    bool has_run() const { return std::filesystem::exists(ticket()); }
+    bool has_checkpoint() const {
+        return std::filesystem::exists(checkpoint_latest()) || std::filesystem::exists(checkpoint_previous());
+    }
+};
+
+/// Holds a run folder for this process; goes with it, however it ends.
+class FolderLock {
+ public:
+    /// @throws FileError when another process holds the folder
+    explicit FolderLock(const RunFolder& folder);
+
+ private:
+    io::FileDescriptor file_;
+};
+
+/// What a run folder may hold already.
+enum class Existing {
+    refuse,   ///< a run, or files that are none of ours
+    replace,  ///< a run is removed first; files that are none of ours stay
+    resume,   ///< a run is continued
+};
+
+/// Makes the folder or takes an existing one.
+/// @returns true when a run that was started there is to be continued
+/// @throws FileError when the folder is refused, with the options that would take it
+bool claim(const RunFolder& folder, Existing existing);
+
+/// Removes what an earlier run left, by name; nothing else.
+void remove_run(const RunFolder& folder);
+
+/// Copies the case with every file it reads, the resolved case and, last, the ticket that makes it a run.
+/// @throws FileError
+void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides);
+
+/// The case of a run folder as it was first read. @throws FileError, CaseError
+scene::LoadedCase load_stored_case(const RunFolder& folder);
+
+}  // namespace riprap::run

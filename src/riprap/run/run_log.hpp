@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "riprap/run/run_folder.hpp"
+
+namespace riprap::run {
+
+/// What happened during a run and when: run.log for people, run.jsonl (one JSON object per line) for programs. Both
+/// grow; a resumed run adds to them.
+class RunLog {
+ public:
+    using Numbers = std::initializer_list<std::pair<std::string_view, double>>;
+
+    /// @throws FileError
+    explicit RunLog(const RunFolder& folder);
+
+    /// One event: its kind ("start", "frame", "checkpoint", ...), a sentence, and the numbers a program may want.
+    void add(std::string_view kind, const std::string& text, Numbers numbers = {});
+
+ private:
+    std::filesystem::path log_path_, events_path_;
+    io::FileDescriptor log_, events_;
+};
+
+}  // namespace riprap::run

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "riprap/run/provenance.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+Json to_json(const sim::Ledger& ledger) {
+    return {{"time", ledger.time},
+            {"kinetic", ledger.kinetic},
+            {"potential", ledger.potential},
+            {"elastic", ledger.elastic},
+            {"shear", ledger.shear},
+            {"dissipated_friction", ledger.dissipated_friction},
+            {"dissipated_contact", ledger.dissipated_contact},
+            {"dissipated_damping", ledger.dissipated_damping},
+            {"work_driven", ledger.work_driven},
+            {"work_gravity_change", ledger.work_gravity_change},
+            {"residual", ledger.residual},
+            {"turnover", ledger.turnover},
+            {"momentum", to_json(ledger.momentum)},
+            {"impulse", to_json(ledger.impulse)},
+            {"angular_momentum", to_json(ledger.angular_momentum)},
+            {"angular_impulse", to_json(ledger.angular_impulse)},
+            {"mass", ledger.mass}};
+}
+
+Json to_json(const ExpectResult& result) {
+    return {{"name", result.name},        {"quantity", result.quantity},
+            {"reduce", result.reduce},    {"unit", result.unit},
+            {"value", result.value},      {"low", result.low},
+            {"high", result.high},        {"verdict", to_string(result.verdict)},
+            {"citation", result.citation}};
+}
+
+}  // namespace
+
+void write_summary(const RunFolder& folder, const Summary& summary) {
+    Json expects = Json::array();
+    for (const ExpectResult& result : summary.expects) {
+        expects.push_back(to_json(result));
+    }
+    const Json json{{"status", summary.status},
+                    {"reason", summary.reason},
+                    {"title", summary.title},
+                    {"state_hash", fmt::format("{:016x}", summary.state_hash)},
+                    {"steps", summary.steps},
+                    {"time", summary.time},
+                    {"time_step", summary.dt},
+                    {"wall_seconds", summary.wall_seconds},
+                    {"bodies", summary.body_count},
+                    {"ns_per_body_step", summary.cost},
+                    {"memory_bytes", summary.memory_bytes},
+                    {"threads", summary.threads},
+                    {"resumes", summary.resumes},
+                    {"ledger", to_json(summary.ledger)},
+                    {"stages",
+                     {{"find_pairs", summary.stages.find_pairs},
+                      {"find_contacts", summary.stages.find_contacts},
+                      {"contact_loads", summary.stages.contact_loads},
+                      {"move_bodies", summary.stages.move_bodies},
+                      {"measure", summary.stages.measure}}},
+                    {"expects", expects},
+                    {"build", Json::parse(build_json())},
+                    {"machine", Json::parse(machine_json())}};
+    io::write_file(folder.summary(), json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace riprap::run

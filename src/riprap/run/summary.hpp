@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "riprap/run/expects.hpp"
+#include "riprap/run/run_folder.hpp"
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+
+/// What is left of a run when it is over.
+struct Summary {
+    std::string status;  ///< "finished", "interrupted" or "failed"
+    std::string reason;  ///< why it is not finished, empty else
+    std::string title;
+    std::uint64_t state_hash{0};
+    std::int64_t steps{0};
+    double time{0};          ///< [s]
+    double dt{0};            ///< [s]
+    double wall_seconds{0};  ///< of all sessions [s]
+    double cost{0};          ///< of this session [ns per body and step]
+    std::int64_t body_count{0};
+    std::size_t memory_bytes{0};  ///< State and Scratch
+    int threads{1};
+    std::int64_t resumes{0};
+    sim::Ledger ledger;
+    sim::StageTimes stages;
+    std::vector<ExpectResult> expects;
+};
+
+/// Writes summary.json (docs/howto/output-files.md). @throws FileError
+void write_summary(const RunFolder& folder, const Summary& summary);
+
+}  // namespace riprap::run
