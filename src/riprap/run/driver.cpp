@@ -60,6 +60,8 @@ Driver::Driver(RunFolder folder, scene::LoadedCase loaded, bool is_quiet)
     record_.dt = sim::choose_time_step(model(), bound_);
     record_.end = model().time.end;
     record_.max_steps = model().time.max_steps;
+    record_.frame_interval = frame_interval(model());
+    record_.row_interval = row_interval(model());
 }
 
 void Driver::store_case(const std::vector<std::string>& overrides) const {
@@ -69,7 +71,7 @@ void Driver::store_case(const std::vector<std::string>& overrides) const {
 void Driver::start() {
     log_ = std::make_unique<RunLog>(folder_);
     announce("start");
-    outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_.dt, nullptr);
+    outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_, false);
     watch_.look(now());
     outputs_->after_step(now());
     outputs_->note(record_);
@@ -93,7 +95,7 @@ void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_s
     watch_.load(record_.expects);
     announce(fmt::format("resume at step {}", state_.step));
     if (state_.step < last_step()) {
-        outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_.dt, &record_);
+        outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_, true);
     }
 }
 

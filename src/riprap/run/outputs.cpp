@@ -66,21 +66,18 @@ double row_interval(const sim::Model& model) {
     return model.output.probe_interval > 0 ? model.output.probe_interval : model.time.end / 1000;
 }
 
-Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, double dt,
-                 const RunRecord* record)
+Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, const RunRecord& record,
+                 bool is_continued)
     : folder_(folder),
       model_(model),
-      frame_schedule_(frame_interval(model), dt),
-      row_schedule_(row_interval(model), dt),
+      frame_schedule_(record.frame_interval, record.dt),
+      row_schedule_(record.row_interval, record.dt),
       planes_(io::draw_planes(model, initial)),
       probe_columns_(all_probe_columns(model)),
       ledger_columns_(all_scene_columns()),
-      probes_(open_table(folder.probes(), probe_columns_, record, 0)),
-      ledger_(open_table(folder.ledger(), ledger_columns_, record, 1)) {
-    if (record != nullptr) {
-        frame_times_ = record->frame_times;
-    }
-}
+      probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
+      ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
+      frame_times_(record.frame_times) {}
 
 void Outputs::after_step(const sim::Moment& moment) {
     const std::int64_t step = moment.state.step;
@@ -88,10 +85,8 @@ void Outputs::after_step(const sim::Moment& moment) {
         write_probe_row(moment);
         write_ledger_row(moment);
     }
-    const std::int64_t frame = frame_schedule_.due_at(step);
-    if (model_.output.vtk && frame >= 0) {
-        write_frame(moment, frame_tag(static_cast<std::size_t>(frame)));
-        frame_times_.resize(static_cast<std::size_t>(frame));
+    if (model_.output.vtk && frame_schedule_.due_at(step) >= 0) {
+        write_frame(moment, frame_tag(frame_times_.size()));
         frame_times_.push_back(moment.state.time);
         write_lists(nullptr);
     }

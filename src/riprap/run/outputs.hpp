@@ -16,9 +16,9 @@ namespace riprap::run {
 /// when depends on the step number alone, so a resumed run writes the same files as one that was never stopped.
 class Outputs {
  public:
-    /// Starts new files, or with `record` continues those of a run as they were at its checkpoint. @throws FileError
-    Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, double dt,
-            const RunRecord* record);
+    /// Starts new files, or continues those of a run as the record of its checkpoint says. @throws FileError
+    Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, const RunRecord& record,
+            bool is_continued);
 
     /// Writes what is due at this step. Called for step 0 and after every step.
     void after_step(const sim::Moment& moment);

@@ -51,6 +51,9 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
     if (!(record.dt > 0) || !std::isfinite(record.dt) || !std::isfinite(record.end)) {
         refuse(checkpoint, "the time step or the end of the run is not a positive number");
     }
+    if (!(record.frame_interval >= 0) || !(record.row_interval >= 0)) {
+        refuse(checkpoint, "an interval between outputs is negative");
+    }
     if (record.csv_bytes.size() != 2) {
         refuse(checkpoint, "the lengths of the tables are missing");
     }

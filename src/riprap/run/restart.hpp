@@ -20,6 +20,8 @@ struct RunRecord {
     double dt{0};                ///< of every step [s]
     double end{0};               ///< time asked for, which `riprap resume --end` may have moved [s]
     std::int64_t max_steps{-1};  ///< likewise
+    double frame_interval{0};    ///< between frames [s]
+    double row_interval{0};      ///< between rows of the tables [s]
     double wall_seconds{0};      ///< of all sessions so far [s]
     std::int64_t resumes{0};
     std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
@@ -31,6 +33,8 @@ struct RunRecord {
         visit("run.dt", self.dt);
         visit("run.end", self.end);
         visit("run.max_steps", self.max_steps);
+        visit("run.frame_interval", self.frame_interval);
+        visit("run.row_interval", self.row_interval);
         visit("run.wall_seconds", self.wall_seconds);
         visit("run.resumes", self.resumes);
         visit("run.csv_bytes", self.csv_bytes);

@@ -36,11 +36,12 @@ int run_case(const RunOptions& options) {
     const RunFolder folder{options.out};
     refuse_case_inside(folder, loaded.folder);
     const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
+    const sim::TimeSettings time = loaded.model.time;
     Driver driver(folder, std::move(loaded), options.quiet);  // refuses a bad case before any file is touched
     const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
     const FolderLock lock(folder);
     if (is_continued) {
-        driver.resume({}, {});
+        driver.resume(time.end, time.max_steps);  // both may be moved without making it another case
     } else {
         remove_run(folder);
         driver.store_case(options.overrides);
