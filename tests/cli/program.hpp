@@ -2,12 +2,14 @@
 #pragma once
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -29,7 +31,9 @@ inline std::string text_of(const std::filesystem::path& path) {
 class Program {
  public:
     /// Starts it. `scratch` is an existing folder for what it prints.
-    Program(const std::filesystem::path& scratch, const std::vector<std::string>& arguments)
+    /// `prepare` is called in the new process before the program begins.
+    Program(const std::filesystem::path& scratch, const std::vector<std::string>& arguments,
+            const std::function<void()>& prepare = {})
         : out_(scratch / "stdout"), err_(scratch / "stderr") {
         std::vector<std::string> words{RIPRAP_PROGRAM};
         words.insert(words.end(), arguments.begin(), arguments.end());
@@ -42,6 +46,9 @@ class Program {
         if (child_ == 0) {
             dup2(open(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), 1);
             dup2(open(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), 2);
+            if (prepare) {
+                prepare();
+            }
             execv(pointers[0], pointers.data());
             _exit(127);
         }

@@ -185,7 +185,8 @@ Checkpoint Checkpoint::parse(std::string bytes, const std::string& name) {
                               "; this Riprap reads version " + std::to_string(checkpoint_version));
     }
     if (file_bytes != checkpoint.bytes_.size()) {
-        in.refuse("the file has " + std::to_string(checkpoint.bytes_.size()) + " bytes, its header says " +
+        in.refuse(std::string(checkpoint.bytes_.size() < file_bytes ? "truncated" : "bytes follow its end") +
+                  ", the file has " + std::to_string(checkpoint.bytes_.size()) + " bytes, its header says " +
                   std::to_string(file_bytes));
     }
     if (section_count > max_sections) {

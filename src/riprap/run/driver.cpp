@@ -144,7 +144,9 @@ int Driver::run() {
         has_stepped_ = true;
         watch_.look(now());
         outputs_->after_step(now());
-        if (progress.seconds() - last_checkpoint_ >= model().output.checkpoint_interval) {
+        // The checkpoint of the last step is written by finish(), when everything else is: see there.
+        const bool is_due = progress.seconds() - last_checkpoint_ >= model().output.checkpoint_interval;
+        if (is_due && state_.step < last_step()) {
             checkpoint(progress);
         }
         progress.show(state_.step, state_.time);

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run_fixture.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Runs : public RunFixture {};
+
+TEST_F(Runs, ARunLeavesEverythingThatTheManualLists) {
+    const Ending ending = run({"run", case_file(), "--out", out("a"), "--threads", "1"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    for (const char* name : {"run.json", "case/case.toml", "resolved.toml", "run.log", "run.jsonl", "out.pvd",
+                             "contacts.pvd", "probes.csv", "ledger.csv", "bodies.csv", "summary.json",
+                             "checkpoint/latest", "frames/bodies_000000.vtp", "frames/contacts_000000.vtp"}) {
+        EXPECT_TRUE(std::filesystem::exists(in("a", name))) << name;
+    }
+    const nlohmann::json summary = summary_of("a");
+    EXPECT_EQ(summary.at("status"), "finished");
+    EXPECT_EQ(summary.at("state_hash").get<std::string>().size(), 16U);
+    EXPECT_EQ(summary.at("steps"), full_steps);
+    EXPECT_GT(summary.at("time").get<double>(), 0.0);
+    EXPECT_GT(summary.at("wall_seconds").get<double>(), 0.0);
+    EXPECT_TRUE(summary.at("ledger").at("kinetic").is_number());
+    EXPECT_TRUE(summary.at("build").at("march").is_string());
+    EXPECT_THAT(text_of(in("a", "probes.csv")), HasSubstr("time [s],high.displacement.x [m]"));
+    EXPECT_THAT(ending.out, Not(HasSubstr("\r")));  // not a terminal: plain lines
+    EXPECT_THAT(ending.out, HasSubstr("ns per body-step"));
+}
+
+TEST_F(Runs, ARunResumedAtAnyStepWithAnyThreadsIsTheSameRun) {
+    const Whole whole = whole_run("1");
+    for (const auto& [steps, threads] : {std::pair{"1", "2"}, {"37", "3"}, {"64", "1"}, {"200", "4"}}) {
+        const std::string name = std::string("stopped_at_") + steps;
+        ASSERT_EQ(run({"run", case_file(), "--out", out(name), "--set", std::string("max_steps=") + steps}).code, 0);
+        ASSERT_EQ(summary_of(name).at("steps").dump(), steps);
+        const Ending ending = run({"resume", out(name), "--max-steps", "-1", "--threads", threads});
+        ASSERT_EQ(ending.code, 0) << ending.err;
+        expect_same(whole, name);
+    }
+}
+
+TEST_F(Runs, ARunTakenFurtherIsTheRunThatWentThereAtOnce) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("short"), "--set", "end=0.03"}).code, 0);
+    ASSERT_EQ(run({"resume", out("short"), "--end", "0.05"}).code, 0);
+    ASSERT_EQ(run({"run", case_file(), "--out", out("long"), "--set", "end=0.05"}).code, 0);
+    EXPECT_EQ(summary_of("short").at("state_hash"), summary_of("long").at("state_hash"));
+}
+
+TEST_F(Runs, AFinishedRunHasNothingLeftToDo) {
+    const Whole whole = whole_run("1");
+    const Ending ending = run({"resume", out("whole")});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_THAT(ending.out, HasSubstr("nothing left to do"));
+    expect_same(whole, "whole");
+}
+
+TEST_F(Runs, AStopSignalWritesACheckpointAndTellsHowToContinue) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const std::string name = "signal_" + std::to_string(signal);
+        const Program program(folder.path(), {"run", case_file(), "--out", out(name), "--set", "end=10000"});
+        wait_for_steps(name);
+        program.send(signal);
+        const Ending ending = program.wait();
+        EXPECT_EQ(ending.code, 128 + signal);
+        EXPECT_THAT(ending.err, HasSubstr("riprap resume"));
+        EXPECT_EQ(summary_of(name).at("status"), "interrupted");
+        // What was stopped goes on to the same State as what was not.
+        const std::string steps = std::to_string(summary_of(name).at("steps").get<int>() + 20);
+        ASSERT_EQ(run({"resume", out(name), "--max-steps", steps}).code, 0);
+        ASSERT_EQ(run({"run", case_file(), "--out", out("straight"), "--force", "--set", "end=10000", "--set",
+                       "max_steps=" + steps})
+                      .code,
+                  0);
+        EXPECT_EQ(summary_of(name).at("state_hash"), summary_of("straight").at("state_hash"));
+    }
+}
+
+TEST_F(Runs, ASecondSignalEndsAtOnceAndTheCheckpointStaysGood) {
+    const Program program(folder.path(), {"run", case_file(), "--out", out("a"), "--set", "end=10000"});
+    wait_for_steps("a");
+    program.send(SIGINT);
+    program.send(SIGTERM);
+    const int code = program.wait().code;
+    EXPECT_TRUE(code == 128 + SIGINT || code == 128 + SIGTERM) << code;
+    EXPECT_EQ(run({"resume", out("a"), "--max-steps", "5000000", "--end", "0.001"}).code, 0);
+}
+
+TEST_F(Runs, AnAbsurdStateEndsTheRunWithinOneStepAndTheLastGoodOneIsKept) {
+    const Ending ending = run({"run", case_file(), "--out", out("a"), "--set", "solid.max_speed=1.2"});
+    EXPECT_EQ(ending.code, 4);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("velocity of high"), HasSubstr("last good state")));
+    const nlohmann::json summary = summary_of("a");
+    EXPECT_EQ(summary.at("status"), "failed");
+    EXPECT_THAT(summary.at("reason").get<std::string>(), HasSubstr("high"));
+    const std::string steps = summary.at("steps").dump();
+    ASSERT_EQ(
+        run({"run", case_file(), "--out", out("b"), "--set", "solid.max_speed=1.2", "--set", "max_steps=" + steps})
+            .code,
+        0);
+    EXPECT_EQ(summary_of("b").at("state_hash"), summary.at("state_hash"));
+    EXPECT_EQ(run({"resume", out("a")}).code, 4);
+}
+
+TEST_F(Runs, ExpectedAnswersDecideTheExitCode) {
+    const std::string good = write_case("good.toml", case_text() + R"(
+[[expect]]
+name = "falls"
+quantity = "lone.displacement.z"
+value = -0.1
+tolerance = 0.2
+citation = "free fall"
+)");
+    const std::string bad = write_case("bad.toml", case_text() + R"(
+[[expect]]
+name = "rises"
+quantity = "lone.displacement.z"
+reduce = "max"
+value = 1.0
+tolerance = 0.1
+citation = "none: blocks do not rise"
+)");
+    EXPECT_EQ(run({"run", good, "--out", out("good")}).code, 0);
+    const Ending ending = run({"run", bad, "--out", out("bad")});
+    EXPECT_EQ(ending.code, 1);
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("rises"), HasSubstr("failed")));
+    EXPECT_EQ(summary_of("bad").at("expects").at(0).at("verdict"), "failed");
+    EXPECT_EQ(run({"resume", out("bad")}).code, 1);
+    EXPECT_EQ(run({"run", bad, "--out", out("early"), "--set", "max_steps=3"}).code, 0);
+    EXPECT_EQ(summary_of("early").at("expects").at(0).at("verdict"), "not_judged");
+}
+
+TEST_F(Runs, NothingIsWrittenOverUnasked) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=3"}).code, 0);
+    const std::string before = text_of(in("a", "summary.json"));
+    const Ending again = run({"run", case_file(), "--out", out("a")});
+    EXPECT_EQ(again.code, 5);
+    EXPECT_THAT(again.err, AllOf(HasSubstr("--resume"), HasSubstr("--force")));
+    EXPECT_EQ(text_of(in("a", "summary.json")), before);
+
+    std::filesystem::create_directories(out("mine"));
+    write_file("mine/thesis.txt", "years of work");
+    EXPECT_EQ(run({"run", case_file(), "--out", out("mine")}).code, 5);
+    EXPECT_EQ(run({"run", case_file(), "--out", out("mine"), "--set", "max_steps=3", "--force"}).code, 0);
+    EXPECT_EQ(text_of(in("mine", "thesis.txt")), "years of work");
+
+    EXPECT_EQ(run({"run", in("mine", "case/case.toml"), "--out", out("mine"), "--force"}).code, 5);
+    EXPECT_TRUE(std::filesystem::exists(in("mine", "case/case.toml")));
+}
+
+TEST_F(Runs, ABadCaseTouchesNoRun) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=3"}).code, 0);
+    const std::string before = text_of(in("a", "summary.json"));
+    const std::string bad = write_case("bad.toml", case_text() + "\nnonsense = 1\n");
+    EXPECT_EQ(run({"run", bad, "--out", out("a"), "--force"}).code, 3);
+    EXPECT_EQ(text_of(in("a", "summary.json")), before);
+    EXPECT_EQ(run({"run", "no_such_case", "--out", out("b")}).code, 5);
+    EXPECT_FALSE(std::filesystem::exists(out("b")));
+}
+
+TEST_F(Runs, OneFolderBelongsToOneProcess) {
+    const Program program(folder.path(), {"run", case_file(), "--out", out("a"), "--set", "end=10000"});
+    wait_for_steps("a");
+    const TemporaryFolder elsewhere;
+    const Ending second = run_program(elsewhere.path(), {"resume", out("a")});
+    program.send(SIGTERM);
+    program.wait();
+    EXPECT_EQ(second.code, 5);
+    EXPECT_THAT(second.err, HasSubstr("another riprap"));
+}
+
+TEST_F(Runs, AnUnwritablePlaceIsNamed) {
+    write_file("file", "x");
+    EXPECT_EQ(run({"run", case_file(), "--out", out("file")}).code, 5);
+    const Ending ending = run({"run", case_file(), "--out", "/proc/riprap"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("/proc/riprap"), HasSubstr("check that the path exists")));
+}
+
+TEST_F(Runs, AFileLimitStopsTheRunWithItsNameAndNothingIsLost) {
+    const Whole whole = whole_run("1");
+    const Ending ending =
+        Program(folder.path(), {"run", case_file(), "--out", out("a")}, [] { limit_file_size(20'000); }).wait();
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr(".csv"), HasSubstr("ulimit -f")));
+    ASSERT_EQ(run({"resume", out("a")}).code, 0);
+    expect_same(whole, "a");
+}
+
+TEST_F(Runs, DamagedAndForeignCheckpointsAreRefusedWithSix) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=3"}).code, 0);
+    ASSERT_EQ(run({"run", case_file(), "--out", out("b"), "--set", "max_steps=3", "--set", "gravity=[0,0,-1]"}).code,
+              0);
+    std::filesystem::copy_file(in("b", "checkpoint/latest"), in("a", "checkpoint/latest"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const Ending foreign = run({"resume", out("a"), "--max-steps", "9"});
+    EXPECT_EQ(foreign.code, 6);
+    EXPECT_THAT(foreign.err, HasSubstr("another case"));
+    std::filesystem::resize_file(in("a", "checkpoint/latest"), 100);
+    std::filesystem::resize_file(in("a", "checkpoint/previous"), 100);
+    const Ending truncated = run({"resume", out("a"), "--max-steps", "9"});
+    EXPECT_EQ(truncated.code, 6);
+    EXPECT_THAT(truncated.err, HasSubstr("truncated"));
+    EXPECT_EQ(run({"resume", out("nowhere")}).code, 5);
+}
+
+TEST_F(Runs, CheckPredictsARunAndNamesEveryProblem) {
+    const nlohmann::json good = nlohmann::json::parse(run({"check", case_file(), "--json"}).out);
+    EXPECT_EQ(good.at("bodies"), 4);
+    EXPECT_EQ(good.at("free_bodies"), 3);
+    EXPECT_EQ(good.at("steps"), full_steps);
+    EXPECT_GT(good.at("time_step_limit").get<double>(), good.at("time_step").get<double>());
+    EXPECT_GT(good.at("memory_bytes").get<double>(), 0);
+    const std::string bad = write_case("bad.toml", "gravty = [0, 0, -9.81]\nend = \"3 kg\"\n");
+    const Ending ending = run({"check", bad, "--json"});
+    EXPECT_EQ(ending.code, 3);
+    const nlohmann::json problems = nlohmann::json::parse(ending.out).at("problems");
+    ASSERT_GE(problems.size(), 2U);
+    EXPECT_EQ(problems.at(0).at("line"), 1);
+    EXPECT_TRUE(problems.at(0).at("allowed").is_string());
+    EXPECT_EQ(run({"check", bad}).code, 3);
+}
+
+TEST_F(Runs, ThePredictedOutputIsWhatARunWrites) {
+    const nlohmann::json check = nlohmann::json::parse(run({"check", case_file(), "--json"}).out);
+    whole_run("1");
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(out("whole"))) {
+        const std::string extension = entry.path().extension().string();
+        bytes += extension == ".vtp" || extension == ".csv" ? entry.file_size() : 0;
+    }
+    EXPECT_GT(check.at("output_bytes").get<double>(), 0.5 * static_cast<double>(bytes));
+    EXPECT_LT(check.at("output_bytes").get<double>(), 2.0 * static_cast<double>(bytes));
+}
+
+TEST_F(Runs, KnownCasesAreListedAndFoundByName) {
+    const nlohmann::json list = nlohmann::json::parse(run({"list", "--json"}).out);
+    ASSERT_TRUE(list.at("validation").is_array());
+    bool has_hello = false;
+    for (const auto& known : list.at("cases")) {
+        has_hello = has_hello || known.at("name") == "hello_block";
+        EXPECT_NE(known.at("title"), "") << known.at("name");
+    }
+    EXPECT_TRUE(has_hello);
+    EXPECT_EQ(run({"check", "hello_block"}).code, 0);
+}
+
+TEST_F(Runs, TheSchemaIsJson) {
+    const nlohmann::json schema = nlohmann::json::parse(run({"schema"}).out);
+    EXPECT_TRUE(schema.contains("properties"));
+}
+
+}  // namespace
+}  // namespace riprap

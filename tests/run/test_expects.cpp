@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/error.hpp"
+#include "riprap/run/expects.hpp"
+#include "run/falling_blocks.hpp"
+
+namespace riprap::run {
+namespace {
+
+using ::testing::HasSubstr;
+
+sim::Expect expect(const std::string& reduce, double at = 0) {
+    return {.name = reduce,
+            .quantity = "high.position.x",
+            .reduce = reduce,
+            .at = at,
+            .value = 0,
+            .low = -1e9,
+            .high = 1e9,
+            .citation = "",
+            .place = "case.toml:1:1"};
+}
+
+/// The x position of one block is set to 0, 3, 1 at times 0, 1, 2.
+std::vector<ExpectResult> follow(const std::vector<sim::Expect>& expects, bool save_and_load) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = expects;
+    ExpectWatch watch(loaded.model);
+    sim::State state = loaded.state;
+    const std::array<double, 3> positions{0, 3, 1};
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        state.time = static_cast<double>(i);
+        state.bodies.position[2].x = positions[i];
+        if (save_and_load) {
+            ExpectWatch fresh(loaded.model);
+            fresh.load(watch.save());
+            fresh.look({loaded.model, loaded.state, state, nullptr, nullptr});
+            watch.load(fresh.save());
+        } else {
+            watch.look({loaded.model, loaded.state, state, nullptr, nullptr});
+        }
+    }
+    return watch.judge(true);
+}
+
+TEST(Expects, EveryReductionSeesEveryStep) {
+    const auto results =
+        follow({expect("last"), expect("min"), expect("max"), expect("mean"), expect("at", 1.5)}, false);
+    EXPECT_EQ(results[0].value, 1.0);
+    EXPECT_EQ(results[1].value, 0.0);
+    EXPECT_EQ(results[2].value, 3.0);
+    EXPECT_NEAR(results[3].value, 4.0 / 3, 1e-15);
+    EXPECT_EQ(results[4].value, 2.0);  // halfway between 3 and 1
+    EXPECT_EQ(results[0].unit, "m");
+}
+
+TEST(Expects, FiguresSurviveACheckpoint) {
+    const std::vector<sim::Expect> all{expect("last"), expect("min"), expect("max"), expect("mean"),
+                                       expect("at", 0.25)};
+    const auto straight = follow(all, false), restarted = follow(all, true);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(straight[i].value, restarted[i].value) << all[i].reduce;
+    }
+}
+
+TEST(Expects, AValueOutsideItsBandOrNeverSeenFails) {
+    sim::Expect narrow = expect("last");
+    narrow.low = 1.5;
+    sim::Expect late = expect("at", 17);
+    const auto results = follow({expect("last"), narrow, late}, false);
+    EXPECT_EQ(results[0].verdict, Verdict::passed);
+    EXPECT_EQ(results[1].verdict, Verdict::failed);
+    EXPECT_EQ(results[2].verdict, Verdict::failed);
+    EXPECT_TRUE(std::isnan(results[2].value));
+}
+
+TEST(Expects, ARunThatStopsEarlyIsNotJudged) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("last")};
+    EXPECT_EQ(ExpectWatch(loaded.model).judge(false)[0].verdict, Verdict::not_judged);
+}
+
+TEST(Expects, UnknownQuantitiesAndReductionsAreAllNamed) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("median"), expect("last")};
+    loaded.model.expects[1].quantity = "high.colour";
+    try {
+        ExpectWatch watch(loaded.model);
+        FAIL();
+    } catch (const CaseError& error) {
+        EXPECT_EQ(error.problems().size(), 2U);
+        EXPECT_THAT(error.what(), HasSubstr("reduce = 'median'"));
+        EXPECT_THAT(error.what(), HasSubstr("high.colour"));
+    }
+}
+
+TEST(Expects, AnotherNumberOfFiguresIsRefused) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("last")};
+    ExpectWatch watch(loaded.model);
+    EXPECT_THROW(watch.load({1, 2, 3}), CheckpointError);
+}
+
+}  // namespace
+}  // namespace riprap::run

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "io/temporary_folder.hpp"
+#include "riprap/run/restart.hpp"
+#include "riprap/sim/advance.hpp"
+#include "run/falling_blocks.hpp"
+
+namespace riprap::run {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A run some steps in, and its folder.
+struct SomeRun {
+    TemporaryFolder place;
+    RunFolder folder{place.path()};
+    scene::LoadedCase loaded{falling_blocks()};
+    sim::State initial{loaded.state}, state;
+    RunRecord record;
+
+    SomeRun() {
+        sim::initialise(loaded.model, initial);
+        state = initial;
+        sim::Scratch scratch;
+        record.dt = 1e-4;
+        record.csv_bytes = {1, 2};
+        record.frame_times = {0, 0.5};
+        io::make_folder(folder.checkpoint_latest().parent_path());
+        step(scratch);
+        save_checkpoint(folder, loaded.model, state, record);
+        step(scratch);
+        save_checkpoint(folder, loaded.model, state, record);
+    }
+    void step(sim::Scratch& scratch) {
+        for (int i = 0; i < 200; ++i) {
+            ASSERT_TRUE(advance(loaded.model, state, scratch, record.dt).status.ok());
+        }
+    }
+    Restart load() const { return load_checkpoint(folder, loaded.model, initial); }
+    void flip_byte(const std::filesystem::path& path, std::size_t at) const {
+        std::string bytes = io::read_file(path, 1U << 24U);
+        bytes[at] = static_cast<char>(bytes[at] ^ 4);
+        io::write_file(path, bytes);
+    }
+    std::string refusal() const {
+        try {
+            load();
+        } catch (const CheckpointError& error) {
+            return error.what();
+        }
+        return "accepted";
+    }
+};
+
+TEST(Restart, TheLatestCheckpointBringsBackStateAndRecord) {
+    const SomeRun run;
+    const Restart restart = run.load();
+    EXPECT_EQ(state_hash(restart.state), state_hash(run.state));
+    EXPECT_EQ(hash_fields(restart.record), hash_fields(run.record));
+    EXPECT_EQ(restart.notice, "");
+}
+
+TEST(Restart, ADamagedLatestCheckpointFallsBackToTheOneBeforeAndIsSetAside) {
+    const SomeRun run;
+    run.flip_byte(run.folder.checkpoint_latest(), 200);
+    const Restart restart = run.load();
+    EXPECT_EQ(restart.state.step, 200);
+    EXPECT_THAT(restart.notice, HasSubstr("latest"));
+    // The next checkpoint must not push the damaged file over the good one.
+    EXPECT_FALSE(std::filesystem::exists(run.folder.checkpoint_latest()));
+    save_checkpoint(run.folder, run.loaded.model, run.state, run.record);
+    EXPECT_EQ(run.load().state.step, 400);
+    run.flip_byte(run.folder.checkpoint_latest(), 200);
+    EXPECT_EQ(run.load().state.step, 200);
+}
+
+TEST(Restart, AMissingLatestCheckpointFallsBackToTheOneBefore) {
+    const SomeRun run;  // as after a kill between the two renames
+    std::filesystem::remove(run.folder.checkpoint_latest());
+    EXPECT_EQ(run.load().state.step, 200);
+}
+
+TEST(Restart, TwoDamagedCheckpointsAreBothNamed) {
+    const SomeRun run;
+    run.flip_byte(run.folder.checkpoint_latest(), 200);
+    io::write_file(run.folder.checkpoint_previous(), "");
+    EXPECT_THAT(run.refusal(), HasSubstr("latest"));
+    EXPECT_THAT(run.refusal(), HasSubstr("previous"));
+    EXPECT_THAT(run.refusal(), HasSubstr("--force"));
+}
+
+TEST(Restart, ACheckpointOfAnotherCaseIsRefusedEvenWhereThePreviousOneFits) {
+    SomeRun run;
+    sim::Model other = run.loaded.model;
+    other.case_hash += 1;
+    save_checkpoint(run.folder, other, run.state, run.record);
+    EXPECT_THAT(run.refusal(), HasSubstr("another case"));
+}
+
+/// What a hostile checkpoint with good checksums is refused for.
+std::string refusal_of(const std::function<void(sim::State&, RunRecord&)>& change) {
+    SomeRun run;
+    change(run.state, run.record);
+    save_checkpoint(run.folder, run.loaded.model, run.state, run.record);
+    std::filesystem::remove(run.folder.checkpoint_previous());
+    return run.refusal();
+}
+
+TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
+    const auto contact = [](sim::State& state, std::uint64_t a, std::uint64_t b) {
+        state.contacts.resize(1);
+        state.contacts.pair[0] = a << 32U | b;
+    };
+    EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}), "accepted");
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { contact(s, 1, 999); }), HasSubstr("parts 1 and 999"));
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { contact(s, 2, 1); }), HasSubstr("parts 2 and 1"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.contacts.torsion.push_back(0); }),
+                HasSubstr("differ in length"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) {
+                    s.contacts.resize(2);
+                    s.contacts.pair = {1, 1};
+                    s.contacts.feature = {0, 0};
+                }),
+                HasSubstr("out of order"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.bodies.position.pop_back(); }), HasSubstr("entries"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.bodies.velocity[1].y = NAN; }),
+                HasSubstr("body.velocity[1] is not a finite number"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.bodies.orientation[1].w += 1; }),
+                HasSubstr("not a rotation"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.push_back(0); }),
+                HasSubstr("ledger.totals"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.step = -1; }), HasSubstr("negative"));
+    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.dt = 0; }), HasSubstr("time step"));
+    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.csv_bytes.clear(); }), HasSubstr("tables"));
+}
+
+}  // namespace
+}  // namespace riprap::run
