@@ -74,14 +74,16 @@ class JointPositions {
                 joints.push_back({number, at(start, number)});
             }
         } else {
-            double offset = start;
-            for (std::int64_t number = 0; offset > range.low; offset -= spacing(number--)) {
-                joints.push_back({number, offset});
+            Joint joint{0, start};
+            while (joint.offset > range.low) {
+                joints.push_back(joint);
+                joint.offset -= spacing(joint.number--);
             }
             std::reverse(joints.begin(), joints.end());
-            offset = start;
-            for (std::int64_t number = 1; (offset += spacing(number)) < range.high; ++number) {
-                joints.push_back({number, offset});
+            joint = {1, start + spacing(1)};
+            while (joint.offset < range.high) {
+                joints.push_back(joint);
+                joint.offset += spacing(++joint.number);
             }
         }
         std::erase_if(joints, [&](const Joint& j) { return j.offset <= range.low || j.offset >= range.high; });
