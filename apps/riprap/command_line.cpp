@@ -12,6 +12,7 @@
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/scene/key_text.hpp"
+#include "riprap/validation/validate.hpp"
 
 namespace riprap {
 
@@ -88,6 +89,23 @@ void add_check(CLI::App& app, Action& action) {
     });
 }
 
+void add_validate(CLI::App& app, Action& action) {
+    auto options = std::make_shared<validation::ValidateOptions>();
+    CLI::App* command = app.add_subcommand("validate", "Run validation suites and compare with published answers");
+    command->add_option("SUITE[/CASE]", options->selection, "What to run (default: every suite)");
+    command->add_flag("--full", options->is_full, "Also long cases, and every case in its long version");
+    command->add_flag("--json", options->as_json, "As JSON");
+    command->add_option("--results", options->results, "Folder for plots (default: validation-results)");
+    auto threads = std::make_shared<int>(0);
+    command->add_option("--threads", *threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->callback([&action, options, threads] {
+        action = [options, threads] {
+            run::use_threads(*threads);
+            return validation::validate_main(*options);
+        };
+    });
+}
+
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -124,6 +142,7 @@ int command_line(int argument_count, char** arguments) {
     add_run(app, action);
     add_check(app, action);
     add_resume(app, action);
+    add_validate(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_version(app, action);

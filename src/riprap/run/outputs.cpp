@@ -77,7 +77,12 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       ledger_columns_(all_scene_columns()),
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
-      frame_times_(record.frame_times) {}
+      frame_times_(record.frame_times) {
+    for (const char* name : {"bodies_end.vtp", "contacts_end.vtp"}) {  // of an end that is no longer the end
+        std::error_code ignored;
+        std::filesystem::remove(folder.frames() / name, ignored);
+    }
+}
 
 void Outputs::after_step(const sim::Moment& moment) {
     const std::int64_t step = moment.state.step;

@@ -12,10 +12,6 @@ namespace riprap::run {
 
 namespace {
 
-void use_threads(int threads) {
-    parallel::set_thread_count(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 /// --force would remove the case before it is copied.
 void refuse_case_inside(const RunFolder& folder, const std::string& case_folder) {
     namespace fs = std::filesystem;
@@ -29,6 +25,10 @@ void refuse_case_inside(const RunFolder& folder, const std::string& case_folder)
 }
 
 }  // namespace
+
+void use_threads(int threads) {
+    parallel::set_thread_count(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 int run_case(const RunOptions& options) {
     use_threads(options.threads);

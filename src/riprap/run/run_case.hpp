@@ -30,6 +30,9 @@ struct ResumeOptions {
     bool quiet{false};
 };
 
+/// Sets the number of threads; 0 = all that the process may use.
+void use_threads(int threads);
+
 /// Runs a case from the beginning, or continues it with `resume`.
 int run_case(const RunOptions& options);
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "cli/program.hpp"
+#include "io/temporary_folder.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+    std::set<std::string> found;
+    const std::regex regex(pattern);
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), regex); match != std::sregex_iterator(); ++match) {
+        found.insert((*match)[1]);
+    }
+    return found;
+}
+
+/// Lines of one section of the help, from its heading to the next empty line.
+std::string section(const std::string& help, const std::string& heading) {
+    const std::size_t begin = help.find(heading);
+    return begin == std::string::npos ? "" : help.substr(begin, help.find("\n\n", begin) - begin);
+}
+
+class Help : public ::testing::Test {
+ protected:
+    const TemporaryFolder folder;
+    const std::string page = text_of("docs/howto/command-line.md");
+    std::string help(const std::vector<std::string>& words) const { return run_program(folder.path(), words).out; }
+};
+
+TEST_F(Help, EveryCommandAndOptionIsOnThePageAndThePageNamesNoOther) {
+    const std::set<std::string> commands = matches(section(help({"--help"}), "Subcommands:"), "\n  ([a-z]+) ");
+    EXPECT_EQ(commands, matches(page, "\nriprap ([a-z]+)"));
+    std::set<std::string> options;
+    for (const std::string& command : commands) {
+        options.merge(matches(section(help({command, "--help"}), "Options:"), "(--[a-z-]+)"));
+    }
+    EXPECT_EQ(options, matches(page, "(--[a-z][a-z-]*)"));
+}
+
+TEST_F(Help, EveryExitCodeIsOnThePageWithTheSameWords) {
+    const std::string codes = section(help({"--help"}), "Exit codes:");
+    std::istringstream lines(codes.substr(codes.find('\n') + 1));
+    std::string line;
+    int count = 0;
+    while (std::getline(lines, line)) {
+        const std::size_t begin = line.find_first_not_of(' '), end = line.find(' ', begin);
+        const std::string meaning = line.substr(line.find_first_not_of(' ', end));
+        EXPECT_THAT(page, HasSubstr("| " + line.substr(begin, end - begin) + " | " + meaning + " |"));
+        ++count;
+    }
+    EXPECT_EQ(count, 9);
+}
+
+}  // namespace
+}  // namespace riprap
