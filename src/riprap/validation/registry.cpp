@@ -11,6 +11,10 @@ std::span<const ValidationCase> all_cases() {
     static constexpr std::array cases{
         ValidationCase{"zhao", "golden_values", "Contact of two blocks: energy, force and moment to ten digits", false,
                        zhao::golden_values},
+        ValidationCase{"zhao", "two_tetrahedra", "A tetrahedron falls on the ridge of another and returns", false,
+                       zhao::two_tetrahedra},
+        ValidationCase{"zhao", "incline", "A block slides up an incline, stops, and slides back or stays", false,
+                       zhao::incline},
     };
     return cases;
 }

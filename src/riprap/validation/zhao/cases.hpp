@@ -9,5 +9,7 @@
 namespace riprap::validation::zhao {
 
 void golden_values(const CaseSetting& setting, CaseReport& report);
+void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
+void incline(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/validation/case_trial.hpp"
+#include "riprap/validation/zhao/cases.hpp"
+
+namespace riprap::validation::zhao {
+
+namespace {
+
+constexpr double along = 4.905;               // g sin 30 [m/s^2]
+constexpr double across = 8.495709211125344;  // g cos 30 [m/s^2]
+constexpr double start_speed = 6;             // up the slope [m/s]
+
+/// Newton and Coulomb for a point on an incline [Zhao, eqs. 41-42 corrected].
+struct Theory {
+    double friction;
+    double up() const { return along + friction * across; }                      ///< deceleration [m/s^2]
+    double down() const { return std::max(0.0, along - friction * across); }     ///< acceleration of sliding back
+    double turning_time() const { return start_speed / up(); }                   ///< t1 [s]
+    double turning_point() const { return 0.5 * start_speed * turning_time(); }  ///< s1 [m]
+    double displacement(double t) const {
+        const double after = t - turning_time();
+        return after < 0 ? start_speed * t - 0.5 * up() * t * t : turning_point() - 0.5 * down() * after * after;
+    }
+    double velocity(double t) const {
+        const double after = t - turning_time();
+        return after < 0 ? start_speed - up() * t : -down() * after;
+    }
+    double path(double t) const { return t < turning_time() ? displacement(t) : 2 * turning_point() - displacement(t); }
+};
+
+struct Slide {
+    double displacement_error{0};   ///< largest |s - s_exact| [m]
+    double velocity_error{0};       ///< largest |u - u_exact| [m/s]
+    double late_velocity_error{0};  ///< the same outside the recoil of the contact springs at the turning point [m/s]
+    double friction_work{0};        ///< ledger, at the end [J]
+    double expected_work{0};        ///< mu N times the path [J]
+    double creep{0};                ///< motion over the last 10 s of a block that must stick [m]
+    std::vector<double> time, displacement, velocity;
+};
+
+/// Depth by which the weight of the block sinks it into the ramp [m]; 1/r = 4 and 2 per metre.
+double rest_depth(double stiffness) { return 2500 * across * 0.5 / (stiffness * 6); }
+
+Slide slide(const CaseSetting& setting, double friction, double stiffness, double end) {
+    const std::vector<std::string> overrides{
+        fmt::format("material.rock.friction_coefficient={}", friction),
+        fmt::format("material.rock.normal_stiffness={:e}", stiffness),
+        fmt::format("body.block.position=[0,0,{:.17g}]", 0.25 - rest_depth(stiffness))};
+    Trial trial = trial_of(setting, overrides);
+    const BodyId block = trial.body("block");
+    const Theory theory{friction};
+    Slide slide;
+    double at_rest = 0;
+    // Springs of the contact recoil for a few periods when sliding stops; see validation/zhao/incline/README.md.
+    const double recoil_end = theory.turning_time() + 0.1;
+    trial.run_until(end, [&](const Trial& now) {
+        const double t = now.time(), s = now.position(block).x, u = now.velocity(block).x;
+        slide.displacement_error = std::max(slide.displacement_error, std::abs(s - theory.displacement(t)));
+        const double error = std::abs(u - theory.velocity(t));
+        slide.velocity_error = std::max(slide.velocity_error, error);
+        if (t < theory.turning_time() - 0.01 || t > recoil_end) {
+            slide.late_velocity_error = std::max(slide.late_velocity_error, error);
+        }
+        if (t > end - 10 && t > recoil_end) {
+            at_rest = at_rest == 0 ? s : at_rest;
+            slide.creep = std::max(slide.creep, std::abs(s - at_rest));
+        }
+        slide.time.push_back(t);
+        slide.displacement.push_back(s);
+        slide.velocity.push_back(u);
+    });
+    slide.friction_work = trial.report().ledger.dissipated_friction;
+    slide.expected_work = friction * 2500 * 0.5 * across * theory.path(trial.time());
+    return slide;
+}
+
+/// Speed of the springs' recoil when a sliding block stops: it starts with the full deceleration towards the
+/// new equilibrium and swings about it with the tangential stiffness 0.8 K_n: v = a sqrt(m/K_s).
+double recoil_speed(double friction, double stiffness) {
+    const double mass = 2500 * 0.5, shear_stiffness = 0.8 * stiffness * 6;
+    return Theory{friction}.up() * std::sqrt(mass / shear_stiffness);
+}
+
+void add_curves(const Slide& slide, double friction, int color, Plot& displacement, Plot& velocity) {
+    const Theory theory{friction};
+    std::vector<double> s, u;
+    for (const double t : slide.time) {
+        s.push_back(theory.displacement(t));
+        u.push_back(theory.velocity(t));
+    }
+    const std::string exact = fmt::format("theory, mu = {}", friction), ours = fmt::format("ours, mu = {}", friction);
+    displacement.curves.push_back({exact, slide.time, s, CurveStyle::line, color});
+    displacement.curves.push_back({ours, slide.time, slide.displacement, CurveStyle::markers, color});
+    velocity.curves.push_back({exact, slide.time, u, CurveStyle::line, color});
+    velocity.curves.push_back({ours, slide.time, slide.velocity, CurveStyle::markers, color});
+}
+
+void judge_slide(const Slide& slide, double friction, double stiffness, CaseReport& report) {
+    const Theory theory{friction};
+    const std::string name = fmt::format("mu = {}, k_n = {:.3g} Pa, ", friction, stiffness);
+    const std::string agrees = "agree well";
+    report.judge_below({name + "error of displacement", "m", agrees, {}, {}}, slide.displacement_error,
+                       2e-3 * theory.turning_point());
+    const double band = 2e-3 * start_speed, recoil = recoil_speed(friction, stiffness);
+    report.judge({name + "error of velocity", "m/s", agrees, 0.0, {}}, slide.velocity_error, 0, band,
+                 CloseBand{0, std::max(band, 1.5 * recoil),
+                           fmt::format("the contact's tangential spring recoils for a few periods where sliding stops: "
+                                       "a sqrt(m/K_s) = {:.3g} m/s; theory has a rigid stop",
+                                       recoil)});
+    report.judge_below({name + "error of velocity away from the turning point", "m/s", agrees, {}, {}},
+                       slide.late_velocity_error, band);
+    report.judge({name + "friction work", "J", {}, slide.expected_work, {}}, slide.friction_work, Relative{5e-3});
+}
+
+}  // namespace
+
+void incline(const CaseSetting& setting, CaseReport& report) {
+    Plot displacement, velocity;
+    displacement.title = "Block on a 30 degree incline: displacement";
+    velocity.title = "Block on a 30 degree incline: velocity";
+    displacement.subtitle = velocity.subtitle = "u0 = 6 m/s up the slope; k_n = 1.5e8 Pa; theory: Newton and Coulomb";
+    displacement.x.label = velocity.x.label = "time [s]";
+    displacement.y.label = "displacement up the slope [m]";
+    velocity.y.label = "velocity up the slope [m/s]";
+    int color = 0;
+    for (const double friction : {0.2, 0.4, 0.6}) {
+        const Slide result = slide(setting, friction, 1.5e8, 2.5);
+        judge_slide(result, friction, 1.5e8, report);
+        add_curves(result, friction, color++, displacement, velocity);
+    }
+    write_plot(setting, "incline_displacement", displacement);
+    write_plot(setting, "incline_velocity", velocity);
+
+    Plot stiffnesses = displacement;
+    stiffnesses.title = "Block on a 30 degree incline: the result does not depend on k_n";
+    stiffnesses.subtitle = "mu = 0.4";
+    stiffnesses.curves.clear();
+    for (const double stiffness : {1.5e7, 4.5e7, 4.5e8, 1.5e9}) {
+        const Slide result = slide(setting, 0.4, stiffness, 2.5);
+        judge_slide(result, 0.4, stiffness, report);
+        stiffnesses.curves.push_back(
+            {fmt::format("k_n = {:.2g} Pa", stiffness), result.time, result.displacement, CurveStyle::markers, -1});
+    }
+    write_plot(setting, "incline_stiffness", stiffnesses);
+
+    const Slide stick = slide(setting, 0.6, 1.5e8, 11.0);
+    report.judge_below({"mu = 0.6, creep over 10 s at rest", "m", {}, {}, {}}, stick.creep, 1e-6);
+}
+
+}  // namespace riprap::validation::zhao
