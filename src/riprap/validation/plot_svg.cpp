@@ -141,26 +141,27 @@ std::string path_of(const Curve& curve, const Scale& x, const Scale& y) {
 }
 
 void draw_curve(const Curve& curve, const char* color, const Scale& x, const Scale& y, std::string& out) {
-    if (curve.style != CurveStyle::markers) {
+    const bool has_points = curve.style == CurveStyle::points;
+    if (curve.style != CurveStyle::markers && !has_points) {
         out += fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='1.8'{}/>\n", path_of(curve, x, y), color,
                            curve.style == CurveStyle::dashed ? " stroke-dasharray='6 4'" : "");
         return;
     }
     const std::size_t count = std::min(curve.x.size(), curve.y.size());
-    const std::size_t stride = std::max<std::size_t>(1, count / 30);
+    const std::size_t stride = has_points ? 1 : std::max<std::size_t>(1, count / 30);
     for (std::size_t i = 0; i < count; i += stride) {
         const double px = x.pixel(curve.x[i]), py = y.pixel(curve.y[i]);
         if (std::isfinite(px) && std::isfinite(py)) {
-            out +=
-                fmt::format("<circle cx='{:.2f}' cy='{:.2f}' r='3.6' fill='#ffffff' stroke='{}' stroke-width='1.6'/>\n",
-                            px, py, color);
+            out += fmt::format(
+                "<circle cx='{:.2f}' cy='{:.2f}' r='{:.1f}' fill='#ffffff' stroke='{}' stroke-width='1.6'/>\n", px, py,
+                has_points ? 2.4 : 3.6, color);
         }
     }
 }
 
 void draw_legend(const Curve& curve, const char* color, std::size_t line, std::string& out) {
     const double x = width - right + 16, y = top + 12 + 20 * static_cast<double>(line);
-    if (curve.style == CurveStyle::markers) {
+    if (curve.style == CurveStyle::markers || curve.style == CurveStyle::points) {
         out += fmt::format("<circle cx='{}' cy='{}' r='3.6' fill='#ffffff' stroke='{}' stroke-width='1.6'/>\n", x + 12,
                            y, color);
     } else {

@@ -7,8 +7,8 @@
 
 namespace riprap::validation {
 
-/// How a curve is drawn: theory as a line, ours as markers on it, or both.
-enum class CurveStyle { line, dashed, markers };
+/// How a curve is drawn: theory as a line, ours as markers on it; `points` draws every point, for scenes.
+enum class CurveStyle { line, dashed, markers, points };
 
 /// y over x, both in the unit of its axis. Points that are not finite break the line.
 struct Curve {

@@ -15,6 +15,12 @@ std::span<const ValidationCase> all_cases() {
                        zhao::two_tetrahedra},
         ValidationCase{"zhao", "incline", "A block slides up an incline, stops, and slides back or stays", false,
                        zhao::incline},
+        ValidationCase{"zhao", "pillar_impact", "A block hits a row and a pillar of blocks", false,
+                       zhao::pillar_impact},
+        ValidationCase{"zhao", "wedge_static", "A wedge slides down its line of intersection", false,
+                       zhao::wedge_static},
+        ValidationCase{"zhao", "wedge_dynamic", "A wedge on a shaken slope slides, stops and rests", false,
+                       zhao::wedge_dynamic},
     };
     return cases;
 }

@@ -11,5 +11,8 @@ namespace riprap::validation::zhao {
 void golden_values(const CaseSetting& setting, CaseReport& report);
 void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
 void incline(const CaseSetting& setting, CaseReport& report);
+void pillar_impact(const CaseSetting& setting, CaseReport& report);
+void wedge_static(const CaseSetting& setting, CaseReport& report);
+void wedge_dynamic(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao

@@ -43,14 +43,17 @@ struct Slide {
     std::vector<double> time, displacement, velocity;
 };
 
-/// Depth by which the weight of the block sinks it into the ramp [m]; 1/r = 4 and 2 per metre.
-double rest_depth(double stiffness) { return 2500 * across * 0.5 / (stiffness * 6); }
+constexpr double mass = 2500 * 1.0 * 1.0 * 0.1;       // of the block [kg]
+constexpr double inverse_radii = 1 / 0.05 + 1 / 0.5;  // of block and ramp [1/m]
+
+/// Depth by which the weight of the block sinks it into the ramp [m].
+double rest_depth(double stiffness) { return mass * across / (stiffness * inverse_radii); }
 
 Slide slide(const CaseSetting& setting, double friction, double stiffness, double end) {
     const std::vector<std::string> overrides{
         fmt::format("material.rock.friction_coefficient={}", friction),
         fmt::format("material.rock.normal_stiffness={:e}", stiffness),
-        fmt::format("body.block.position=[0,0,{:.17g}]", 0.25 - rest_depth(stiffness))};
+        fmt::format("body.block.position=[0,0,{:.17g}]", 0.05 - rest_depth(stiffness))};
     Trial trial = trial_of(setting, overrides);
     const BodyId block = trial.body("block");
     const Theory theory{friction};
@@ -75,14 +78,14 @@ Slide slide(const CaseSetting& setting, double friction, double stiffness, doubl
         slide.velocity.push_back(u);
     });
     slide.friction_work = trial.report().ledger.dissipated_friction;
-    slide.expected_work = friction * 2500 * 0.5 * across * theory.path(trial.time());
+    slide.expected_work = friction * mass * across * theory.path(trial.time());
     return slide;
 }
 
 /// Speed of the springs' recoil when a sliding block stops: it starts with the full deceleration towards the
 /// new equilibrium and swings about it with the tangential stiffness 0.8 K_n: v = a sqrt(m/K_s).
 double recoil_speed(double friction, double stiffness) {
-    const double mass = 2500 * 0.5, shear_stiffness = 0.8 * stiffness * 6;
+    const double shear_stiffness = 0.8 * stiffness * inverse_radii;
     return Theory{friction}.up() * std::sqrt(mass / shear_stiffness);
 }
 

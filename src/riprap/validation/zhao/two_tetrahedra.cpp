@@ -25,6 +25,7 @@ struct Fall {
     double energy_error{0};                ///< |E - E_0|/E_0 over the whole run [-]
     double returned_energy{std::nan("")};  ///< kinetic + potential at separation over that at first touch [-]
     double sideways{0};                    ///< largest of |v_x|, |v_z| [m/s] and |omega| [rad/s] after separation
+    double dt{0};                          ///< [s]
     Vec3 velocity{};                       ///< at separation [m/s]
     Vec3 spin{};                           ///< at separation [rad/s]
     std::vector<double> time, kinetic, potential, contact, height, lateral;  ///< [s], [J], [m]
@@ -49,6 +50,7 @@ Fall fall(const CaseSetting& setting, bool is_parallel, bool is_fdem) {
     const double ground = mass * gravity * (start - drop);
 
     Fall fall;
+    fall.dt = trial.dt();
     double first_total = 0, energy_at_touch = 0;
     bool was_touching = false, has_left = false;
     trial.run_until(1.6, [&](const Trial& now) {
@@ -95,8 +97,16 @@ void judge_straight_return(const char* name, const Fall& fall, double depth, Cas
                  fall.returned_energy, Absolute{1e-4});
     report.judge_below({of("sideways speed and spin after impact"), "m/s, rad/s", no_number, {}, {}}, fall.sideways,
                        1e-8 * impact_speed);
-    report.judge_below({of("change of kinetic + potential + contact energy"), "-", {}, {}, {}}, fall.energy_error,
-                       1e-4);
+    // The energy that leapfrog steps keep is not the sampled one: in a spring of frequency omega they differ by up to
+    // (omega dt)^2/4 of the energy while the spring is loaded, and by nothing afterwards.
+    const double omega = M_PI / (fall.leave_time - fall.touch_time);
+    const double swing = 0.25 * omega * omega * fall.dt * fall.dt;
+    const Reference energy{of("change of kinetic + potential + contact energy"), "-", {}, 0.0, {}};
+    report.judge(energy, fall.energy_error, 0, 1e-4,
+                 CloseBand{0, 2 * swing,
+                           fmt::format("leapfrog's swing inside the contact, (omega dt)^2/4 = {:.2g}; before and after "
+                                       "it the energy is the same to {:.1g}",
+                                       swing, std::abs(fall.returned_energy - 1))});
     report.judge({of("height of return"), "m", no_number, drop, {}}, fall.apex, Relative{1e-3});
 }
 
