@@ -29,6 +29,13 @@ inline Lanes snap(Lanes v, Lanes tolerance) {
     return v > tolerance ? v : v < -tolerance ? v : zero;
 }
 
+/// The least of the lanes.
+inline double least(Lanes v) {
+    v = min(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+    v = min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
+    return v[0] < v[1] ? v[0] : v[1];
+}
+
 /// One bit per lane.
 inline unsigned bits_below(Lanes a, Lanes b) {
 #if defined(__AVX512F__)

@@ -13,8 +13,8 @@ using plain::Cut, plain::Plane;
 
 /// phi at an apex below this counts as zero: the cells meet in a corner of the field body, to round-off.
 constexpr double shared_corner = 1e-13;
-/// Polygons of small shapes need no more corners than this.
-constexpr std::size_t small_capacity = 64, large_capacity = 2048;
+/// Corners of a wall polygon: hardly ever more than a few; no shape of this program needs more than the large room.
+constexpr int usual_capacity = 32, large_capacity = 4096;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -125,7 +125,6 @@ class Walls {
         const bool by_surface = side_.surface.vertex_count > 0 && side_.surface.circumradius < side_.field.circumradius;
         centre_ = (by_surface ? side_.frame.origin : Vec3{}) - side_.reference;
         radius_ = 1.01 * (by_surface ? side_.surface.circumradius : side_.field.circumradius);
-        capacity_ = 4 + cells_.size() + scratch_.surface.size() + scratch_.internal.size();
     }
 
     double wall_between(const Cell& j, const Cell& l) const {
@@ -139,13 +138,14 @@ class Walls {
     }
 
     double integral_in(const Plane& plane, const Cell& j, const Cell* l) const {
-        return capacity_ <= small_capacity ? cut_and_integrate<small_capacity>(plane, j, l)
-                                           : cut_and_integrate<large_capacity>(plane, j, l);
+        bool overflows = false;
+        const double usual = cut_and_integrate<usual_capacity>(plane, j, l, overflows);
+        return overflows ? cut_and_integrate<large_capacity>(plane, j, l, overflows) : usual;
     }
 
     /// Integral of phi_j over the part of a plane in the overlap where j (and l) have the least w h.
     template <int Capacity>
-    double cut_and_integrate(const Plane& plane, const Cell& j, const Cell* l) const {
+    double cut_and_integrate(const Plane& plane, const Cell& j, const Cell* l, bool& overflows) const {
         auto polygon = plain::square_in<Capacity>(plane, centre_, radius_);
         const Vec3 normal = normalized(plane.gradient);
         const double steepness = norm(j.phi.gradient);
@@ -172,6 +172,7 @@ class Walls {
                 return 0;
             }
         }
+        overflows = polygon.overflows;
         return plain::integrate(polygon, normal, j.phi, Vec3{}).sum;
     }
 
@@ -180,7 +181,6 @@ class Walls {
     Scratch& scratch_;
     Vec3 centre_{};
     double radius_{0};
-    std::size_t capacity_{0};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "riprap/contact/narrowphase/surface_in_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "riprap/contact/narrowphase/polygon_plain.hpp"
@@ -55,7 +56,7 @@ class SurfacePass {
         const Index faces = field_.face_count;
         const Index row_count = corner_count_ + 4 * faces + 8;
         SurfaceWorkspace& work = side_.work;
-        if (const auto need = at(row_count * stride() + 2 * groups()); work.rows.size() < need) {
+        if (const auto need = at(row_count * stride() + 3 * groups()); work.rows.size() < need) {
             work.rows.resize(need);
         }
         loop_room_ = corner_count_ + 2 * faces + 8;
@@ -70,21 +71,28 @@ class SurfacePass {
             work.is_met.assign(at(faces), 0);
             work.reaches.assign(at(side_.surface.face_count), 0);
         }
+        if (work.gaps.size() < at(loop_room_)) {
+            work.gaps.resize(at(loop_room_));
+        }
+        gaps_ = work.gaps.data();
         rows_ = work.rows.data();
         weights_ = rows_ + row_count * stride();
         fields_ = weights_ + groups();
+        lows_ = fields_ + groups();
         for (Index g = 0; g < groups(); ++g) {
             weights_[g] = side_.potential == Potential::distance ? broadcast(1 / field_.inscribed_radius)
                                                                  : load(field_.fdem_weight + 8 * g);
-            fields_[g] = broadcast(infinity);
+            fields_[g] = broadcast(-infinity);
         }
-        has_internal_ = false;
-        field_count_ = 0;
+        field_count_ = faces;
         for (Index j = 0; j < faces; ++j) {
-            const bool is_cell = field_.is_internal[j] == 0;
-            has_internal_ = has_internal_ || !is_cell;
-            field_count_ += is_cell ? 1 : 0;
-            reinterpret_cast<double*>(fields_)[j] = is_cell ? -infinity : infinity;
+            if (field_.is_internal[j] != 0) {
+                reinterpret_cast<double*>(fields_)[j] = infinity;
+                --field_count_;
+            }
+        }
+        for (Index j = faces; j < 8 * groups() && faces > 0 && field_.is_internal[faces - 1] != 0; ++j) {
+            reinterpret_cast<double*>(fields_)[j] = infinity;
         }
     }
 
@@ -147,7 +155,8 @@ class SurfacePass {
         is_internal_ = s.is_internal[f] != 0;
         patch_area_ = 0;
         patch_sum_ = 0;
-        patch_first_ = {};
+        patch_first_ = broadcast(0);
+        choose_plane();
         offset_ = dot(normal_, position(patch.corner[0]));
         const Index kept = keep_cells(patch);
         if (kept == 0) {
@@ -165,9 +174,10 @@ class SurfacePass {
         }
         total_.area += (share * patch_area_) * normal_;
         if (!is_internal_) {
+            const Vec3 first{patch_first_[0], patch_first_[1], patch_first_[2]};
             total_.force += patch_sum_ * normal_;
-            total_.moment += cross(patch_first_, normal_);
-            total_.first += patch_first_;
+            total_.moment += cross(first, normal_);
+            total_.first += first;
             total_.sum += patch_sum_;
         }
     }
@@ -205,8 +215,8 @@ class SurfacePass {
             }
             for (; crossing != 0; crossing &= crossing - 1) {
                 const Index j = 8 * g + __builtin_ctz(crossing);
-                if (!cut(
-                        patch, [&](Index i) { return value(i, j); }, j)) {
+                const Where where = gather(patch, [&](Index i) { return value(i, j); });
+                if (!where.inside || (where.outside && !cut(patch, j))) {
                     return false;
                 }
             }
@@ -223,47 +233,58 @@ class SurfacePass {
                 continue;
             }
             const double wl = weight(l), wj = weight(j), slack = side_.tolerance * (wl + wj);
-            const auto gap = [&](Index i) {
+            const Where where = gather(piece, [&](Index i) {
                 const double s = value(i, l) - value(i, j);
-                return s > slack || s < -slack ? s : 0.0;
-            };
-            bool any_inside = false, any_outside = false;
-            for (Index i = 0; i < piece.size; ++i) {
-                const double s = gap(piece.corner[i]);
-                any_inside = any_inside || s > 0;
-                any_outside = any_outside || s < 0;
-            }
-            if (!any_inside && !any_outside) {
+                return std::abs(s) > slack ? s : 0.0;
+            });
+            if (where.inside && where.outside) {
+                if (!cut(piece, -1)) {
+                    return false;
+                }
+            } else if (where.outside) {
+                return false;
+            } else if (!where.inside) {
                 const double lean = dot(wl * field_.normal(l) - wj * field_.normal(j), normal_);
                 if (lean < 0 || (lean == 0 && l < j)) {
                     return false;
                 }
-            } else if (!any_inside) {
-                return false;
-            } else if (any_outside && !cut(piece, gap, -1)) {
-                return false;
             }
         }
         return true;
     }
 
-    /// Cuts a loop to gap >= 0; new corners become new rows. `face` >= 0: the plane is that face's, where new corners
-    /// lie exactly.
+    struct Where {
+        bool inside, outside;
+    };
+
+    /// Fills gaps_ with the signed distances of a loop's corners from a plane.
     template <class Gap>
-    bool cut(Loop& loop, const Gap& gap, Index face) {
+    Where gather(const Loop& loop, const Gap& gap) {
+        bool inside = false, outside = false;
+        for (Index i = 0; i < loop.size; ++i) {
+            const double s = gap(loop.corner[i]);
+            gaps_[i] = s;
+            inside |= s > 0;
+            outside |= s < 0;
+        }
+        return {inside, outside};
+    }
+
+    /// Cuts a loop to gap >= 0 after gather(); new corners become new rows. `face` >= 0: the plane is that face's,
+    /// where new corners lie exactly. False when nothing is left.
+    bool cut(Loop& loop, Index face) {
         Index* out = side_.work.loops.data() + (loop_bank_ + (loop_turn_ ^= 1)) * loop_room_;
         Index count = 0;
         Index before = loop.corner[loop.size - 1];
-        double s_before = gap(before);
+        double s_before = gaps_[loop.size - 1];
         for (Index i = 0; i < loop.size; ++i) {
             const Index here = loop.corner[i];
-            const double s = gap(here);
-            if ((s > 0 && s_before < 0) || (s < 0 && s_before > 0)) {
+            const double s = gaps_[i];
+            if (s * s_before < 0) {
                 out[count++] = interpolate(before, here, s_before / (s_before - s), face);
             }
-            if (s >= 0) {
-                out[count++] = here;
-            }
+            out[count] = here;
+            count += s >= 0 ? 1 : 0;
             before = here;
             s_before = s;
         }
@@ -272,18 +293,16 @@ class SurfacePass {
     }
 
     Index interpolate(Index i, Index k, double t, Index face) {
+        constexpr Lanes lane_number{0, 1, 2, 3, 4, 5, 6, 7};
         const Index made = row_count_++;
         const Lanes *a = row(i), *b = row(k);
         Lanes* r = row(made);
-        for (Index g = 0; g <= groups(); ++g) {
-            r[g] = a[g] + t * (b[g] - a[g]);
-        }
         for (Index g = 0; g < groups(); ++g) {
-            r[g] = snap(r[g], side_.tolerance * weights_[g]);
+            const Lanes p = snap(a[g] + t * (b[g] - a[g]), side_.tolerance * weights_[g]);
+            // Whole vectors only: a scalar store here would hold up the next vector load.
+            r[g] = lane_number == broadcast(face - 8 * g) ? broadcast(0) : p;
         }
-        if (face >= 0) {
-            reinterpret_cast<double*>(r)[face] = 0;
-        }
+        r[groups()] = a[groups()] + t * (b[groups()] - a[groups()]);
         return made;
     }
 
@@ -294,26 +313,20 @@ class SurfacePass {
         }
         double ceiling = infinity;
         for (Index g = 0; g < groups(); ++g) {
-            Lanes high = row(patch.corner[0])[g];
+            Lanes low = row(patch.corner[0])[g], high = low;
             for (Index i = 1; i < patch.size; ++i) {
+                low = min(low, row(patch.corner[i])[g]);
                 high = max(high, row(patch.corner[i])[g]);
             }
-            high = max(high, fields_[g]);
-            for (int lane = 0; lane < 8; ++lane) {
-                ceiling = std::min(ceiling, high[lane]);
-            }
+            lows_[g] = max(low, fields_[g]);
+            ceiling = std::min(ceiling, least(max(high, fields_[g])));
         }
         if (ceiling <= 0) {
             return 0;
         }
         Index kept = 0;
         for (Index g = 0; g < groups(); ++g) {
-            Lanes low = row(patch.corner[0])[g];
-            for (Index i = 1; i < patch.size; ++i) {
-                low = min(low, row(patch.corner[i])[g]);
-            }
-            low = max(low, fields_[g]);
-            for_each_bit(bits_not_above(low, broadcast(ceiling)), [&](int lane) {
+            for_each_bit(bits_not_above(lows_[g], broadcast(ceiling)), [&](int lane) {
                 if (8 * g + lane < field_.face_count) {
                     side_.work.kept[at(kept++)] = 8 * g + lane;
                 }
@@ -335,30 +348,36 @@ class SurfacePass {
         return 0.5 * dot(normal_, sum);
     }
 
-    /// See plain::integrate for the formulas.
+    /// See plain::integrate for the formulas; areas are taken in the coordinate plane that the face is steepest on.
     void integrate(const Loop& loop, Index j) {
-        const Vec3 x0 = position(loop.corner[0]);
+        const Lanes x0 = row(loop.corner[0])[groups()];
+        Lanes x1 = row(loop.corner[1])[groups()];
         const double p0 = value(loop.corner[0], j);
-        Vec3 x1 = position(loop.corner[1]);
         double p1 = value(loop.corner[1], j);
-        double largest = std::max(p0, p1), twice_area = 0, six_sum = 0;
-        Vec3 first{};
+        const double u0 = coordinate(loop.corner[0], axis_u_), v0 = coordinate(loop.corner[0], axis_v_);
+        double u1 = coordinate(loop.corner[1], axis_u_) - u0, v1 = coordinate(loop.corner[1], axis_v_) - v0;
+        double largest = std::max(p0, p1), shadow = 0, six_sum = 0;
+        Lanes first = broadcast(0);
         for (Index i = 2; i < loop.size; ++i) {
-            const Vec3 x2 = position(loop.corner[i]);
-            const double p2 = value(loop.corner[i], j);
-            const double twice = dot(normal_, cross(x1 - x0, x2 - x0));
+            const Index corner = loop.corner[i];
+            const Lanes x2 = row(corner)[groups()];
+            const double p2 = value(corner, j), u2 = coordinate(corner, axis_u_) - u0,
+                         v2 = coordinate(corner, axis_v_) - v0;
+            const double twice = u1 * v2 - u2 * v1;
             const double sum = p0 + p1 + p2;
-            twice_area += twice;
+            shadow += twice;
             six_sum += twice * sum;
             first += twice * ((sum + p0) * x0 + (sum + p1) * x1 + (sum + p2) * x2);
             largest = std::max(largest, p2);
             x1 = x2;
             p1 = p2;
+            u1 = u2;
+            v1 = v2;
         }
-        const double sum = six_sum * (1.0 / 6);
-        patch_area_ += 0.5 * twice_area;
+        const double sum = six_sum * stretch_ * (1.0 / 6);
+        patch_area_ += 0.5 * stretch_ * shadow;
         patch_sum_ += sum;
-        patch_first_ += (1.0 / 24) * first;
+        patch_first_ += (stretch_ * (1.0 / 24)) * first;
         if (!is_internal_) {
             const double w = weight(j);
             total_.weighted += w * sum;
@@ -372,14 +391,28 @@ class SurfacePass {
         }
     }
 
+    double coordinate(Index i, Index axis) const { return reinterpret_cast<const double*>(row(i) + groups())[axis]; }
+
+    /// Chooses the coordinate plane onto which the face casts its largest shadow, and area / shadow.
+    void choose_plane() {
+        const Vec3 size{std::abs(normal_.x), std::abs(normal_.y), std::abs(normal_.z)};
+        const Index axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        axis_u_ = axis == 2 ? 0 : axis + 1;
+        axis_v_ = axis == 0 ? 2 : axis - 1;
+        stretch_ = 1 / normal_[axis];
+    }
+
     const SurfaceInField& side_;
     const geometry::ConvexView& field_;
     SurfaceIntegrals& total_;
     Index groups_count_, corner_count_{0}, row_count_{0}, loop_room_{0}, loop_turn_{0}, loop_bank_{0}, field_count_{0};
-    Lanes *rows_{nullptr}, *weights_{nullptr}, *fields_{nullptr};
-    bool has_internal_{false}, is_internal_{false};
-    Vec3 normal_{}, patch_first_{};
-    double offset_{0}, patch_area_{0}, patch_sum_{0};
+    double* gaps_{nullptr};
+    Lanes *rows_{nullptr}, *weights_{nullptr}, *fields_{nullptr}, *lows_{nullptr};
+    bool is_internal_{false};
+    Vec3 normal_{};
+    Lanes patch_first_{};
+    Index axis_u_{0}, axis_v_{1};
+    double stretch_{1}, offset_{0}, patch_area_{0}, patch_sum_{0};
 };
 
 }  // namespace

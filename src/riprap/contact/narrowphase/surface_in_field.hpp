@@ -20,6 +20,7 @@ struct CellSum {
 struct SurfaceWorkspace {
     std::vector<Lanes> rows;            ///< per corner: `groups` vectors of w_j h_j, then (x, y, z, unused)
     std::vector<std::int32_t> loops;    ///< corner lists of polygons being cut
+    std::vector<double> gaps;           ///< of the corners of a loop from the plane that cuts it
     std::vector<std::int32_t> kept;     ///< candidate cells of a patch
     std::vector<CellSum> cells;         ///< per face of the field body
     std::vector<std::uint8_t> is_met;   ///< per face of the field body: a piece of the surface lies in its cell
