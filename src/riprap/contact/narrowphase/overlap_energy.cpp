@@ -138,15 +138,19 @@ class Walls {
     }
 
     double integral_in(const Plane& plane, const Cell& j, const Cell* l) const {
-        bool overflows = false;
-        const double usual = cut_and_integrate<usual_capacity>(plane, j, l, overflows);
-        return overflows ? cut_and_integrate<large_capacity>(plane, j, l, overflows) : usual;
+        auto usual = plain::square_in<usual_capacity>(plane, centre_, radius_);
+        const double sum = cut_and_integrate(usual, plane, j, l);
+        if (!usual.overflows) {
+            return sum;
+        }
+        auto large = plain::square_in<large_capacity>(plane, centre_, radius_);
+        return cut_and_integrate(large, plane, j, l);
     }
 
-    /// Integral of phi_j over the part of a plane in the overlap where j (and l) have the least w h.
+    /// Integral of phi_j over the part of a square in a plane in the overlap where j (and l) have the least w h.
     template <int Capacity>
-    double cut_and_integrate(const Plane& plane, const Cell& j, const Cell* l, bool& overflows) const {
-        auto polygon = plain::square_in<Capacity>(plane, centre_, radius_);
+    double cut_and_integrate(plain::Polygon<Capacity>& polygon, const Plane& plane, const Cell& j,
+                             const Cell* l) const {
         const Vec3 normal = normalized(plane.gradient);
         const double steepness = norm(j.phi.gradient);
         if (plain::clip(polygon, j.phi, side_.tolerance * steepness) != Cut::inside) {
@@ -172,7 +176,6 @@ class Walls {
                 return 0;
             }
         }
-        overflows = polygon.overflows;
         return plain::integrate(polygon, normal, j.phi, Vec3{}).sum;
     }
 
