@@ -17,16 +17,36 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing};
+constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
-constexpr std::array<std::string_view, 5> reduces{"last", "min", "max", "mean", "at"};
+constexpr std::array<std::string_view, 6> reduces{"last", "min", "max", "mean", "at", "when"};
 
-void add(RunningFigures& f, double time, double value, double at) {
+/// The value at a moment between the last look and this one, where x went from x0 to x1 and passed `level`.
+double between(const RunningFigures& f, double value, double x0, double x1, double level) {
+    return f.previous + (value - f.previous) * (level - x0) / (x1 - x0);
+}
+
+void look_at_time(RunningFigures& f, double time, double value, double at) {
     if (time == at) {
         f.at = value;
     } else if (f.previous_time < at && at < time) {
-        f.at = f.previous + (value - f.previous) * (at - f.previous_time) / (time - f.previous_time);
+        f.at = between(f, value, f.previous_time, time, at);
     }
+}
+
+/// Keeps the value of the first moment at which the trigger reaches its level.
+void look_at_trigger(RunningFigures& f, double trigger, double value, double level) {
+    if (std::isnan(f.at)) {
+        if (trigger == level) {
+            f.at = value;
+        } else if ((f.previous_trigger < level) != (trigger < level) && !std::isnan(f.previous_trigger)) {
+            f.at = between(f, value, f.previous_trigger, trigger, level);
+        }
+    }
+    f.previous_trigger = trigger;
+}
+
+void add(RunningFigures& f, double time, double value) {
     f.last = value;
     f.minimum = std::min(f.minimum, value);
     f.maximum = std::max(f.maximum, value);
@@ -49,7 +69,7 @@ double reduce(const RunningFigures& f, const std::string& how) {
     if (how == "mean") {
         return f.sum / f.count;
     }
-    return how == "at" ? f.at : f.last;
+    return how == "at" || how == "when" ? f.at : f.last;
 }
 
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
@@ -73,17 +93,21 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
     std::vector<Diagnostic> problems;
     for (const sim::Expect& expect : model.expects) {
         if (std::find(reduces.begin(), reduces.end(), expect.reduce) == reduces.end()) {
-            problems.push_back(
-                problem_of(expect, "reduce = '" + expect.reduce + "' is unknown", "one of last, min, max, mean, at"));
+            problems.push_back(problem_of(expect, "reduce = '" + expect.reduce + "' is unknown",
+                                          "one of last, min, max, mean, at, when"));
         }
-        const std::optional<sim::Column> column = sim::find_column(model, expect.quantity);
-        if (!column) {
-            problems.push_back(
-                problem_of(expect, "there is no quantity '" + expect.quantity + "'",
-                           "a column of a probe, a quantity of the scene, or body.quantity, vectors with .x, .y or "
-                           ".z"));
-        }
-        columns_.push_back(column.value_or(sim::Column{}));
+        const auto find = [&](const std::string& quantity) {
+            const std::optional<sim::Column> column = sim::find_column(model, quantity);
+            if (!column) {
+                problems.push_back(
+                    problem_of(expect, "there is no quantity '" + quantity + "'",
+                               "a column of a probe, a quantity of the scene, or body.quantity, vectors with .x, .y or "
+                               ".z"));
+            }
+            return column.value_or(sim::Column{});
+        };
+        columns_.push_back(find(expect.quantity));
+        triggers_.push_back(expect.reduce == "when" ? find(expect.when) : sim::Column{});
     }
     if (!problems.empty()) {
         throw CaseError(std::move(problems));
@@ -94,7 +118,13 @@ void ExpectWatch::look(const sim::Moment& moment) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const double value = evaluate(columns_[i], moment);
         if (!std::isnan(value)) {
-            add(figures_[i], moment.state.time, value, model_.expects[i].at);
+            const sim::Expect& expect = model_.expects[i];
+            if (expect.reduce == "at") {
+                look_at_time(figures_[i], moment.state.time, value, expect.at);
+            } else if (expect.reduce == "when") {
+                look_at_trigger(figures_[i], evaluate(triggers_[i], moment), value, expect.reaches);
+            }
+            add(figures_[i], moment.state.time, value);
         }
     }
 }

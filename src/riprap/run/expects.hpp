@@ -13,7 +13,7 @@ namespace riprap::run {
 
 /// Running figures of one quantity. State of a run: kept in its checkpoints.
 struct RunningFigures {
-    double last, minimum, maximum, sum, count, previous_time, previous, at;
+    double last, minimum, maximum, sum, count, previous_time, previous, previous_trigger, at;
 };
 
 /// Judgement of one [[expect]].
@@ -50,6 +50,7 @@ class ExpectWatch {
  private:
     const sim::Model& model_;
     std::vector<sim::Column> columns_;
+    std::vector<sim::Column> triggers_;  ///< of reduce = when; unset otherwise
     std::vector<RunningFigures> figures_;
 };
 

@@ -67,6 +67,27 @@ void read_probe(CaseBuild& build, const Value& table) {
     build.model.output.probes.push_back(std::move(probe));
 }
 
+/// Whether `quantity` names one number of the run; a problem with the nearest name otherwise.
+bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
+    if (sim::find_column(build.model, quantity)) {
+        return true;
+    }
+    std::vector<std::string> known;
+    for (const sim::Probe& probe : build.model.output.probes) {
+        for (const sim::Column& column : sim::columns_of(probe)) {
+            known.push_back(column.name);
+        }
+    }
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        known.emplace_back(info.name);
+    }
+    const std::string meant = nearest(quantity, known);
+    build.problem(place, fmt::format("there is no quantity '{}'", quantity),
+                  meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
+                                : fmt::format("did you mean '{}'?", meant));
+    return false;
+}
+
 void read_expect(CaseBuild& build, const Value& table) {
     sim::Expect expect;
     expect.name = get_text(table, "name");
@@ -86,6 +107,13 @@ void read_expect(CaseBuild& build, const Value& table) {
             build.problem(at->place, fmt::format("at = {} s lies beyond the end of the run", expect.at),
                           fmt::format("at most end = {} s", build.model.time.end));
         }
+    }
+    const Value* when = table.find("when");
+    if ((expect.reduce == "when") != (when != nullptr)) {
+        build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");
+    } else if (when != nullptr) {
+        expect.when = when->text;
+        expect.reaches = get_number(table, "reaches");
     }
     if (const Value* value = table.find("value")) {
         expect.value = value->as_number();
@@ -112,20 +140,8 @@ void read_expect(CaseBuild& build, const Value& table) {
     if (!build.problems.empty()) {
         return;  // the body or probe that it names may be missing for another reason
     }
-    if (!sim::find_column(build.model, expect.quantity)) {
-        std::vector<std::string> known;
-        for (const sim::Probe& probe : build.model.output.probes) {
-            for (const sim::Column& column : sim::columns_of(probe)) {
-                known.push_back(column.name);
-            }
-        }
-        for (const sim::QuantityInfo& quantity : sim::quantities()) {
-            known.emplace_back(quantity.name);
-        }
-        const std::string meant = nearest(expect.quantity, known);
-        build.problem(get(table, "quantity").place, fmt::format("there is no quantity '{}'", expect.quantity),
-                      meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
-                                    : fmt::format("did you mean '{}'?", meant));
+    if (!check_column(build, expect.quantity, get(table, "quantity").place) ||
+        (when != nullptr && !check_column(build, expect.when, when->place))) {
         return;
     }
     build.model.expects.push_back(std::move(expect));

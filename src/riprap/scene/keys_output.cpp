@@ -68,10 +68,15 @@ const Table& expect_table() {
           {},
           true},
          {"reduce",
-          {choice({"last", "min", "max", "mean", "at"})},
+          {choice({"last", "min", "max", "mean", "at", "when"})},
           "How the column becomes one number.",
           Value::of("last")},
          {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
+         {"when",
+          {text()},
+          "For reduce = \"when\": the value is taken at the moment at which this other quantity first passes a level.",
+          {}},
+         {"reaches", {number(dimension::plain)}, "The level that `when` has to reach, from above or below, in SI.", {}},
          {"value", {number(dimension::plain)}, "The expected number, in SI.", {}},
          {"tolerance", {number(dimension::plain, non_negative())}, "Accepted absolute error, in SI.", {}},
          {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
@@ -80,6 +85,7 @@ const Table& expect_table() {
          {"citation", {text()}, "Where the value comes from: a formula, a paper, an experiment.", {}, true}},
         {{GroupRule::exactly_one, {"value", "low"}},
          {GroupRule::all_or_none, {"low", "high"}},
+         {GroupRule::all_or_none, {"when", "reaches"}},
          {GroupRule::at_most_one, {"tolerance", "relative_tolerance"}}}};
     return table;
 }

@@ -58,12 +58,14 @@ struct OutputSettings {
 struct Expect {
     std::string name;
     std::string quantity;        ///< probe column or ledger/summary quantity
-    std::string reduce{"last"};  ///< last, min, max, mean, at
+    std::string reduce{"last"};  ///< last, min, max, mean, at, when
     double at{0};                ///< time for reduce = at [s]
     double value{0};
     double low{0}, high{0};  ///< accepted band
     std::string citation;
-    std::string place;  ///< file:line:column, for messages
+    std::string place;   ///< file:line:column, for messages
+    std::string when{};  ///< for reduce = when: the value at the moment at which this quantity first
+    double reaches{0};   ///< ... reaches this level, from above or below
 };
 
 /// What the case says. Built once by scene/, then const.

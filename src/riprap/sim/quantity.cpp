@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/quantity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "riprap/core/parallel.hpp"
 
 namespace riprap::sim {
 
@@ -61,6 +64,19 @@ Vec3 booked_vector(const Moment& m) {
 }
 Vec3 time_now(const Moment& m) { return scalar(m.state.time); }
 Vec3 step_now(const Moment& m) { return scalar(static_cast<double>(m.state.step)); }
+Vec3 tilt(const Moment& m) {
+    const Vec3& before = m.model.gravity.value;
+    const Vec3 now = m.model.gravity.at(m.state.time);
+    return scalar(std::atan2(norm(cross(before, now)), dot(before, now)));
+}
+Vec3 max_displacement(const Moment& m) {
+    const auto moved = [&m](std::int64_t i) {
+        const BodyId id{static_cast<std::int32_t>(i)};
+        return is_free(m.model.bodies, id, m.state.time) ? distance(m, id).x : 0.0;
+    };
+    return scalar(
+        parallel::reduce(m.model.bodies.size(), 0.0, moved, [](double a, double b) { return std::max(a, b); }));
+}
 
 // Kept as two lists by owner, in the order in which the manual prints them.
 const std::array body_table{
@@ -82,6 +98,10 @@ const std::array scene_table{
     Quantity{{"time", "s", 1, false, "simulated time"}, nullptr, time_now},
     Quantity{{"step", "-", 1, false, "steps done"}, nullptr, step_now},
     Quantity{{"max_speed", "m/s", 1, false, "of the fastest body"}, nullptr, reported<&StepReport::max_speed>},
+    Quantity{{"max_displacement", "m", 1, false, "of the free body that moved farthest since time 0"},
+             nullptr,
+             max_displacement},
+    Quantity{{"tilt", "rad", 1, false, "angle that gravity has turned"}, nullptr, tilt},
     Quantity{{"max_overlap", "m", 1, false, "of the deepest contact"}, nullptr, reported<&StepReport::max_depth>},
     Quantity{{"max_potential", "-", 1, false, "of the deepest contact over the inscribed radius"},
              nullptr,
