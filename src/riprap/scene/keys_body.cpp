@@ -51,12 +51,17 @@ const Table& surface_table() {
     static const Table table{
         "shape.surface",
         "shape = { stl = { ... } } or { obj = { ... } }",
-        "A closed surface from a file. It is audited: open, inverted, self-touching or degenerate surfaces are refused "
-        "with the place; coplanar triangles are merged. A surface that is not convex must be given as a union of "
-        "convex ones.",
+        "A closed surface from a file. Open, inverted, self-touching or degenerate surfaces are refused with the "
+        "place; "
+        "coplanar triangles are merged. A body that is not convex is given as several closed convex shells in the file "
+        "(docs/howto/surfaces.md).",
         {{"file", {path()}, "STL (ASCII or binary) or OBJ file in the folder of the case.", {}, true},
          {"units", {choice({"m", "cm", "mm"})}, "Unit of the numbers in the file; STL carries none.", {}, true},
          {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
+         {"repair",
+          {boolean()},
+          "Turn inverted faces and leave out collapsed ones, and say so, instead of refusing them.",
+          Value::of(false)},
          {"center",
           {boolean()},
           "Move the centre of mass to the position; otherwise the file's origin is the position.",

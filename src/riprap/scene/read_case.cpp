@@ -91,7 +91,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     loaded.folder = folder;
     loaded.source_text = std::string(text);
     CaseFiles files(folder);
-    ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems);
+    ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings);
     CaseBuild build{resolved, is_planar, loaded.model, loaded.state, files, shapes, problems, loaded.warnings};
     build_settings(build);
     build_materials(build);

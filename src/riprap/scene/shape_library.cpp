@@ -152,27 +152,6 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
     return std::vector<Polyhedron>{std::move(*one)};
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& list) {
-    std::vector<Polyhedron> all;
-    bool is_good = true;
-    for (const Value& part : list.items) {
-        const Value* shape = part.find("shape");
-        if (shape == nullptr || shape->entries.empty()) {
-            is_good = false;
-            continue;
-        }
-        const auto some = pieces(*shape);
-        is_good = is_good && some.has_value();
-        if (some) {
-            const Pose pose{get_vector(part, "position"), orientation_of(part.find("orientation"))};
-            for (const Polyhedron& piece : *some) {
-                all.push_back(geometry::moved(piece, pose));
-            }
-        }
-    }
-    return is_good ? std::optional(std::move(all)) : std::nullopt;
-}
-
 std::optional<std::vector<Polyhedron>> ShapeLibrary::pieces(const Value& shape) {
     const auto [it, is_new] = known_pieces_.try_emplace(text_of(shape));
     if (is_new) {

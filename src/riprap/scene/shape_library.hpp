@@ -8,6 +8,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/geometry/outcome.hpp"
+#include "riprap/geometry/surface.hpp"
 #include "riprap/scene/case_files.hpp"
 #include "riprap/scene/value.hpp"
 
@@ -16,8 +17,9 @@ namespace riprap::scene {
 /// Turns shape tables of the case into convex parts in the scene's ShapeSet, each distinct shape once.
 class ShapeLibrary {
  public:
-    ShapeLibrary(geometry::ShapeSet& shapes, CaseFiles& files, bool is_planar, std::vector<Diagnostic>& problems)
-        : shapes_(shapes), files_(files), is_planar_(is_planar), problems_(problems) {}
+    ShapeLibrary(geometry::ShapeSet& shapes, CaseFiles& files, bool is_planar, std::vector<Diagnostic>& problems,
+                 std::vector<std::string>& warnings)
+        : shapes_(shapes), files_(files), is_planar_(is_planar), problems_(problems), warnings_(warnings) {}
 
     /// The parts of a body of this shape, `local` from the frame of the shape table; `scale` multiplies all lengths.
     /// Nothing, with a problem at the place of the table (once per table), when the shape is refused.
@@ -35,6 +37,7 @@ class ShapeLibrary {
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
     std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
+    std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_random_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_prism(const Value& table);
@@ -46,6 +49,7 @@ class ShapeLibrary {
     CaseFiles& files_;
     bool is_planar_;
     std::vector<Diagnostic>& problems_;
+    std::vector<std::string>& warnings_;
     std::map<std::string, std::optional<std::vector<body::Part>>> known_parts_;
     std::map<std::string, std::optional<std::vector<geometry::Polyhedron>>> known_pieces_;
 };
