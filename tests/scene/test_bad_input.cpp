@@ -247,6 +247,20 @@ TEST(BadInput, deep_nesting_long_keys_and_huge_files_are_refused_before_parsing)
     EXPECT_THAT(problems_of(numbers + "]\n"), ElementsAre(HasSubstr("too many values")));
 }
 
+TEST(BadInput, a_flood_of_materials_or_unknown_keys_is_refused_quickly) {
+    const auto start = std::chrono::steady_clock::now();
+    std::string materials = minimal_case, keys = minimal_case;
+    for (int i = 0; i < 20000; ++i) {
+        materials += "[material.m";
+        materials += std::to_string(i) + "]\ndensity = 1\nnormal_stiffness = 1\n";
+        keys += "k";
+        keys += std::to_string(i) + " = 1\n";
+    }
+    EXPECT_THAT(problems_of(materials), ElementsAre(HasSubstr("has 20001 entries; at most 1000 are accepted")));
+    EXPECT_THAT(problems_of(keys), SizeIs(101));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
 TEST(BadInput, a_flood_of_problems_is_cut_and_counted) {
     std::string text = minimal_case;
     for (int i = 0; i < 500; ++i) {

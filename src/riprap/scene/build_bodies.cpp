@@ -52,20 +52,17 @@ Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) 
 
 /// Copies of `body` on a lattice.
 void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
-    const auto& counts = get(repeat, "counts").items;
-    const Vec3 pitch = get_vector(repeat, "pitch");
-    const std::int64_t nx = counts[0].integer, ny = counts[1].integer, nz = counts.size() > 2 ? counts[2].integer : 1;
+    const Lattice lattice(repeat);
     const bool is_turned = get_boolean(repeat, "random_orientation");
     const double jitter = get_number(repeat, "jitter");
     const double turn = get_number(repeat, "turn");
     const Vec3 axis = normalized(get_vector(repeat, "turn_axis")), center = get_vector(repeat, "turn_center");
     const Value* scales = repeat.find("scales");
-    for (std::int64_t i = 0; i < nx * ny * nz; ++i) {
+    for (std::int64_t i = 0; i < lattice.size(); ++i) {
         body::NewBody copy = body;
         RandomStream random(build.model.seed, body.name, static_cast<std::uint64_t>(i));
         copy.name_index = static_cast<std::int32_t>(i);
-        copy.pose.position += {pitch.x * static_cast<double>(i % nx), pitch.y * static_cast<double>(i / nx % ny),
-                               pitch.z * static_cast<double>(i / nx / ny)};
+        copy.pose.position += lattice.point(i);
         if (turn != 0) {
             const Quat by = from_rotation_vector(static_cast<double>(i) * turn * axis);
             copy.pose.position = center + rotate(by, copy.pose.position - center);
@@ -117,8 +114,7 @@ void build_body(CaseBuild& build, const Value& table) {
         build.problem(repeat->place, "a half-space cannot be repeated", "");
         return;
     }
-    if (build.is_planar && repeat != nullptr && get(*repeat, "counts").items.size() > 2 &&
-        get(*repeat, "counts").items[2].integer != 1) {
+    if (build.is_planar && repeat != nullptr && !Lattice(*repeat).is_flat()) {
         build.problem(repeat->place, "copies along z leave the plane of a scene with dimension = 2",
                       "counts = [nx, ny]");
         return;
@@ -164,6 +160,19 @@ void check_overlaps(CaseBuild& build) {
         build.problem(build.root.place,
                       fmt::format("{} more pairs of bodies start inside each other", overlaps.size() - most), "");
     }
+}
+
+Lattice::Lattice(const Value& table) : pitch_(get_vector(table, "pitch")) {
+    const auto& counts = get(table, "counts").items;
+    nx_ = counts[0].integer;
+    ny_ = counts[1].integer;
+    nz_ = counts.size() > 2 ? counts[2].integer : 1;
+}
+
+Vec3 Lattice::point(std::int64_t i) const {
+    const std::int64_t row = i / nx_, layer = row / ny_;
+    return {pitch_.x * static_cast<double>(i % nx_), pitch_.y * static_cast<double>(row % ny_),
+            pitch_.z * static_cast<double>(layer)};
 }
 
 void build_bodies(CaseBuild& build) {

@@ -27,7 +27,7 @@ struct CaseBuild {
     std::vector<std::string>& warnings;
     std::map<std::string, MaterialId> materials{};
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
-    std::set<MaterialId> used_materials{};
+    std::set<std::int32_t> used_materials{};
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
         problems.push_back({place, std::move(message), std::move(allowed)});
@@ -47,6 +47,19 @@ void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
 void build_output(CaseBuild& build);  ///< last: probes and expects look bodies up
+
+/// Point `i` of the lattice with the counts of `table` (2 or 3 of them) and its pitch, x fastest, from its first point.
+class Lattice {
+ public:
+    explicit Lattice(const Value& table);
+    std::int64_t size() const { return nx_ * ny_ * nz_; }
+    bool is_flat() const { return nz_ == 1; }
+    Vec3 point(std::int64_t i) const;
+
+ private:
+    std::int64_t nx_, ny_, nz_;
+    Vec3 pitch_;
+};
 
 /// Refuses bodies that start inside each other.
 void check_overlaps(CaseBuild& build);

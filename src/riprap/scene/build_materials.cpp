@@ -51,8 +51,8 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
         }
     }
     const Material* first = nullptr;
-    for (const MaterialId id : build.used_materials) {
-        const Material& other = build.model.materials[id];
+    for (const std::int32_t id : build.used_materials) {
+        const Material& other = build.model.materials[MaterialId{id}];
         if (first == nullptr) {
             first = &other;
         } else if (first->*value != other.*value) {
@@ -101,7 +101,7 @@ MaterialId CaseBuild::material_of(const Value& table) {
                 meant.empty() ? "a name of [material.NAME]" : fmt::format("did you mean '{}'?", meant));
         return {};
     }
-    used_materials.insert(found->second);
+    used_materials.insert(found->second.value);
     return found->second;
 }
 
@@ -126,7 +126,7 @@ void build_contact(CaseBuild& build) {
         read_pair(build, pair);
     }
     for (const auto& [name, id] : build.materials) {
-        if (!build.used_materials.contains(id)) {
+        if (!build.used_materials.contains(id.value)) {
             build.warnings.push_back(fmt::format("material '{}' is not used", name));
         }
     }

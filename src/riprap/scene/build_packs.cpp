@@ -146,23 +146,22 @@ std::vector<Kind> read_mix(CaseBuild& build, const Value& mix) {
     return kinds;
 }
 
-void build_lattice(CaseBuild& build, const Value& lattice, const body::NewBody& common) {
-    const auto& counts = get(lattice, "counts").items;
-    const std::int64_t nx = counts[0].integer, ny = counts[1].integer, nz = counts.size() > 2 ? counts[2].integer : 1;
-    if (build.is_planar && nz != 1) {
-        build.problem(lattice.place, "a lattice along z leaves the plane of a scene with dimension = 2",
+void build_lattice(CaseBuild& build, const Value& table, const body::NewBody& common) {
+    const Lattice lattice(table);
+    if (build.is_planar && !lattice.is_flat()) {
+        build.problem(table.place, "a lattice along z leaves the plane of a scene with dimension = 2",
                       "counts = [nx, ny]");
         return;
     }
-    const std::vector<Kind> kinds = read_mix(build, get(lattice, "mix"));
+    const std::vector<Kind> kinds = read_mix(build, get(table, "mix"));
     if (kinds.empty() || !common.material.is_valid()) {
         return;
     }
-    const Value* total = lattice.find("total");
-    const std::int64_t count = total != nullptr ? std::min(total->integer, nx * ny * nz) : nx * ny * nz;
-    const Vec3 origin = get_vector(lattice, "origin"), pitch = get_vector(lattice, "pitch");
-    const double jitter = get_number(lattice, "jitter");
-    const std::uint64_t seed = seed_for(build, lattice, common.name);
+    const Value* total = table.find("total");
+    const std::int64_t count = total != nullptr ? std::min(total->integer, lattice.size()) : lattice.size();
+    const Vec3 origin = get_vector(table, "origin");
+    const double jitter = get_number(table, "jitter");
+    const std::uint64_t seed = seed_for(build, table, common.name);
     for (std::int64_t i = 0; i < count; ++i) {
         RandomStream random(seed, common.name, static_cast<std::uint64_t>(i));
         const double share = random.uniform();
@@ -173,11 +172,8 @@ void build_lattice(CaseBuild& build, const Value& lattice, const body::NewBody& 
         block.parts = kind->sizes[size];
         const double x = random.uniform(-jitter, jitter), y = random.uniform(-jitter, jitter);
         const double z = random.uniform(-jitter, jitter);
-        block.pose.position = origin +
-                              Vec3{pitch.x * static_cast<double>(i % nx), pitch.y * static_cast<double>(i / nx % ny),
-                                   pitch.z * static_cast<double>(i / nx / ny)} +
-                              Vec3{x, y, build.is_planar ? 0.0 : z};
-        if (get_boolean(lattice, "random_orientation")) {
+        block.pose.position = origin + lattice.point(i) + Vec3{x, y, build.is_planar ? 0.0 : z};
+        if (get_boolean(table, "random_orientation")) {
             block.pose.orientation = random.orientation(build.is_planar);
         }
         add_block(build, std::move(block), i);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "riprap/scene/check_value.hpp"
+#include "riprap/scene/limits.hpp"
 #include "riprap/scene/suggest.hpp"
 
 namespace riprap::scene {
@@ -137,6 +138,11 @@ class Checker {
             }
             case FormKind::named_tables: {
                 Value out = Value::table();
+                if (static_cast<std::int64_t>(given.entries.size()) > form.max_count) {
+                    problems_.push_back({given.place, fmt::format("{} has {} entries", name, given.entries.size()),
+                                         fmt::format("at most {} are accepted", form.max_count)});
+                    return std::nullopt;
+                }
                 for (const Entry& entry : given.entries) {
                     if (!entry.value.is_table()) {
                         problems_.push_back({entry.place,
@@ -188,6 +194,10 @@ class Checker {
                     known.push_back(std::string(key.name) + "_deg");
                 }
             }
+        }
+        if (problems_.size() > limits::problems) {
+            problems_.push_back({entry.place, fmt::format("unknown key '{}'", entry.key), ""});  // will only be counted
+            return;
         }
         std::string allowed = nearest(entry.key, known);
         if (!allowed.empty()) {

@@ -100,15 +100,17 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
         const contact::PartPair pair = pairs[at(i)];
         const ConvexView a = view(pair.a), b = view(pair.b);
         const double depth = overlap_depth(a, placed.frames[at(pair.a)], b, placed.frames[at(pair.b)]);
-        const BodyId body_a{placed.body[at(pair.a)]}, body_b{placed.body[at(pair.b)]};
-        of_pair[at(i)] = {std::min(body_a, body_b), std::max(body_a, body_b), depth,
+        const std::int32_t body_a = placed.body[at(pair.a)], body_b = placed.body[at(pair.b)];
+        of_pair[at(i)] = {BodyId{std::min(body_a, body_b)}, BodyId{std::max(body_a, body_b)}, depth,
                           depth / std::min(a.inscribed_radius, b.inscribed_radius)};
     });
     std::erase_if(of_pair, [max_share](const InitialOverlap& overlap) { return !(overlap.share > max_share); });
     std::stable_sort(of_pair.begin(), of_pair.end(), [](const InitialOverlap& x, const InitialOverlap& y) {
-        return std::tuple(x.a, x.b, y.share) < std::tuple(y.a, y.b, x.share);
+        return std::tuple(x.a.value, x.b.value, y.share) < std::tuple(y.a.value, y.b.value, x.share);
     });
-    const auto is_same_pair = [](const InitialOverlap& x, const InitialOverlap& y) { return x.a == y.a && x.b == y.b; };
+    const auto is_same_pair = [](const InitialOverlap& x, const InitialOverlap& y) {
+        return x.a.value == y.a.value && x.b.value == y.b.value;
+    };
     of_pair.erase(std::unique(of_pair.begin(), of_pair.end(), is_same_pair), of_pair.end());
     return of_pair;
 }

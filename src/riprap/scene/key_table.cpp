@@ -72,7 +72,9 @@ Form table(const Table& (*table)()) { return {.kind = FormKind::table, .table = 
 Form table_list(const Table& (*table)(), std::int64_t min_count) {
     return {.kind = FormKind::table_list, .min_count = min_count, .table = table};
 }
-Form named_tables(const Table& (*table)()) { return {.kind = FormKind::named_tables, .table = table}; }
+Form named_tables(const Table& (*table)(), std::int64_t max_count) {
+    return {.kind = FormKind::named_tables, .max_count = max_count, .table = table};
+}
 }  // namespace form
 
 }  // namespace riprap::scene

@@ -114,7 +114,7 @@ Form spin(const Dimension& dimension);
 Form list(Form item, std::int64_t min_count, std::int64_t max_count);
 Form table(const Table& (*table)());
 Form table_list(const Table& (*table)(), std::int64_t min_count = 0);
-Form named_tables(const Table& (*table)());
+Form named_tables(const Table& (*table)(), std::int64_t max_count);
 }  // namespace form
 
 // Tables that live in files of their own.

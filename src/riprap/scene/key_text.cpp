@@ -101,6 +101,7 @@ A case that asks for more is refused before anything is allocated.
 | size of a case file | {} bytes |
 | brackets within brackets | {} |
 | values in a case file | {} |
+| materials | {} |
 | bodies in a scene | {} |
 | convex parts in a scene | {} |
 | cells of one Voronoi pack | {} |
@@ -108,8 +109,8 @@ A case that asks for more is refused before anything is allocated.
 | size of a surface file | {} bytes |
 | rows of a table file | {} |
 )",
-                       limits::case_bytes, limits::nesting, limits::values, limits::bodies, limits::parts,
-                       limits::cells, limits::rock_blocks, limits::surface_bytes, limits::table_rows);
+                       limits::case_bytes, limits::nesting, limits::values, limits::materials, limits::bodies,
+                       limits::parts, limits::cells, limits::rock_blocks, limits::surface_bytes, limits::table_rows);
 }
 
 std::string quantities_text() {

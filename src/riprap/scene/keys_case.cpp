@@ -36,7 +36,7 @@ const Table& case_table() {
          {"force_time_step", {boolean()}, "Accept a time_step above the stability limit.", Value::of(false)},
          {"max_steps", {integer(-1, 1e15)}, "Stop after so many steps; -1 = no limit.", Value::of(-1)},
          {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
-         {"material", {named_tables(material_table)}, "Materials by name.", {}, true},
+         {"material", {named_tables(material_table, limits::materials)}, "Materials by name.", {}, true},
          {"contact", {form::table(contact_table)}, "How two materials meet.", Value::table()},
          {"solid", {form::table(solid_table)}, "How solids move.", Value::table()},
          {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},

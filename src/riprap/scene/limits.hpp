@@ -14,6 +14,7 @@ inline constexpr int nesting = 32;                         ///< brackets within 
 inline constexpr int key_segments = 16;                    ///< dots in one key
 inline constexpr std::size_t values = 500'000;             ///< values in a case file
 inline constexpr std::size_t text_bytes = 4096;            ///< of one text value
+inline constexpr std::int64_t materials = 1000;            ///< their pairs are tabulated
 inline constexpr std::int64_t bodies = 2'000'000;          ///< in a scene
 inline constexpr std::int64_t parts = 4'000'000;           ///< convex parts in a scene
 inline constexpr std::int64_t shape_vertices = 4096;       ///< of one convex shape given in the case

@@ -13,6 +13,11 @@ Value Value::with_kind(ValueKind kind) {
     return value;
 }
 
+Value Value::array() { return with_kind(ValueKind::array); }
+Value Value::table() { return with_kind(ValueKind::table); }
+Value Value::of(int v) { return of(static_cast<std::int64_t>(v)); }
+Value Value::of(const char* v) { return of(std::string_view(v)); }
+
 Value Value::of(bool v) {
     Value value = with_kind(ValueKind::boolean);
     value.boolean = v;

@@ -30,13 +30,13 @@ struct Value {
 
     static Value of(bool v);
     static Value of(std::int64_t v);
-    static Value of(int v) { return of(static_cast<std::int64_t>(v)); }
+    static Value of(int v);
     static Value of(double v);
     static Value of(std::string_view v);
-    static Value of(const char* v) { return of(std::string_view(v)); }
+    static Value of(const char* v);
     static Value of(const Vec3& v);
-    static Value array() { return with_kind(ValueKind::array); }
-    static Value table() { return with_kind(ValueKind::table); }
+    static Value array();
+    static Value table();
 
     bool is_table() const { return kind == ValueKind::table; }
     bool is_array() const { return kind == ValueKind::array; }
