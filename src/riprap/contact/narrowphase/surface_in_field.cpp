@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "riprap/contact/narrowphase/polygon_plain.hpp"
@@ -43,7 +44,7 @@ class SurfacePass {
  private:
     Index groups() const { return Groups > 0 ? Groups : groups_count_; }
     Index stride() const { return groups() + 1; }
-    Lanes* row(Index i) const { return rows_ + i * stride(); }
+    Lanes* row(Index i) const { return rows_ + std::ptrdiff_t{i} * stride(); }
     double value(Index i, Index face) const { return reinterpret_cast<const double*>(row(i))[face]; }
     Vec3 position(Index i) const {
         const auto* x = reinterpret_cast<const double*>(row(i) + groups());
@@ -76,12 +77,12 @@ class SurfacePass {
         }
         gaps_ = work.gaps.data();
         rows_ = work.rows.data();
-        weights_ = rows_ + row_count * stride();
+        weights_ = rows_ + std::ptrdiff_t{row_count} * stride();
         fields_ = weights_ + groups();
         lows_ = fields_ + groups();
         for (Index g = 0; g < groups(); ++g) {
             weights_[g] = side_.potential == Potential::distance ? broadcast(1 / field_.inscribed_radius)
-                                                                 : load(field_.fdem_weight + 8 * g);
+                                                                 : load(field_.fdem_weight + std::ptrdiff_t{8} * g);
             fields_[g] = broadcast(-infinity);
         }
         field_count_ = faces;
@@ -115,8 +116,10 @@ class SurfacePass {
     void place(Index i, const Vec3& x) {
         Lanes* r = row(i);
         for (Index g = 0; g < groups(); ++g) {
-            const Lanes h = load(field_.offset + 8 * g) - load(field_.normal_x + 8 * g) * x.x -
-                            load(field_.normal_y + 8 * g) * x.y - load(field_.normal_z + 8 * g) * x.z;
+            const Lanes h = load(field_.offset + std::ptrdiff_t{8} * g) -
+                            load(field_.normal_x + std::ptrdiff_t{8} * g) * x.x -
+                            load(field_.normal_y + std::ptrdiff_t{8} * g) * x.y -
+                            load(field_.normal_z + std::ptrdiff_t{8} * g) * x.z;
             r[g] = weights_[g] * snap(h, broadcast(side_.tolerance));
         }
         const Vec3 arm = x - side_.reference;
@@ -273,7 +276,7 @@ class SurfacePass {
     /// Cuts a loop to gap >= 0 after gather(); new corners become new rows. `face` >= 0: the plane is that face's,
     /// where new corners lie exactly. False when nothing is left.
     bool cut(Loop& loop, Index face) {
-        Index* out = side_.work.loops.data() + (loop_bank_ + (loop_turn_ ^= 1)) * loop_room_;
+        Index* out = side_.work.loops.data() + std::ptrdiff_t{loop_bank_ + (loop_turn_ ^= 1)} * loop_room_;
         Index count = 0;
         Index before = loop.corner[loop.size - 1];
         double s_before = gaps_[loop.size - 1];
