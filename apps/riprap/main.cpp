@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "command_line.hpp"
@@ -18,7 +19,9 @@ namespace {
 void prefer_passive_waiting(char** arguments) {
     if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("RIPRAP_NO_REEXEC") == nullptr) {
         setenv("OMP_WAIT_POLICY", "passive", 1);
-        execv("/proc/self/exe", arguments);  // comes back only where it cannot: then the run is merely slower
+        std::error_code error;  // the real path, so that `ps` and `top` show the program's name
+        const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+        execv(program.c_str(), arguments);  // comes back only where it cannot: then the run is merely slower
     }
 }
 

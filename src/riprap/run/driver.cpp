@@ -40,7 +40,7 @@ sim::State GoodState::at(const sim::Model& model, std::int64_t step, double dt) 
     sim::State state = *copy_;
     sim::Scratch scratch;
     while (state.step < step) {
-        const sim::State before = state;
+        sim::State before = state;
         if (!advance(model, state, scratch, dt).status.ok()) {
             return before;
         }
