@@ -49,7 +49,7 @@ std::vector<fs::path> case_roots() {
 
 fs::path find_case(const std::string& text) {
     std::error_code error;
-    const fs::path path(text);
+    fs::path path(text);
     if (fs::is_directory(path, error)) {
         if (fs::is_regular_file(path / case_file_name, error)) {
             return path / case_file_name;
@@ -63,7 +63,7 @@ fs::path find_case(const std::string& text) {
     const bool is_name = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
     for (const fs::path& root : is_name ? case_roots() : std::vector<fs::path>{}) {
         for (const char* collection : {"cases", "validation"}) {
-            const fs::path found = root / collection / path / case_file_name;
+            fs::path found = root / collection / path / case_file_name;
             if (fs::is_regular_file(found, error)) {
                 return found;
             }
