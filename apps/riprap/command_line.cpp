@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "riprap/bench/bench.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/run_case.hpp"
@@ -125,6 +126,17 @@ void add_schema(CLI::App& app, Action& action) {
     });
 }
 
+void add_bench(CLI::App& app, Action& action) {
+    auto options = std::make_shared<bench::BenchOptions>();
+    CLI::App* command = app.add_subcommand("bench", "Measure the machine and how fast Riprap is on it");
+    command->add_option("NAME", options->selection, "Benches, or how their names begin: contact, pile.10k");
+    command->add_flag("--full", options->is_full, "Also those that take minutes");
+    command->add_flag("--json", options->as_json, "As JSON");
+    command->add_option("--threads", options->threads, "Measure with 1 and so many threads (default: all)")
+        ->check(CLI::Range(1, max_threads));
+    command->callback([&action, options] { action = [options] { return bench::bench_main(*options); }; });
+}
+
 void add_version(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("version", "Print the version and how it was built");
     auto as_json = std::make_shared<bool>(false);
@@ -145,6 +157,7 @@ int command_line(int argument_count, char** arguments) {
     add_validate(app, action);
     add_list(app, action);
     add_schema(app, action);
+    add_bench(app, action);
     add_version(app, action);
     try {
         app.parse(argument_count, arguments);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/bench/registry.hpp"
+
+namespace riprap::bench {
+
+// machine.cpp
+void machine(const Setting& setting, std::vector<Result>& results);
+
+// contact.cpp
+void contact_cube_cube(const Setting& setting, std::vector<Result>& results);
+void contact_with_energy(const Setting& setting, std::vector<Result>& results);
+void contact_cached_miss(const Setting& setting, std::vector<Result>& results);
+
+// pile.cpp
+void pile_735_cubes(const Setting& setting, std::vector<Result>& results);
+void pile_1k(const Setting& setting, std::vector<Result>& results);
+void pile_10k(const Setting& setting, std::vector<Result>& results);
+void pile_100k(const Setting& setting, std::vector<Result>& results);
+void pile_voronoi(const Setting& setting, std::vector<Result>& results);
+
+// broadphase.cpp
+void broadphase_slope(const Setting& setting, std::vector<Result>& results);
+
+}  // namespace riprap::bench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/bench/registry.hpp"
+
+#include <array>
+
+#include "riprap/bench/benches.hpp"
+
+namespace riprap::bench {
+
+std::span<const Bench> all_benches() {
+    static constexpr std::array benches{
+        Bench{"machine", "Memory bandwidth and peak of fused multiply-add", false, machine},
+        Bench{"contact.cube_cube", "Touching pair of cubes, both sides, force and moment", false, contact_cube_cube},
+        Bench{"contact.with_energy", "The same with the elastic energy", false, contact_with_energy},
+        Bench{"contact.cached_miss", "Candidate pair of cubes that does not touch, seen before", false,
+              contact_cached_miss},
+        Bench{"pile.735_cubes", "735 cubes at rest in a box", false, pile_735_cubes},
+        Bench{"pile.1k", "1000 mixed blocks settling", false, pile_1k},
+        Bench{"pile.10k", "10 000 mixed blocks settling", false, pile_10k},
+        Bench{"pile.100k", "100 000 mixed blocks settling", true, pile_100k},
+        Bench{"pile.voronoi", "Blocks of a Voronoi pack, each of its own shape", false, pile_voronoi},
+        Bench{"broadphase.slope", "Search for candidate pairs against the number of bodies", false, broadphase_slope},
+    };
+    return benches;
+}
+
+}  // namespace riprap::bench
