@@ -36,7 +36,7 @@ TEST(PileScene, DroppedCubesLieStillAndTheFloorCarriesTheirWeight) {
     const Pile pile = drop_cubes(2, 3, 2);
     ASSERT_EQ(std::ranges::count(pile.model.bodies.drive, body::Drive::free), 12);
     EXPECT_LT(mean_speed(pile), 0.01);  // [m/s]; one that falls its own height reaches 0.14
-    EXPECT_NEAR(support_over_weight(pile, 200), 1, 0.1);
+    EXPECT_NEAR(support_over_weight(pile, 4000), 1, 0.1);
     for (const Vec3& x : pile.state.bodies.position) {
         EXPECT_LT(x.z, 2.5e-3) << "a cube has not come down";
     }

@@ -63,8 +63,8 @@ std::vector<int> thread_counts(int asked) {
 
 }  // namespace
 
-int run_benches(const BenchOptions& options, std::span<const Bench> benches, std::ostream& out,
-                std::ostream* progress) {
+int run_benches(const BenchOptions& options, std::span<const Bench> benches,
+                MachineLimits (*measure)(const std::vector<int>&), std::ostream& out, std::ostream* progress) {
     if (const std::string unknown = unknown_words(options, benches); !unknown.empty()) {
         (progress != nullptr ? *progress : out) << unknown;
         return static_cast<int>(ExitCode::usage);
@@ -73,7 +73,7 @@ int run_benches(const BenchOptions& options, std::span<const Bench> benches, std
     if (progress != nullptr) {
         *progress << "measuring the machine ..." << std::endl;
     }
-    setting.machine = measure_machine(setting.thread_counts);
+    setting.machine = measure(setting.thread_counts);
     std::vector<Result> results;
     for (const Bench* bench : select(options, benches)) {
         if (progress != nullptr) {
@@ -90,7 +90,8 @@ int run_benches(const BenchOptions& options, std::span<const Bench> benches, std
 }
 
 int bench_main(const BenchOptions& options) {
-    return run_benches(options, all_benches(), std::cout, isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr);
+    return run_benches(options, all_benches(), measure_machine, std::cout,
+                       isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr);
 }
 
 }  // namespace riprap::bench

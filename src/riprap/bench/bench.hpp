@@ -20,8 +20,11 @@ struct BenchOptions {
 /// Measures the machine, then runs the selected benches in order. Prints to `out` one table or one JSON document; the
 /// name of every bench goes to `progress` as it starts, where not null. A time is never judged: a slow machine is no
 /// failure.
+/// @param measure  measure_machine, or what stands for it in a test
 /// @returns 0, or 2 when the selection names nothing (the message says what there is); values of ExitCode.
-int run_benches(const BenchOptions& options, std::span<const Bench> benches, std::ostream& out, std::ostream* progress);
+int run_benches(const BenchOptions& options, std::span<const Bench> benches,
+                MachineLimits (*measure)(const std::vector<int>& thread_counts), std::ostream& out,
+                std::ostream* progress);
 
 /// The same for all_benches() on the terminal.
 int bench_main(const BenchOptions& options);
