@@ -15,7 +15,7 @@ struct DemTimeStep {
     std::string reason;  ///< for the log
 };
 
-/// Stability bound of the explicit step before any contact is known [Zhao card 4; docs/theory/time-step.md]: every
+/// Stability bound of the explicit step before any contact is known (docs/theory/time-step.md): every
 /// body is taken as covered by neighbours over its whole surface, and Gershgorin's theorem on the mass-scaled
 /// stiffness bounds
 ///

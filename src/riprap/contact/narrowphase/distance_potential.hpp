@@ -13,7 +13,7 @@ enum class Potential {
     fdem,      ///< w_j = 1/H_j: the potential of FDEM tetrahedra, for comparison
 };
 
-/// Which of the two one-sided integrals act (card: the seed's own calibration fits one).
+/// Which of the two one-sided integrals act (the wave speed that [Zhao, eq. 43] calibrates fits one).
 enum class Sides { both, contactor };
 
 struct DistancePotentialOptions {

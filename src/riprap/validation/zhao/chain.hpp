@@ -4,7 +4,8 @@
 namespace riprap::validation::zhao {
 
 /// Frictionless row of equal cubes at rest in contact, hit along its axis by one more: the exact law of their flat
-/// faces, F(d) = K (d - 2 d^2/a + 4 d^3/(3 a^2)) [Zhao card, 2.3], K the stiffness of the contact [N/m], a the edge.
+/// faces, F(d) = K (d - 2 d^2/a + 4 d^3/(3 a^2)) (docs/theory/distance-potential.md), K the stiffness of the contact
+/// [N/m], a the edge.
 struct CubeChain {
     int count;                   ///< blocks at rest [-]
     double mass, edge;           ///< of one block [kg], [m]
