@@ -136,7 +136,9 @@ int Driver::run() {
         }
         good_.keep(state_);
         const std::int64_t step = state_.step;
-        sim::StepReport report = advance(model(), state_, scratch_, record_.dt);
+        const bool is_measured = outputs_->is_row_due(step + 1) || step + 1 == last_step();
+        sim::StepReport report =
+            advance(model(), state_, scratch_, record_.dt, is_measured ? sim::Measure::energy : sim::Measure::flow);
         if (!report.status.ok()) {
             return fail(progress, step, report.status.text);
         }

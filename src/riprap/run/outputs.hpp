@@ -23,6 +23,9 @@ class Outputs {
     /// Writes what is due at this step. Called for step 0 and after every step.
     void after_step(const sim::Moment& moment);
 
+    /// A row is written at this step, so its ledger must be complete.
+    bool is_row_due(std::int64_t step) const { return row_schedule_.due_at(step) >= 0; }
+
     /// Puts all rows on the disk and notes the lengths, for a checkpoint.
     void note(RunRecord& record);
 

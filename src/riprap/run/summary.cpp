@@ -25,13 +25,17 @@ Json to_json(const sim::Ledger& ledger) {
             {"dissipated_contact", ledger.dissipated_contact},
             {"dissipated_damping", ledger.dissipated_damping},
             {"work_driven", ledger.work_driven},
+            {"work_external", ledger.work_external},
             {"work_gravity_change", ledger.work_gravity_change},
+            {"work_released", ledger.work_released},
             {"residual", ledger.residual},
             {"turnover", ledger.turnover},
             {"momentum", to_json(ledger.momentum)},
             {"impulse", to_json(ledger.impulse)},
+            {"momentum_residual", to_json(ledger.momentum_residual)},
             {"angular_momentum", to_json(ledger.angular_momentum)},
             {"angular_impulse", to_json(ledger.angular_impulse)},
+            {"angular_momentum_residual", to_json(ledger.angular_momentum_residual)},
             {"mass", ledger.mass}};
 }
 

@@ -58,6 +58,11 @@ template <double Ledger::*member>
 Vec3 booked(const Moment& m) {
     return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.*member);
 }
+/// A figure that only a complete ledger has.
+template <double Ledger::*member>
+Vec3 measured(const Moment& m) {
+    return m.report == nullptr || !m.report->ledger.has_energy ? scalar(missing) : scalar(m.report->ledger.*member);
+}
 template <Vec3 Ledger::*member>
 Vec3 booked_vector(const Moment& m) {
     return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.*member;
@@ -112,7 +117,7 @@ const std::array scene_table{
     Quantity{{"pair_count", "-", 1, false, "candidate pairs in the cache"}, nullptr, reported<&StepReport::pair_count>},
     Quantity{{"kinetic_energy", "J", 1, false, "of free bodies"}, nullptr, booked<&Ledger::kinetic>},
     Quantity{{"potential_energy", "J", 1, false, "of free bodies in gravity"}, nullptr, booked<&Ledger::potential>},
-    Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, booked<&Ledger::elastic>},
+    Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, measured<&Ledger::elastic>},
     Quantity{
         {"shear_energy", "J", 1, false, "stored in tangential and torsional springs"}, nullptr, booked<&Ledger::shear>},
     Quantity{{"dissipated_friction", "J", 1, false, "since time 0"}, nullptr, booked<&Ledger::dissipated_friction>},
@@ -127,11 +132,18 @@ const std::array scene_table{
     Quantity{{"work_gravity_change", "J", 1, false, "done by a changing gravity since time 0"},
              nullptr,
              booked<&Ledger::work_gravity_change>},
+    Quantity{{"work_external", "J", 1, false, "done by loads other than contacts since time 0"},
+             nullptr,
+             booked<&Ledger::work_external>},
+    Quantity{{"work_released", "J", 1, false, "kinetic and potential energy that released bodies brought along"},
+             nullptr,
+             booked<&Ledger::work_released>},
     Quantity{{"energy_residual", "J", 1, false, "what the energy ledger does not close by"},
              nullptr,
-             booked<&Ledger::residual>},
-    Quantity{
-        {"energy_turnover", "J", 1, false, "what the residual is judged against"}, nullptr, booked<&Ledger::turnover>},
+             measured<&Ledger::residual>},
+    Quantity{{"energy_turnover", "J", 1, false, "what the residual is judged against"},
+             nullptr,
+             measured<&Ledger::turnover>},
     Quantity{{"momentum", "kg m/s", 3, false, "of free bodies"}, nullptr, booked_vector<&Ledger::momentum>},
     Quantity{{"impulse", "N s", 3, false, "of gravity, supports and damping since time 0"},
              nullptr,
@@ -142,6 +154,12 @@ const std::array scene_table{
     Quantity{{"angular_impulse", "N m s", 3, false, "about the origin since time 0"},
              nullptr,
              booked_vector<&Ledger::angular_impulse>},
+    Quantity{{"momentum_residual", "kg m/s", 3, false, "what the momentum ledger does not close by"},
+             nullptr,
+             booked_vector<&Ledger::momentum_residual>},
+    Quantity{{"angular_momentum_residual", "kg m^2/s", 3, false, "likewise, about the origin"},
+             nullptr,
+             booked_vector<&Ledger::angular_momentum_residual>},
     Quantity{{"mass", "kg", 1, false, "of free bodies"}, nullptr, booked<&Ledger::mass>},
 };
 
