@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "riprap/core/parallel.hpp"
@@ -165,6 +166,30 @@ TEST(Advance, TheLedgerOfATumblingPileClosesWithoutBeingMadeTo) {
     EXPECT_LT(std::abs(report.ledger.residual), 0.01 * report.ledger.turnover);
     EXPECT_LT(norm(report.ledger.momentum_residual), 1e-10 * norm(report.ledger.impulse));
     EXPECT_LT(norm(report.ledger.angular_momentum_residual), 1e-9 * norm(report.ledger.angular_impulse));
+}
+
+TEST(Advance, ABlockSpinningOnItsFaceSlowsDownOnlyWithTorsionalFriction) {
+    const auto spin_after = [](bool has_torsion, double time) {
+        SmallScene scene;
+        scene.model.gravity.value = {0, 0, -9.81};
+        scene.rock().friction = 0.5;
+        scene.rock().damping_ratio = 0.2;
+        scene.rock().has_torsion = has_torsion;
+        scene.mix();
+        scene.add("floor", scene.add_shape(box({6, 6, 1})), {{0, 0, -0.5}, {}}, body::Drive::fixed);
+        // Starts at the penetration that carries its weight: k_n (1/r_a + 1/r_b) d = rho g h.
+        const double depth = 2000 * 9.81 * 1.0 / (1e7 * (2 + 2));
+        const BodyId block = scene.add("block", scene.add_shape(box({1, 1, 1})), {{0, 0, 0.5 - depth}, {}},
+                                       body::Drive::free, {}, {0, 0, 3});
+        const double dt = scene.automatic_step();
+        scene.run(static_cast<std::int64_t>(time / dt), dt);
+        return angular_velocity(scene.model.bodies, scene.state.bodies, block).z;
+    };
+    EXPECT_NEAR(spin_after(false, 0.2), 3, 1e-3);
+    // Sliding torque mu m g (2/3) sqrt(a^2/pi) against m a^2/6: 11.07 rad/s^2.
+    const double deceleration = 0.5 * 9.81 * 2.0 / 3.0 / std::sqrt(std::numbers::pi) * 6;
+    EXPECT_NEAR(spin_after(true, 0.2), 3 - 0.2 * deceleration, 0.03);
+    EXPECT_NEAR(spin_after(true, 0.6), 0, 0.05);
 }
 
 TEST(Advance, AMovingWallWorksOnWhatItPushes) {

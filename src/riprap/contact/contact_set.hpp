@@ -16,15 +16,16 @@ struct PartPair {
 
 /// What a narrowphase says of one contact between parts A and B. Forces act on A; B gets the opposite.
 struct NormalContact {
-    Vec3 force;          ///< normal force on A [N]
-    Vec3 moment;         ///< of the normal pressure on A about `point` (its residual couple) [N m]
-    Vec3 point;          ///< point of action, world [m]
-    double area;         ///< S_c, projected contact area |vector area| [m^2]
-    double stiffness;    ///< K_n, of the contact as a spring [N/m]
-    double energy;       ///< elastic energy stored in the overlap [J]
-    double depth;        ///< largest depth below a face of A or B [m]; the overlap reported to users
-    double potential;    ///< largest normalised potential reached, 1 = at the Chebyshev centre [-]
-    double spin_moment;  ///< integral of pressure * distance to `point` over the patch [N m], for torsional friction
+    Vec3 force;        ///< normal force on A [N]
+    Vec3 moment;       ///< of the normal pressure on A about `point` (its residual couple) [N m]
+    Vec3 point;        ///< point of action, world [m]
+    double area;       ///< S_c, projected contact area |vector area| [m^2]
+    double stiffness;  ///< K_n, of the contact as a spring [N/m]
+    double energy;     ///< elastic energy stored in the overlap [J]
+    double depth;      ///< largest depth below a face of A or B [m]; the overlap reported to users
+    double potential;  ///< largest normalised potential reached, 1 = at the Chebyshev centre [-]
+    double
+        spin_moment;  ///< pressure * distance to `point` over the patch, as (2/3) |F| sqrt(area/pi) [N m]; for torsion
 };
 
 /// Contacts that survive from step to step: State. Sorted by (pair, feature); one row per touching contact.

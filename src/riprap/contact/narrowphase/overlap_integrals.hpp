@@ -68,7 +68,9 @@ RIPRAP_HD inline void assemble_contact(const ContactSide& on_a, const ContactSid
     contact.energy = ka * a.volume_sum + kb * b.volume_sum;
     contact.depth = a.depth > b.depth ? a.depth : b.depth;
     contact.potential = a.potential > b.potential ? a.potential : b.potential;
-    contact.spin_moment = 0;
+    // Uniform pressure on a disc of the patch's area; on a square patch 1.7 % below the integral.
+    constexpr double disc = 2.0 / 3.0 * 0.56418958354775628695;  // (2/3)/sqrt(pi)
+    contact.spin_moment = disc * std::sqrt(size2 * contact.area);
 }
 
 }  // namespace riprap::contact
