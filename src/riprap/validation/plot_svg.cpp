@@ -125,17 +125,27 @@ void draw_axes(const Plot& plot, const Scale& x, const Scale& y, std::string& ou
                        0.5 * (top + height - bottom), escaped(plot.y.label));
 }
 
+/// Points closer than this to the last one drawn are left out: a run has many more steps than a plot has pixels [px].
+constexpr double smallest_move = 0.4;
+
 std::string path_of(const Curve& curve, const Scale& x, const Scale& y) {
     std::string path;
     bool is_down = false;
-    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+    double last_x = 0, last_y = 0;
+    const std::size_t count = std::min(curve.x.size(), curve.y.size());
+    for (std::size_t i = 0; i < count; ++i) {
         const double px = x.pixel(curve.x[i]), py = y.pixel(curve.y[i]);
         if (!std::isfinite(px) || !std::isfinite(py)) {
             is_down = false;
             continue;
         }
+        if (is_down && i + 1 < count && std::hypot(px - last_x, py - last_y) < smallest_move) {
+            continue;
+        }
         path += fmt::format("{}{:.2f} {:.2f}", is_down ? "L" : "M", px, py);
         is_down = true;
+        last_x = px;
+        last_y = py;
     }
     return path;
 }
@@ -183,7 +193,7 @@ std::vector<double> axis_ticks(double low, double high, int count) {
     const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
     std::vector<double> ticks;
     for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1) {
-        ticks.push_back(k * step);
+        ticks.push_back(k * step + 0.0);  // no -0
     }
     return ticks;
 }

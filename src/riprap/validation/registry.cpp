@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/zhao/cases.hpp"
 
 namespace riprap::validation {
@@ -21,6 +22,22 @@ std::span<const ValidationCase> all_cases() {
                        zhao::wedge_static},
         ValidationCase{"zhao", "wedge_dynamic", "A wedge on a shaken slope slides, stops and rests", false,
                        zhao::wedge_dynamic},
+        ValidationCase{"rigid", "free_flight", "Free fall; a spinning projectile", false, rigid::free_flight},
+        ValidationCase{"rigid", "axis_flip", "A free body tumbles about its middle axis", false, rigid::axis_flip},
+        ValidationCase{"rigid", "sliding_block", "A block on an incline slides, holds, stops", false,
+                       rigid::sliding_block},
+        ValidationCase{"rigid", "tip_or_slide", "A block on a slope raised slowly tips or slides", false,
+                       rigid::tip_or_slide},
+        ValidationCase{"rigid", "bounce", "A cube dropped face down bounces and comes to rest", false, rigid::bounce},
+        ValidationCase{"rigid", "collisions", "Equal cubes in a row hand on their speed", false, rigid::collisions},
+        ValidationCase{"rigid", "stacks", "Stacked blocks carry their weight; bricks lean out to the harmonic limit",
+                       false, rigid::stacks},
+        ValidationCase{"rigid", "dragged_block", "A block on a plank sliding on ice", false, rigid::dragged_block},
+        ValidationCase{"rigid", "rock_wedges", "Wedges on two joint planes hold or slide (Hoek and Bray)", false,
+                       rigid::rock_wedges},
+        ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
+                       rigid::toppling_columns},
+        ValidationCase{"rigid", "arch", "A semicircular arch stands or falls", false, rigid::arch},
     };
     return cases;
 }

@@ -47,7 +47,7 @@ class OpeningGap {
 /// An isolated row of six cubes, frictionless, without gravity.
 struct RowAnswer {
     double separation_time{std::nan("")}, last_speed{std::nan("")};
-    double momentum_error{0}, energy_error{0};
+    double momentum_error{0}, energy_error{0}, dt{0};
 };
 
 RowAnswer hit_row(contact::Sides sides) {
@@ -69,6 +69,7 @@ RowAnswer hit_row(contact::Sides sides) {
     scene.model.time.end = 2e-3;
     Trial trial(std::move(scene));
     RowAnswer answer;
+    answer.dt = trial.dt();
     OpeningGap gap;
     trial.run_until(2e-3, [&](const Trial& now) {
         if (gap.look(now.time(), now.position(before_last).y + edge - now.position(body).y)) {
@@ -88,6 +89,7 @@ RowAnswer hit_row(contact::Sides sides) {
 /// The pillar: what the front block on the axis of the impact does, and the energy.
 struct PillarAnswer {
     double separation_time{std::nan("")}, speed_at_separation{std::nan("")};
+    double dt{0};           ///< [s]
     double energy_rise{0};  ///< largest climb of the total energy above an earlier value, over the impact energy [-]
     std::vector<double> time, forward, energy;
     std::vector<Curve> frames;
@@ -110,6 +112,7 @@ PillarAnswer hit_pillar(const CaseSetting& setting, double end) {
     Trial trial = trial_of(setting);
     const BodyId front = trial.body("pillar[109]"), behind = trial.body("pillar[112]");
     PillarAnswer answer;
+    answer.dt = trial.dt();
     OpeningGap gap;
     double lowest = 0;
     std::vector<double> frame_times{0.03, 0.14, 0.20, 0.72};
@@ -134,6 +137,13 @@ PillarAnswer hit_pillar(const CaseSetting& setting, double end) {
     return answer;
 }
 
+/// The energy that leapfrog steps keep differs from the sampled one by up to (omega dt)^2/4 of it while the springs are
+/// loaded; omega^2 = 2 K/m of a pair.
+CloseBand swing_band(contact::Sides sides, double dt) {
+    const double swing = 0.25 * 2 * face_stiffness(sides) / mass * dt * dt;
+    return {0, swing, fmt::format("leapfrog's swing inside the contacts, (omega dt)^2/4 = {:.2g}", swing)};
+}
+
 void judge_row(const char* name, contact::Sides sides, CaseReport& report) {
     const RowAnswer row = hit_row(sides);
     const ChainAnswer exact = solve_chain(chain_of(sides, 6, true)), linear = solve_chain(chain_of(sides, 6, false));
@@ -146,7 +156,7 @@ void judge_row(const char* name, contact::Sides sides, CaseReport& report) {
     report.judge({of("speed of the last block over impact speed"), "-", {}, exact.last_speed / speed, {}},
                  row.last_speed / speed, Relative{0.01});
     report.judge_below({of("change of momentum"), "-", {}, {}, {}}, row.momentum_error, 1e-12);
-    report.judge_below({of("change of energy"), "-", {}, {}, {}}, row.energy_error, 1e-3);
+    report.judge({of("change of energy"), "-", {}, 0.0, {}}, row.energy_error, 0, 1e-3, swing_band(sides, row.dt));
 }
 
 void plot_pillar(const CaseSetting& setting, const PillarAnswer& pillar, double chain_time) {
@@ -180,7 +190,7 @@ void pillar_impact(const CaseSetting& setting, CaseReport& report) {
     judge_row("both sides", contact::Sides::both, report);
     judge_row("one side", contact::Sides::contactor, report);
 
-    const PillarAnswer pillar = hit_pillar(setting, setting.is_full ? 0.73 : 0.21);
+    const PillarAnswer pillar = hit_pillar(setting, setting.is_full ? 0.73 : 0.145);
     const double chain_time = solve_chain(chain_of(contact::Sides::both, 6, true)).separation_time;
     report.judge({"pillar, separation of the front block", "s", 1.63e-3, chain_time,
                   "size of the pillar and mass of the projectile are not in the paper"},
@@ -191,8 +201,8 @@ void pillar_impact(const CaseSetting& setting, CaseReport& report) {
                   {},
                   {}},
                  pillar.speed_at_separation, 1e-3, speed);
-    report.judge_below({"pillar, largest rise of the total energy over the impact energy", "-", {}, {}, {}},
-                       pillar.energy_rise, 1e-3);
+    report.judge({"pillar, largest rise of the total energy over the impact energy", "-", {}, 0.0, {}},
+                 pillar.energy_rise, 0, 1e-3, swing_band(contact::Sides::both, pillar.dt));
     plot_pillar(setting, pillar, chain_time);
 }
 

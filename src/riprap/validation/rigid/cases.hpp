@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/validation/registry.hpp"
+
+// Exact answers of rigid-body mechanics and limit equilibrium: no paper's figure, a formula each.
+
+namespace riprap::validation::rigid {
+
+void free_flight(const CaseSetting& setting, CaseReport& report);
+void axis_flip(const CaseSetting& setting, CaseReport& report);
+void sliding_block(const CaseSetting& setting, CaseReport& report);
+void tip_or_slide(const CaseSetting& setting, CaseReport& report);
+void bounce(const CaseSetting& setting, CaseReport& report);
+void collisions(const CaseSetting& setting, CaseReport& report);
+void stacks(const CaseSetting& setting, CaseReport& report);
+void dragged_block(const CaseSetting& setting, CaseReport& report);
+void rock_wedges(const CaseSetting& setting, CaseReport& report);
+void toppling_columns(const CaseSetting& setting, CaseReport& report);
+void arch(const CaseSetting& setting, CaseReport& report);
+
+}  // namespace riprap::validation::rigid
