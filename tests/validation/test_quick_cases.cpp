@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "riprap/validation/validate.hpp"
+
+namespace riprap::validation {
+namespace {
+
+/// The cases that take well under a second; the others run with `riprap validate`.
+class QuickCase : public testing::TestWithParam<const char*> {};
+
+TEST_P(QuickCase, reaches_its_published_or_exact_answers) {
+    ValidateOptions options;
+    options.selection = {GetParam()};
+    options.results = "";
+    options.folder = RIPRAP_SOURCE_DIR "/validation";
+    std::ostringstream table;
+    EXPECT_EQ(validate(options, all_cases(), table, nullptr), 0) << table.str();
+}
+
+INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
+                         testing::Values("zhao/golden_values", "zhao/two_tetrahedra", "rigid/free_flight",
+                                         "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block"));
+
+}  // namespace
+}  // namespace riprap::validation
