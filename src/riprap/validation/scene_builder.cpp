@@ -64,7 +64,7 @@ Trial::Trial(sim::Model model, sim::State state) : model_(std::move(model)), sta
 }
 
 const sim::StepReport& Trial::step() {
-    report_ = sim::advance(model_, state_, scratch_, dt_);
+    report_ = sim::advance(model_, state_, scratch_, dt_, measure_);
     if (!report_.status.ok()) {
         throw std::runtime_error(report_.status.text);
     }

@@ -62,6 +62,9 @@ class Trial {
         run_until(time, [](const Trial&) {});
     }
 
+    /// Cases that do not read energies save the time to work them out.
+    void follow_energy(bool wanted) { measure_ = wanted ? sim::Measure::energy : sim::Measure::flow; }
+
     double dt() const { return dt_; }
     void set_dt(double dt) { dt_ = dt; }
     double time() const { return state_.time; }
@@ -86,6 +89,7 @@ class Trial {
     sim::Scratch scratch_;
     sim::StepReport report_;
     double dt_;
+    sim::Measure measure_{sim::Measure::energy};
 };
 
 /// Unit vectors and a rotation, for short: the turn by `angle` about `axis` (any length).

@@ -75,6 +75,7 @@ FirstMotion release(const RockWedge& rock, double strength_factor) {
     const BodyId body = scene.add_body(wedge);
     scene.model.gravity.value = {0, 0, -gravity};
     Trial trial(std::move(scene));
+    trial.follow_energy(false);
     settle(trial, 4000);
     const Vec3 start = trial.position(body);
     trial.run_until(trial.time() + 1);

@@ -32,6 +32,7 @@ Trial block_on_slope(double friction) {
     scene.add_body(block);
     scene.model.gravity.value = tilted(slope);
     Trial trial(std::move(scene));
+    trial.follow_energy(false);
     settle(trial);
     return trial;
 }
@@ -100,6 +101,7 @@ Failure tilt(double width, double height, double friction, double from, double t
     const BodyId body = scene.add_body(block);
     scene.model.gravity.value = tilted(from);
     Trial trial(std::move(scene));
+    trial.follow_energy(false);
     settle(trial);
     sim::Gravity& gravity_of = trial.model().gravity;
     gravity_of.axis = {0, -1, 0};  // turns (0, 0, -g) towards +x

@@ -45,6 +45,7 @@ void stack_of_weights(CaseReport& report) {
         stack.add({0, 0, (i + 0.5) * side});
     }
     Trial trial(std::move(stack.scene));
+    trial.follow_energy(false);
     settle(trial, 40000);  // the slowest mode of ten blocks is some 20 times slower than the fastest
     double error = 0;
     for (const contact::ContactRow& row : trial.scratch().contacts()) {
@@ -90,6 +91,7 @@ double lean(int count, double share, double duration) {
         stack.add({edge - 0.5 * size.x, 0, (count - k + 1.5) * size.z});
     }
     Trial trial(std::move(stack.scene));
+    trial.follow_energy(false);
     settle(trial, 100000);
     const std::vector<Vec3> before = trial.state().bodies.position;
     double moved = 0;

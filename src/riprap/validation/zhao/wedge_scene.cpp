@@ -87,6 +87,7 @@ WedgeTrial::WedgeTrial(const WedgeSetting& s)
     : trial([&] { return Trial(build(s, wedge_theory(s)).scene); }()), theory(wedge_theory(s)) {
     wedge = trial.body("wedge");
     ground_ = trial.body("left_plane");
+    trial.follow_energy(false);
     sim::Model& model = trial.model();
     const auto settle = [this] {
         trial.model().solid.mass_damping = 0.1 / trial.dt();
