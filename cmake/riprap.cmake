@@ -14,7 +14,7 @@ add_library(riprap_flags INTERFACE)
 target_include_directories(riprap_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(riprap_flags INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-march=${RIPRAP_MARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math
-    -Wall -Wextra -Wconversion -Wshadow>)
+    -Wall -Wextra -Wconversion -Wshadow -Wno-psabi>)
 target_compile_definitions(riprap_flags INTERFACE RIPRAP_MARCH="${RIPRAP_MARCH}")
 if(RIPRAP_WERROR)
   target_compile_options(riprap_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
