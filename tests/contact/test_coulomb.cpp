@@ -33,7 +33,7 @@ TEST(Coulomb, AStickingSpringLoadsWithItsDisplacementAndOpposesIt) {
     EXPECT_EQ(row.is_sliding, 0);
     EXPECT_EQ(row.friction_loss, 0);
     EXPECT_NEAR(row.force.z, 1000, 1e-12);
-    EXPECT_EQ(row.normal.z, -1);
+    EXPECT_EQ(after.normal.z, -1);
 }
 
 TEST(Coulomb, SlidingForceIsFrictionTimesNormalPlusCohesionTimesArea) {

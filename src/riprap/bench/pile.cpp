@@ -20,14 +20,16 @@ struct PileFigures {
     std::size_t bytes;
 };
 
-/// Steps a copy of `pile`, after some steps that fill caches and buffers, in batches of about a fifth of a second.
+/// Steps a copy of `pile`: first some steps that fill caches and buffers, then batches of about a fifth of a second.
 PileFigures time_pile(Pile pile, int threads, int warm_steps) {
     const ThreadScope scope(threads);
     sim::Scratch scratch;
     PileFigures figures{};
+    advance(pile, scratch, 1);
+    const double start = now();
     figures.report = advance(pile, scratch, warm_steps);
-    const int blocks = pile.model.bodies.size();
-    const int batch = std::max(2, 40'000 / blocks);
+    const double warm_seconds = std::max(1e-6, now() - start);
+    const int batch = std::max(2, static_cast<int>(0.2 * warm_steps / warm_seconds));
     figures.step = time_calls([&] { figures.report = advance(pile, scratch, batch); }, {7, 1.0});
     for (double* time : {&figures.step.median, &figures.step.low, &figures.step.high}) {
         *time /= batch;

@@ -84,6 +84,12 @@ void add_box(Pile& pile, double size_x, double size_y) {
     }
 }
 
+/// As the reader of a case does when it has all bodies.
+void shrink_to_fit(Pile& pile) {
+    pile.model.shapes.shrink_to_fit();
+    body::shrink_to_fit(pile.model.bodies, pile.state.bodies);
+}
+
 /// Lets blocks sink slowly and come to rest: mass damping limits their speed to g/c, contacts are ten times softer
 /// until all have come down, local damping then takes what moves about its place, and the step follows what the
 /// contacts allow at the time.
@@ -218,6 +224,7 @@ Pile drop_cubes(int cubes_x, int cubes_y, int layers) {
             }
         }
     }
+    shrink_to_fit(pile);
     settle(pile, layers * (pitch - edge * edge * edge / (room * room)), 0.5 * edge);
     return pile;
 }
@@ -245,6 +252,7 @@ Pile mixed_bed(int tiles_x, int tiles_y) {
             }
         }
     }
+    shrink_to_fit(bed);
     sim::initialise(bed.model, bed.state);
     return bed;
 }
@@ -261,7 +269,7 @@ Pile voronoi_pack(std::int64_t block_count) {
         const ShapeId shape = pack.model.shapes.add_convex(block, false, &centroid);
         add_block(pack, shape, {centroid, Quat{}});
     }
-    pack.model.shapes.shrink_to_fit();
+    shrink_to_fit(pack);
     pack.dt = sim::choose_time_step(pack.model, sim::time_step_bound(pack.model));
     sim::initialise(pack.model, pack.state);
     return pack;

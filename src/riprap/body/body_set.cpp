@@ -65,6 +65,14 @@ bool is_free(const BodySet& bodies, BodyId body, double time) {
     return bodies.drive[i] == Drive::free || time >= bodies.release_time[i];
 }
 
+void shrink_to_fit(BodySet& bodies, BodyState& state) {
+    const auto shrink = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };
+    shrink(bodies.name_id, bodies.name_index, bodies.names, bodies.material, bodies.drive, bodies.mass,
+           bodies.principal_moments, bodies.principal_axes, bodies.motion, bodies.release_time, bodies.part_begin,
+           bodies.parts, bodies.motions, bodies.initial_pose);
+    BodyState::visit_fields(state, [](std::string_view, auto& field) { field.shrink_to_fit(); });
+}
+
 BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& shapes, const NewBody& body) {
     const BodyId id{bodies.size()};
 

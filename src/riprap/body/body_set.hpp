@@ -91,6 +91,9 @@ struct NewBody {
     std::vector<Part> parts;  ///< `body` ignored; `local` relative to `pose`
 };
 
+/// Gives back memory kept for growth. Worth calling once the scene is read.
+void shrink_to_fit(BodySet& bodies, BodyState& state);
+
 /// Adds a body: mass, centre of mass and principal axes from its parts, exact. The parts of one body must not
 /// overlap (concave bodies are unions of touching parts); the State pose is that of the centre of mass.
 BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& shapes, const NewBody& body);

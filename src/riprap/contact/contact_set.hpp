@@ -69,12 +69,11 @@ struct ContactRow {
     Vec3 point;             ///< where the force acts [m]
     Vec3 force;             ///< total on A: normal + damping + shear; B gets the opposite [N]
     Vec3 moment;            ///< couple on A besides (point - centre) x force [N m]
-    Vec3 normal;            ///< from A to B [-]
     double elastic_energy;  ///< stored in the overlap [J]
     double friction_loss;   ///< dissipated by sliding in this step [J]
     double damping_loss;    ///< dissipated by the dashpots in this step [J]
-    double gershgorin_a;    ///< contribution to omega_max^2 of A's body [1/s^2]
-    double gershgorin_b;
+    float gershgorin_a;     ///< contribution to omega_max^2 of A's body [1/s^2]
+    float gershgorin_b;
     float normal_force;  ///< size of the normal force, damping included [N]
     float shear_force;   ///< size of the tangential force [N]
     float overlap;       ///< [m]

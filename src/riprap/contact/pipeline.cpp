@@ -2,18 +2,37 @@
 #include "riprap/contact/pipeline.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::contact {
 
 namespace {
-/// Candidates evaluated by one thread at a time, and before their results are moved to their final place. Neither
-/// changes any result; a wave bounds the memory of intermediate records.
-constexpr std::int64_t chunk_size = 128;
-constexpr std::int64_t wave_size = 64 * chunk_size;
+/// Candidates evaluated by one thread at a time. Changes no result.
+constexpr std::int64_t chunk_size = 32;
+
+/// Candidates evaluated before their results are moved to their final place: an eighth, so that the intermediate
+/// records of a large scene take little memory beside what stays, but enough to keep threads busy. Changes no result.
+std::int64_t wave_size(std::int64_t pair_count) {
+    constexpr std::int64_t least = 32 * chunk_size;
+    return std::max(least, (pair_count / 8 + chunk_size - 1) / chunk_size * chunk_size);
+}
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Resizes a buffer whose length changes little from step to step, without the doubling of std::vector.
+template <class T>
+void resize_closely(std::vector<T>& buffer, std::size_t size) {
+    if (size > buffer.capacity()) {
+        buffer.reserve(size + size / 8);
+    }
+    buffer.resize(size);
+}
+
+void resize_closely(ContactHistory& history, std::size_t size) {
+    ContactHistory::visit_fields(history, [size](std::string_view, auto& field) { resize_closely(field, size); });
+}
 }  // namespace
 
 void ContactPipeline::describe_parts(const ContactScene& scene) {
@@ -85,9 +104,9 @@ double ContactPipeline::find_contacts(const ContactScene& scene, const body::Bod
     is_carried_.assign(history.size(), 0);
     rows_.clear();
     next_.resize(0);
-    const std::int64_t count = pair_count();
-    for (std::int64_t begin = 0; begin < count; begin += wave_size) {
-        const std::int64_t end = std::min(count, begin + wave_size);
+    const std::int64_t count = pair_count(), wave = wave_size(count);
+    for (std::int64_t begin = 0; begin < count; begin += wave) {
+        const std::int64_t end = std::min(count, begin + wave);
         run_wave(scene, state, kinematics, sliding_time, history, begin, end);
         append_wave(begin, end);
     }
@@ -146,8 +165,8 @@ void ContactPipeline::run_wave(const ContactScene& scene, const body::BodyState&
                 record.springs, record.row);
         const double coupling = std::sqrt(inverse_a * inverse_b);
         record.row.parts = parts;
-        record.row.gershgorin_a = contact.stiffness * (inverse_a + coupling);
-        record.row.gershgorin_b = contact.stiffness * (inverse_b + coupling);
+        record.row.gershgorin_a = static_cast<float>(contact.stiffness * (inverse_a + coupling));
+        record.row.gershgorin_b = static_cast<float>(contact.stiffness * (inverse_b + coupling));
         record.pair = static_cast<std::int32_t>(p);
         record.old_contact = old;
         return true;
@@ -166,8 +185,8 @@ void ContactPipeline::append_wave(std::int64_t begin, std::int64_t end) {
     const std::size_t base = rows_.size();
     const auto chunk_count = static_cast<std::int64_t>(offset.size());
     const std::int32_t found = parallel::exclusive_scan<std::int32_t>(offset, offset);
-    rows_.resize(base + at(found));
-    next_.resize(base + at(found));
+    resize_closely(rows_, base + at(found));
+    resize_closely(next_, base + at(found));
     std::fill(contact_of_pair_.begin() + begin, contact_of_pair_.begin() + end, -1);
     parallel::for_each_uneven(chunk_count, 8, [&](std::int64_t chunk) {
         const std::int64_t stop = chunk + 1 < chunk_count ? offset[at(chunk + 1)] : found;

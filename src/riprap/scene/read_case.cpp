@@ -109,6 +109,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     throw_if_any(problems);
 
     loaded.model.shapes.shrink_to_fit();
+    body::shrink_to_fit(loaded.model.bodies, loaded.state.bodies);
     loaded.inputs = files.inputs();
     loaded.model.case_hash = hash_of(resolved, loaded.inputs);
     loaded.resolved_toml = write_toml(resolved);

@@ -135,6 +135,7 @@ void PairCache::remember(const PartBounds& bounds, std::span<const Giant> giants
 
 void PairCache::link_parts_to_pairs(std::int32_t part_count) {
     incident_begin_.assign(static_cast<std::size_t>(part_count) + 1, 0);
+    incident_.clear();  // or resize would double its memory to keep what is not wanted
     incident_.resize(2 * pairs_.size());
     for (const PartPair& pair : pairs_) {
         ++incident_begin_[static_cast<std::size_t>(pair.a)];

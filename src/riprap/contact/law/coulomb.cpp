@@ -95,7 +95,6 @@ void coulomb(const NormalContact& normal, const material::PairProperties& pair, 
     row.point = normal.point;
     row.force = after.shear_force - normal_force * n;
     row.moment = normal.moment + after.torsion * n;
-    row.normal = n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
     row.damping_loss = (normal_force - elastic) * closing * kinematics.sliding_time;
