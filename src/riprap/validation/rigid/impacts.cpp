@@ -30,7 +30,9 @@ double damping_for(double e) {
     return low;
 }
 
-/// A cube dropped face down from height 1 m above the ground.
+/// A cube dropped face down from height 1 m above the ground. It stands for a ball: its moments of inertia are made a
+/// million times larger, because a face-down bounce is unstable. A tilt comes out of the impact, half a period of the
+/// spring, as a spin of 0.8 omega/sqrt(2) times itself, and the flight of 0.9 s makes 2000 tilts of it.
 Trial dropped_cube(double xi) {
     SceneBuilder scene;
     scene.add_material({.name = "rock", .density = 2500, .normal_stiffness = 1e9, .damping_ratio = xi});
@@ -43,7 +45,8 @@ Trial dropped_cube(double xi) {
     cube.name = "cube";
     cube.shape = scene.add_shape(geometry::cube(0.2));
     cube.pose.position.z = 1.1;
-    scene.add_body(cube);
+    const BodyId body = scene.add_body(cube);
+    scene.model.bodies.principal_moments[static_cast<std::size_t>(body.value)] *= 1e6;
     scene.model.gravity.value = {0, 0, -gravity};
     return Trial(std::move(scene));
 }

@@ -134,8 +134,8 @@ void plot_paths(const CaseSetting& setting, const Fall& distance, const Fall& fd
         "faces of unequal area: the FDEM potential throws the block sideways, the distance potential does not";
     plot.x.label = "sideways z [m]";
     plot.y.label = "height of the lower edge [m]";
-    plot.curves = {{"distance potential", distance.lateral, distance.height, CurveStyle::line, -1},
-                   {"FDEM potential", fdem.lateral, fdem.height, CurveStyle::line, -1}};
+    plot.curves = {{"FDEM potential", fdem.lateral, fdem.height, CurveStyle::line, 1},
+                   {"distance potential", distance.lateral, distance.height, CurveStyle::dashed, 0}};
     write_plot(setting, "two_tetrahedra_paths", plot);
 }
 
