@@ -26,18 +26,13 @@ Vec3 turn_with_contact(const Vec3& force, const Vec3& old_normal, const Vec3& no
     return turned_length > 0 ? (length / turned_length) * turned : Vec3{};
 }
 
-/// A spring loaded to `trial` and cut off at `limit`.
-struct Slip {
-    double scale;     ///< factor that brings the trial force to the limit [-]
-    double distance;  ///< plastic part of the displacement [m] (or [rad])
-};
+/// Factor that brings a trial force to its limit [-].
+double cut_off(double trial, double limit) { return trial <= limit ? 1 : limit / trial; }
 
-Slip cut_off(double trial, double limit, double stiffness) {
-    return trial <= limit ? Slip{1, 0} : Slip{limit / trial, (trial - limit) / stiffness};
-}
-
-/// Spring energy that leaves through friction in one step: sliding work, and what the old spring held beyond
-/// its energy at today's stiffness (the patch it was stretched over has changed).
+/// What leaves through friction in one step: the energy that the springs held, plus the work that the motion does on
+/// them, minus what they hold afterwards. The ledger sees a force before and after the motion x and books their mean:
+/// W = -(f_old + f_new).x / 2 with x = (f_old - f_trial)/k. So sliding, a strength that falls under a loaded spring,
+/// and a stiffness that changes with the patch are all accounted for, to round-off.
 struct SpringResult {
     double friction_loss;
     bool is_sliding;
@@ -58,22 +53,23 @@ SpringResult advance_springs(const NormalContact& normal, const material::PairPr
     const Vec3 old_force =
         before != nullptr ? turn_with_contact(before->shear_force, before->normal, n, mean_turn) : Vec3{};
     const Vec3 trial = old_force - (stiffness * dt) * (kinematics.relative_velocity - closing * n);
-    const Slip slip = cut_off(norm(trial), strength, stiffness);
-    after.shear_force = slip.scale * trial;
+    const double share = cut_off(norm(trial), strength);
+    after.shear_force = share * trial;
     after.shear_energy = norm_squared(after.shear_force) / (2 * stiffness);
-    friction_loss += strength * slip.distance - norm_squared(old_force) / (2 * stiffness);
+    friction_loss += dot(old_force + after.shear_force, trial - old_force) / (2 * stiffness) - after.shear_energy;
 
     const double torsion_stiffness = stiffness * normal.area / (2 * std::numbers::pi);
     if (pair.has_torsion && torsion_stiffness > 0) {
         const double old_torsion = before != nullptr ? before->torsion : 0;
         const double trial_torsion = old_torsion - torsion_stiffness * dot(kinematics.relative_spin, n) * dt;
         const double limit = pair.friction * normal.spin_moment;
-        const Slip spin = cut_off(std::abs(trial_torsion), limit, torsion_stiffness);
-        after.torsion = spin.scale * trial_torsion;
-        after.shear_energy += after.torsion * after.torsion / (2 * torsion_stiffness);
-        friction_loss += limit * spin.distance - old_torsion * old_torsion / (2 * torsion_stiffness);
+        after.torsion = cut_off(std::abs(trial_torsion), limit) * trial_torsion;
+        const double energy = after.torsion * after.torsion / (2 * torsion_stiffness);
+        after.shear_energy += energy;
+        friction_loss +=
+            (old_torsion + after.torsion) * (trial_torsion - old_torsion) / (2 * torsion_stiffness) - energy;
     }
-    return {friction_loss, slip.scale < 1};
+    return {friction_loss, share < 1};
 }
 
 }  // namespace
