@@ -158,6 +158,25 @@ TEST(Advance, DroppingScratchBetweenStepsChangesNoBit) {
     EXPECT_EQ(state_hash(kept.state), state_hash(dropped.state));
 }
 
+TEST(Advance, AScratchOfAnotherStateChangesNoBit) {
+    SmallScene first = tumbling_pile(), second = tumbling_pile();
+    const double dt = first.automatic_step();
+    first.run(400, dt);
+    second.run(700, dt);
+    const State restored = first.state;
+    Scratch used;
+    for (int i = 0; i < 50; ++i) {
+        advance(second.model, second.state, used, dt);
+    }
+    // The driver steps back to an earlier State and keeps its Scratch.
+    State retried = restored;
+    for (int i = 0; i < 50; ++i) {
+        advance(second.model, retried, used, dt);
+    }
+    first.run(50, dt);
+    EXPECT_EQ(state_hash(retried), state_hash(first.state));
+}
+
 TEST(Advance, TheLedgerOfATumblingPileClosesWithoutBeingMadeTo) {
     SmallScene scene = tumbling_pile();
     const StepReport report = scene.run(6000, scene.automatic_step());
@@ -213,8 +232,7 @@ TEST(Advance, AReleasedBodyStartsFromRestAtItsTime) {
     scene.model.bodies.release_time[static_cast<std::size_t>(held.value)] = 0.5;
     const StepReport report = scene.run(1000, 1e-3);
     EXPECT_NEAR(scene.state.bodies.position[0].z, 5 - 0.5 * 10 * 0.25, 0.01);
-    // The kick that sets it free catches the body at rest: half a kick of kinetic energy for no drop.
-    EXPECT_NEAR(report.ledger.residual, 0.5 * 2000 * std::pow(10 * 0.5e-3, 2), 1e-9 * report.ledger.turnover);
+    EXPECT_LT(std::abs(report.ledger.residual), 1e-9 * report.ledger.turnover);
     EXPECT_LT(norm(report.ledger.momentum_residual), 1e-9 * norm(report.ledger.impulse));
 }
 

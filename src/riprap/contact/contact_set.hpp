@@ -71,7 +71,8 @@ struct ContactRow {
     Vec3 moment;            ///< couple on A besides (point - centre) x force [N m]
     double elastic_energy;  ///< stored in the overlap [J]
     double friction_loss;   ///< dissipated by sliding in this step [J]
-    double damping_loss;    ///< dissipated by the dashpots in this step [J]
+    double dashpot;         ///< part of the normal force that the dashpot adds, either sign [N]
+    double closing_speed;   ///< along the normal, before the kick [m/s]
     float gershgorin_a;     ///< contribution to omega_max^2 of A's body [1/s^2]
     float gershgorin_b;
     float normal_force;  ///< size of the normal force, damping included [N]

@@ -44,6 +44,29 @@ void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodySt
     });
 }
 
+double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::BodyState& state,
+                                     const body::BodyKinematics& kinematics, const ContactHistory& history,
+                                     double dt) const {
+    const auto velocity_at = [&](std::int32_t part, const Vec3& point) {
+        const std::size_t body = at(scene.bodies.parts[at(part)].body.value);
+        const Vec3 spin = kinematics.inverse_mass[body] > 0
+                              ? kinematics.inverse_inertia[body] * state.angular_momentum[body]
+                              : kinematics.angular_velocity[body];
+        return state.velocity[body] + cross(spin, point - state.position[body]);
+    };
+    return parallel::reduce(
+        static_cast<std::int64_t>(rows_.size()), 0.0,
+        [&](std::int64_t i) {
+            const ContactRow& row = rows_[at(i)];
+            if (row.dashpot == 0) {
+                return 0.0;
+            }
+            const Vec3 relative = velocity_at(row.parts.a, row.point) - velocity_at(row.parts.b, row.point);
+            return 0.5 * (row.closing_speed + dot(relative, history.normal[at(i)])) * row.dashpot * dt;
+        },
+        [](double a, double b) { return a + b; });
+}
+
 double ContactPipeline::gershgorin_bound(const ContactScene& scene) const {
     const body::BodySet& bodies = scene.bodies;
     return parallel::reduce(

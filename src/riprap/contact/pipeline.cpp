@@ -83,9 +83,17 @@ bool ContactPipeline::find_pairs() {
     return is_new;
 }
 
+bool ContactPipeline::are_rows_of(const ContactHistory& history) const {
+    return rows_.size() == history.size() &&
+           parallel::reduce(
+               static_cast<std::int64_t>(rows_.size()), true,
+               [&](std::int64_t i) { return pair_key(rows_[at(i)].parts) == history.pair[at(i)]; },
+               [](bool a, bool b) { return a && b; });
+}
+
 void ContactPipeline::map_history(const ContactHistory& history) {
     const auto pairs = cache_.pairs();
-    if (contact_of_pair_.size() == pairs.size() && !contact_of_pair_.empty()) {
+    if (contact_of_pair_.size() == pairs.size() && are_rows_of(history)) {
         return;
     }
     contact_of_pair_.resize(pairs.size());

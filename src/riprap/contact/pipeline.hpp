@@ -44,6 +44,10 @@ class ContactPipeline {
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
     void gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const;
+    /// Energy the dashpots take in a step of length dt: force times the mean of the closing speeds before and after the
+    /// kick, which is what the kick did to the kinetic energy [J]. Call after the kick, `kinematics` still that before.
+    double dashpot_loss(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,
+                        const ContactHistory& history, double dt) const;
     /// Largest sum of Gershgorin terms over the contacts of one body, an upper bound of omega^2 [1/s^2].
     double gershgorin_bound(const ContactScene& scene) const;
 
@@ -60,6 +64,8 @@ class ContactPipeline {
         std::int32_t old_contact;  ///< row of the last step, -1 = none
     };
 
+    /// The contacts of the last step are those of `history`: nobody has put another State in between.
+    bool are_rows_of(const ContactHistory& history) const;
     void map_history(const ContactHistory& history);
     void run_wave(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,
                   double sliding_time, const ContactHistory& history, std::int64_t begin, std::int64_t end);

@@ -74,7 +74,7 @@ const Table& contact_pair_table() {
           {}},
          {"cohesion", {number(dimension::pressure, non_negative())}, "Shear strength per contact area.", {}},
          {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
-         {"shear_stiffness", {number(dimension::stiffness, non_negative())}, "Tangential stiffness of a contact.", {}},
+         {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
          {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
          {"torsion", {boolean()}, "Resist spinning about the contact normal.", {}}},
         {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},

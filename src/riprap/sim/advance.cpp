@@ -45,7 +45,7 @@ contact::ContactScene contact_scene(const Model& model, bool with_energy) {
 
 /// Sums and extremes over the contacts of one step, in fixed blocks of their order.
 struct ContactSums {
-    double elastic{0}, shear{0}, friction_loss{0}, damping_loss{0};
+    double elastic{0}, shear{0}, friction_loss{0};
     float potential{0}, overlap{0};
     std::int64_t deepest{-1};
 };
@@ -55,21 +55,16 @@ ContactSums sum_contacts(const std::vector<contact::ContactRow>& rows, const con
         static_cast<std::int64_t>(rows.size()), ContactSums{},
         [&](std::int64_t i) {
             const contact::ContactRow& row = rows[at(i)];
-            return ContactSums{row.elastic_energy,
-                               history.shear_energy[at(i)],
-                               row.friction_loss,
-                               row.damping_loss,
-                               row.potential,
-                               row.overlap,
-                               i};
+            return ContactSums{
+                row.elastic_energy, history.shear_energy[at(i)], row.friction_loss, row.potential, row.overlap, i};
         },
         [](ContactSums a, const ContactSums& b) {
             a.elastic += b.elastic;
             a.shear += b.shear;
             a.friction_loss += b.friction_loss;
-            a.damping_loss += b.damping_loss;
             a.overlap = std::max(a.overlap, b.overlap);
-            if (b.deepest >= 0 && (a.deepest < 0 || !(b.potential <= a.potential))) {
+            // A potential that is not a number counts as the deepest and stays so.
+            if (b.deepest >= 0 && (a.deepest < 0 || (!std::isnan(a.potential) && !(b.potential <= a.potential)))) {
                 a.potential = b.potential;
                 a.deepest = b.deepest;
             }
@@ -85,10 +80,11 @@ StepStatus judge(const Model& model, const State& state, const solid::KickReport
         const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
         const Vec3& v = state.bodies.velocity[at(kick.worst_body)];
         const Vec3& x = state.bodies.position[at(kick.worst_body)];
-        return {
-            fmt::format("velocity of {} is ({:.6g}, {:.6g}, {:.6g}) m/s at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.9g} s; "
-                        "allowed: finite, at most {:.6g} m/s",
-                        bodies.name(body), v.x, v.y, v.z, x.x, x.y, x.z, time, model.solid.max_speed)};
+        return {fmt::format(
+            "velocity of {} is ({:.6g}, {:.6g}, {:.6g}) m/s, its spin {:.6g} rad/s, at ({:.6g}, {:.6g}, {:.6g}) m, "
+            "t = {:.9g} s; allowed: finite, sqrt(2 K/m) at most {:.6g} m/s",
+            bodies.name(body), v.x, v.y, v.z, norm(angular_velocity(bodies, state.bodies, body)), x.x, x.y, x.z, time,
+            model.solid.max_speed)};
     }
     if (contacts.deepest >= 0 && !(contacts.potential <= model.solid.max_potential)) {
         const contact::ContactRow& row = rows[at(contacts.deepest)];
@@ -104,7 +100,8 @@ StepStatus judge(const Model& model, const State& state, const solid::KickReport
 
 }  // namespace
 
-StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure) {
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
+                   const solid::ExternalLoads& loads) {
     ScratchData& data = scratch.data();
     contact::ContactPipeline& contacts = data.pipeline;
     const bool with_energy = measure == Measure::energy || state.step == 0;
@@ -134,10 +131,12 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     }
     const Vec3 gravity = model.gravity.at(kick_time);
     solid::KickReport kick;
+    double dashpot_loss = 0;
     {
         const ScopedTimer timer(data.times.move_bodies);
-        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads, {}, gravity,
+        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads, loads, gravity,
                            {kick_time, previous_kick, dt}, state.bodies);
+        dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, state.contacts, dt);
         solid::drift(model.bodies, state.bodies, state.time + dt, 0.5 * dt);
     }
     const ScopedTimer timer(data.times.measure);
@@ -149,14 +148,14 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
                              .has_elastic = with_energy,
                              .shear = sums.shear,
                              .friction_loss = sums.friction_loss + lost_springs,
-                             .damping_loss = sums.damping_loss},
+                             .damping_loss = dashpot_loss},
                             state.ledger);
     state.time += dt;
     state.step += 1;
     state.previous_dt = dt;
 
     report.dt = dt;
-    const double omega_squared = contacts.gershgorin_bound(scene);
+    const double omega_squared = with_energy ? contacts.gershgorin_bound(scene) : 0;
     report.dt_bound = omega_squared > 0 ? 2 / std::sqrt(omega_squared) : std::numeric_limits<double>::infinity();
     report.max_speed = kick.max_speed;
     report.max_potential = sums.potential;

@@ -8,6 +8,7 @@
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
+#include "riprap/solid/explicit_dem.hpp"
 
 namespace riprap::sim {
 
@@ -46,9 +47,10 @@ struct StepStatus {
 /// What one step reports.
 struct StepReport {
     StepStatus status;
-    Ledger ledger;            ///< complete where Measure asks for it
-    double dt{0};             ///< [s]
-    double dt_bound{0};       ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts
+    Ledger ledger;       ///< complete where Measure asks for it
+    double dt{0};        ///< [s]
+    double dt_bound{0};  ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts or where energy
+                         ///< is not measured
     double max_speed{0};      ///< [m/s]
     double max_potential{0};  ///< deepest normalised overlap [-]
     double max_depth{0};      ///< [m]
@@ -66,7 +68,10 @@ enum class Measure {
 
 /// One step. On failure State may be non-finite: the driver keeps the last good one. The first step of a run measures
 /// the energy whatever is asked.
-StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy);
+///
+/// @param loads  what acts on the bodies besides contacts and gravity, held over the step: a fluid's pressure, say
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
+                   const solid::ExternalLoads& loads = {});
 
 /// Sets driven bodies to their pose and velocity at state.time and starts the ledger. Call once on a fresh State.
 void initialise(const Model& model, State& state);

@@ -74,12 +74,11 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
         totals[gravity_change] -= 0.5 * dot(step.gravity - get(totals, gravity), kick.mass_moment + old_moment);
         totals[released] += kick.released_energy;
         totals[friction] += step.friction_loss;
-        totals[contact_damping] += step.damping_loss;
     }
     put(totals, mass_moment, kick.mass_moment);
     put(totals, gravity, step.gravity);
     ledger.dissipated_friction = totals[friction];
-    ledger.dissipated_contact = totals[contact_damping];
+    ledger.dissipated_contact = add_across(totals[contact_damping], step.damping_loss);
     ledger.dissipated_damping = add_across(totals[body_damping], kick.damping_loss);
     ledger.work_driven = add_across(totals[driven_work], kick.work_driven);
     ledger.work_external = add_across(totals[external_work], kick.external_work);

@@ -16,7 +16,7 @@ struct LedgerStep {
     bool has_elastic;      ///< always so at the first kick
     double shear;          ///< stored in tangential springs [J]
     double friction_loss;  ///< since the last kick [J]
-    double damping_loss;   ///< of contact dashpots since the last kick [J]
+    double damping_loss;   ///< of contact dashpots in this step, half of it after the kick [J]
 };
 
 /// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before

@@ -13,7 +13,7 @@ struct DemSettings {
     double grid_factor{2};    ///< gamma: ratio of circumradius between size classes [-]
     double skin{0.1};         ///< of the pair cache, as a fraction of the median circumradius [-]
     double max_potential{1};  ///< an overlap deeper than this share of the inscribed radius ends the run [-]
-    double max_speed{1e5};    ///< a faster body ends the run [m/s]
+    double max_speed{1e5};    ///< a faster body, spin included (sqrt(2 K/m)), ends the run [m/s]
 };
 
 }  // namespace riprap::solid

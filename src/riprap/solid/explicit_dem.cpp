@@ -138,15 +138,17 @@ KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const 
         report.impulse = dt * outside;
         report.angular_impulse = dt * (cross(position, outside) + other.damping_torque + other.external_torque);
         if (!is_free(bodies, BodyId{static_cast<std::int32_t>(index)}, times.previous)) {
-            const Vec3 old_spin = kinematics.inverse_inertia[i] * old_momentum;
-            report.released_energy =
-                0.5 * (mass * norm_squared(old_velocity) + dot(old_momentum, old_spin)) + report.potential;
+            // At the kick, like everything else: half a kick of velocity came without a path to work along.
+            report.released_energy = report.kinetic + report.potential;
             report.released_momentum = mass * old_velocity;
             report.released_angular_momentum = mass * cross(position, old_velocity) + old_momentum;
             report.released_mass_moment = report.mass_moment;
         }
-        report.max_speed = norm(state.velocity[i]);
-        const bool is_sane = report.max_speed <= settings.max_speed && is_finite(state.angular_momentum[i]);
+        // Spin counts with the speed that holds its energy: |omega| times the radius of gyration.
+        const Vec3 momentum = state.angular_momentum[i];
+        report.max_speed =
+            std::sqrt(norm_squared(state.velocity[i]) + dot(momentum, kinematics.inverse_inertia[i] * momentum) / mass);
+        const bool is_sane = report.max_speed <= settings.max_speed && is_finite(position);
         report.worst_body = is_sane ? -1 : index;
         return report;
     };

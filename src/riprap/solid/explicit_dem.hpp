@@ -36,8 +36,8 @@ struct KickReport {
     Vec3 mass_moment{};                ///< sum of m x of free bodies [kg m]
     Vec3 released_mass_moment{};       ///< part of it that is newly free [kg m]
     double mass{0};                    ///< of free bodies [kg]
-    double max_speed{0};               ///< after the kick [m/s]
-    std::int64_t worst_body{-1};       ///< first body whose velocity is not finite or above max_speed
+    double max_speed{0};               ///< after the kick, spin included: sqrt(2 K/m) [m/s]
+    std::int64_t worst_body{-1};       ///< first body whose motion is not finite or above max_speed
 };
 
 /// Times a kick needs: now, when the last kick was, and how long this step lasts [s].

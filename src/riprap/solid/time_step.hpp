@@ -10,7 +10,7 @@ namespace riprap::solid {
 
 /// The body that limits the step, and by how much.
 struct DemTimeStep {
-    double limit;  ///< 2/omega_max [s]; infinity when no free body can touch another
+    double limit;  ///< [s]; infinity when no free body can touch another
     BodyId body;
     std::string reason;  ///< for the log
 };
@@ -22,8 +22,9 @@ struct DemTimeStep {
 ///     omega_max^2 <= lambda (k_i/r_i + k_j/r_j) (1/m_i + 1/sqrt(m_i m_j)),
 ///
 /// lambda the largest eigenvalue of sum_faces A_f [n n^T + s (I - n n^T)], s the largest k_s/k_n. The neighbour j is
-/// the body itself, the lightest free body, or something immovable. Two cubes of side a and modulus k_n in a
-/// frictionless lattice give dt = (a/2) sqrt(rho/k_n).
+/// tried as the body itself, the lightest free body, the stiffest free body (largest k/r) and the stiffest immovable
+/// one. Dashpots, which use the velocity before the kick, leave sqrt(1 + z^2) - z of 2/omega_max, z = sqrt(2) xi. Two
+/// cubes of side a and modulus k_n in an undamped frictionless lattice give dt = (a/2) sqrt(rho/k_n).
 DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                             const material::MaterialSet& materials);
 

@@ -93,7 +93,8 @@ void coulomb(const NormalContact& normal, const material::PairProperties& pair, 
     row.moment = normal.moment + after.torsion * n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
-    row.damping_loss = (normal_force - elastic) * closing * kinematics.sliding_time;
+    row.dashpot = normal_force - elastic;
+    row.closing_speed = closing;
     row.normal_force = static_cast<float>(normal_force);
     row.shear_force = static_cast<float>(norm(after.shear_force));
     row.overlap = static_cast<float>(normal.depth);
