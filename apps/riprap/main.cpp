@@ -39,12 +39,9 @@ int report_case_error(const riprap::CaseError& error) {
     return static_cast<int>(riprap::ExitCode::bad_case);
 }
 
-}  // namespace
-
-int main(int argument_count, char** arguments) {
+/// What the command line comes to, every refusal told on standard error.
+int guarded_command_line(int argument_count, char** arguments) {
     using riprap::ExitCode;
-    prefer_passive_waiting(arguments);
-    riprap::run::ignore_write_signals();
     try {
         return riprap::command_line(argument_count, arguments);
     } catch (const riprap::CaseError& error) {
@@ -56,6 +53,27 @@ int main(int argument_count, char** arguments) {
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::bad_case, "out of memory; `riprap check` says what a case needs");
     } catch (const std::exception& error) {
+        if (std::ferror(stdout) != 0) {
+            return static_cast<int>(ExitCode::file_system);  // main tells it
+        }
         return fail(ExitCode::internal, fmt::format("internal error, please report it: {}", error.what()).c_str());
     }
+}
+
+/// The exit code once everything printed has arrived. An answer that was lost on the way - a full disk, a reader that
+/// went away - is no success.
+int after_flush(int code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+        return code;
+    }
+    const int lost = fail(riprap::ExitCode::file_system, "cannot write to standard output: what was printed is lost");
+    return code == 0 ? lost : code;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    prefer_passive_waiting(arguments);
+    riprap::run::ignore_write_signals();
+    return after_flush(guarded_command_line(argument_count, arguments));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -156,6 +157,53 @@ TEST_F(Runs, NothingIsWrittenOverUnasked) {
     EXPECT_TRUE(std::filesystem::exists(in("mine", "case/case.toml")));
 }
 
+TEST_F(Runs, FilesWithTheNamesOfARunAreTheUsersWhereNoRunWroteThem) {
+    // A folder that held a user's own case/, frames/ and bodies.csv was emptied of them without a word.
+    const std::vector<std::string> mine{"case/notes.txt", "frames/photo.png", "checkpoint/latest", "bodies.csv"};
+    const auto expect_untouched = [&](const std::string& name, const std::vector<std::string>& options) {
+        std::vector<std::string> words{"run", case_file(), "--out", out(name), "--set", "max_steps=3"};
+        words.insert(words.end(), options.begin(), options.end());
+        const Ending ending = run(words);
+        EXPECT_EQ(ending.code, 5) << ending.out;
+        EXPECT_THAT(ending.err, HasSubstr("--out"));
+        for (const std::string& file : mine) {
+            EXPECT_EQ(text_of(in(name, file)), "years of work") << file;
+        }
+    };
+    for (const char* ticket : {"", "{\"run\": \"of another program\"}", "[1, 2"}) {
+        for (const char* part : {"case", "frames", "checkpoint"}) {
+            std::filesystem::create_directories(in("mine", part));
+        }
+        for (const std::string& file : mine) {
+            write_file("mine/" + file, "years of work");
+        }
+        if (*ticket != 0) {
+            write_file("mine/run.json", ticket);
+        }
+        expect_untouched("mine", {});
+        expect_untouched("mine", {"--resume"});
+        expect_untouched("mine", {"--force"});
+        EXPECT_EQ(text_of(in("mine", "run.json")), ticket);
+    }
+}
+
+TEST_F(Runs, ARunThatWasKilledWhileItWasPutInPlaceIsBegunAgain) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=3"}).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(in("a", ".riprap_starting")));
+    // As between removing the old ticket and writing the new one.
+    write_file("a/.riprap_starting", "");
+    std::filesystem::remove(in("a", "run.json"));
+    for (const char* option : {"--resume", "--quiet"}) {
+        EXPECT_EQ(run({"run", case_file(), "--out", out("b"), "--set", "max_steps=3"}).code, 0);
+        std::filesystem::remove_all(out("c"));
+        std::filesystem::copy(out("a"), out("c"), std::filesystem::copy_options::recursive);
+        EXPECT_EQ(run({"run", case_file(), "--out", out("c"), "--set", "max_steps=3", option}).code, 0);
+        EXPECT_EQ(summary_of("c").at("state_hash"), summary_of("b").at("state_hash"));
+        EXPECT_FALSE(std::filesystem::exists(in("c", ".riprap_starting")));
+        std::filesystem::remove_all(out("b"));
+    }
+}
+
 TEST_F(Runs, ABadCaseTouchesNoRun) {
     ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=3"}).code, 0);
     const std::string before = text_of(in("a", "summary.json"));
@@ -175,6 +223,17 @@ TEST_F(Runs, OneFolderBelongsToOneProcess) {
     program.wait();
     EXPECT_EQ(second.code, 5);
     EXPECT_THAT(second.err, HasSubstr("another riprap"));
+}
+
+TEST_F(Runs, ACaseThatIsNoRegularFileIsRefusedWithoutWaitingForIt) {
+    ASSERT_EQ(mkfifo(out("pipe.toml").c_str(), 0600), 0);
+    for (const std::string& file : {out("pipe.toml"), std::string("/dev/zero"), std::string("/dev/tty")}) {
+        for (const char* command : {"run", "check"}) {
+            const Ending ending = Program(folder.path(), {command, file}, [] { alarm(20); }).wait();
+            EXPECT_EQ(ending.code, 5) << file;
+            EXPECT_THAT(ending.err, HasSubstr("regular file")) << file;
+        }
+    }
 }
 
 TEST_F(Runs, AnUnwritablePlaceIsNamed) {
@@ -227,6 +286,15 @@ TEST_F(Runs, CheckPredictsARunAndNamesEveryProblem) {
     EXPECT_EQ(problems.at(0).at("line"), 1);
     EXPECT_TRUE(problems.at(0).at("allowed").is_string());
     EXPECT_EQ(run({"check", bad}).code, 3);
+}
+
+TEST_F(Runs, CheckWarnsOfStepsThatNoMachineGetsThrough) {
+    const std::vector<std::string> words{"check", case_file(), "--set", "time_step=1e-9", "--set", "end=1e12"};
+    const Ending ending = run(words);
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("warning: about 1e+21 steps"), HasSubstr("steps         about 1e+21 to")));
+    EXPECT_THAT(ending.out, Not(HasSubstr("9000000000000000000")));
+    EXPECT_THAT(run({"check", case_file()}).out, Not(HasSubstr("warning")));
 }
 
 TEST_F(Runs, ThePredictedOutputIsWhatARunWrites) {

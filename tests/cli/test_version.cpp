@@ -45,6 +45,22 @@ TEST(CommandLine, ThreadsWaitPassivelyUnlessTheUserSaysOtherwise) {
     unsetenv("OMP_DISPLAY_ENV");
 }
 
+TEST(CommandLine, AnAnswerThatCannotBePrintedIsAFailure) {
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"version"},
+          {"list"},
+          {"schema"},
+          {"schema", "--keys"},
+          {"--help"},
+          {"check", "hello_block"},
+          {"run", "hello_block", "--out", folder / "run", "--set", "max_steps=3"}}) {
+        const Ending ending = Program(folder.path(), words, [] { dup2(open("/dev/full", O_WRONLY), 1); }).wait();
+        EXPECT_EQ(ending.code, 5) << words.front();
+        EXPECT_THAT(ending.err, HasSubstr("standard output")) << words.front();
+    }
+}
+
 TEST(CommandLine, ABadCommandLineIsRefusedWithTwo) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_program(folder.path(), {}).code, 2);

@@ -38,12 +38,15 @@ int run_case(const RunOptions& options) {
     const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
     const sim::TimeSettings time = loaded.model.time;
     Driver driver(folder, std::move(loaded), options.quiet);  // refuses a bad case before any file is touched
-    const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
+    claim(folder, existing);
     const FolderLock lock(folder);
+    // Looked at again now that it is ours alone: another process may have run there in between.
+    const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
     if (is_continued) {
+        end_marking(folder);
         driver.resume(time.end, time.max_steps);  // both may be moved without making it another case
     } else {
-        remove_run(folder);
+        make_room(folder);
         driver.store_case(options.overrides);
         driver.start();
     }
@@ -55,6 +58,7 @@ int resume_run(const ResumeOptions& options) {
     const RunFolder folder{options.folder};
     Driver driver(folder, load_stored_case(folder), options.quiet);
     const FolderLock lock(folder);
+    end_marking(folder);
     if (folder.has_checkpoint()) {
         driver.resume(options.end, options.max_steps);
     } else {

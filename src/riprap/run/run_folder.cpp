@@ -27,17 +27,47 @@ constexpr std::array<std::string_view, 13> own_names{
     "probes.csv", "ledger.csv", "bodies.csv",    "summary.json", "out.pvd", "contacts.pvd",
 };
 
-/// Names in a folder that are none of ours. Hidden names (locks, partial files) do not count.
-std::vector<std::string> foreign_names(const fs::path& folder) {
+bool is_own(const std::string& name) { return std::find(own_names.begin(), own_names.end(), name) != own_names.end(); }
+
+/// Names in a folder, without the hidden ones (locks, partial files).
+std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (name.front() != '.' && std::find(own_names.begin(), own_names.end(), name) == own_names.end()) {
-            names.push_back(name);
+        std::string name = entry.path().filename().string();
+        if (name.front() != '.') {
+            names.push_back(std::move(name));
         }
     }
     std::sort(names.begin(), names.end());
     return names;
+}
+
+void refuse_run_there(const RunFolder& folder) {
+    if (folder.has_run() && folder.is_ours()) {
+        throw FileError("'" + folder.root.string() +
+                        "' holds a run already; --resume continues it, --force replaces it, --out writes elsewhere");
+    }
+}
+
+void refuse_other_files(const RunFolder& folder) {
+    const bool is_ours = folder.is_ours();
+    for (const std::string& name : names_in(folder.root)) {
+        if (!is_ours || !is_own(name)) {
+            throw FileError("'" + folder.root.string() + "' is not empty and holds no run (it holds '" + name +
+                            "'); --out writes elsewhere, --force puts the run beside what is there");
+        }
+    }
+}
+
+/// --force replaces a run and nothing else: a name of a run that no run of ours wrote stays.
+void refuse_names_in_the_way(const RunFolder& folder) {
+    for (const std::string& name : names_in(folder.root)) {
+        if (is_own(name) && !folder.is_ours()) {
+            throw FileError("'" + (folder.root / name).string() +
+                            "' is in the way, and no run wrote it: the folder has no run.json of Riprap's; move it "
+                            "away, or choose another folder with --out");
+        }
+    }
 }
 
 }  // namespace
@@ -56,37 +86,61 @@ FolderLock::FolderLock(const RunFolder& folder)
     }
 }
 
+bool RunFolder::is_ours() const {
+    if (fs::exists(marker())) {
+        return true;
+    }
+    if (!fs::is_regular_file(ticket())) {
+        return false;
+    }
+    const auto content = nlohmann::json::parse(io::read_file(ticket(), ticket_limit), nullptr, false);
+    return content.is_object() && content.contains("case_hash") && content.contains("riprap");
+}
+
 bool claim(const RunFolder& folder, Existing existing) {
     std::error_code error;
     if (fs::exists(folder.root, error) && !fs::is_directory(folder.root, error)) {
         throw FileError("'" + folder.root.string() + "' is a file; choose another folder with --out");
     }
     io::make_folder(folder.root);
-    if (folder.has_run() && existing == Existing::resume) {
-        return true;
-    }
-    if (existing != Existing::replace) {
-        if (folder.has_run()) {
-            throw FileError("'" + folder.root.string() +
-                            "' holds a run already; --resume continues it, --force replaces it, --out writes "
-                            "elsewhere");
-        }
-        const std::vector<std::string> foreign = foreign_names(folder.root);
-        if (!foreign.empty()) {
-            throw FileError("'" + folder.root.string() + "' is not empty (it holds '" + foreign.front() +
-                            "'); --force writes there all the same, --out writes elsewhere");
-        }
+    switch (existing) {
+        case Existing::resume:
+            if (folder.has_run() && folder.is_ours()) {
+                return true;
+            }
+            refuse_other_files(folder);
+            break;
+        case Existing::refuse:
+            refuse_run_there(folder);
+            refuse_other_files(folder);
+            break;
+        case Existing::replace:
+            refuse_names_in_the_way(folder);
+            break;
     }
     return false;
 }
 
-void remove_run(const RunFolder& folder) {
+void make_room(const RunFolder& folder) {
+    const bool has_leftovers = folder.is_ours();
+    io::write_file(folder.marker(), "a run is being put here\n");
+    if (!has_leftovers) {
+        return;
+    }
     for (const std::string_view name : own_names) {  // the ticket goes first: from then on there is no run here
         std::error_code error;
         fs::remove_all(folder.root / name, error);
         if (error) {
             throw io::file_error("remove", folder.root / name, error.value());
         }
+    }
+}
+
+void end_marking(const RunFolder& folder) {
+    std::error_code error;
+    fs::remove(folder.marker(), error);
+    if (error) {
+        throw io::file_error("remove", folder.marker(), error.value());
     }
 }
 
@@ -106,6 +160,7 @@ void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const 
                                         {"case_hash", fmt::format("{:016x}", loaded.model.case_hash)},
                                         {"riprap", build_info().version}};
     io::write_file(folder.ticket(), ticket.dump(2) + '\n');
+    end_marking(folder);
 }
 
 scene::LoadedCase load_stored_case(const RunFolder& folder) {

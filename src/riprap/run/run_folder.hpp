@@ -32,9 +32,14 @@ struct RunFolder {
     std::filesystem::path bodies() const { return root / "bodies.csv"; }
     std::filesystem::path summary() const { return root / "summary.json"; }
     std::filesystem::path lock() const { return root / ".lock"; }
+    /// Stands while a run is being put here, from before the first file of it to after the ticket.
+    std::filesystem::path marker() const { return root / ".riprap_starting"; }
 
     /// A run was started here: its case is complete.
     bool has_run() const { return std::filesystem::exists(ticket()); }
+    /// What lies here under the names of a run was written by Riprap: there is a ticket of ours, or a run was killed
+    /// while it was being put here.
+    bool is_ours() const;
     bool has_checkpoint() const {
         return std::filesystem::exists(checkpoint_latest()) || std::filesystem::exists(checkpoint_previous());
     }
@@ -52,21 +57,26 @@ class FolderLock {
 
 /// What a run folder may hold already.
 enum class Existing {
-    refuse,   ///< a run, or files that are none of ours
-    replace,  ///< a run is removed first; files that are none of ours stay
-    resume,   ///< a run is continued
+    refuse,   ///< nothing
+    replace,  ///< a run, which is removed first, and other files, which stay
+    resume,   ///< a run, which is continued
 };
 
-/// Makes the folder or takes an existing one.
+/// Makes the folder or takes an existing one. Without a run of ours in it every file counts as the user's, whatever its
+/// name: `replace` then takes the folder only where no name is in the way.
 /// @returns true when a run that was started there is to be continued
 /// @throws FileError when the folder is refused, with the options that would take it
 bool claim(const RunFolder& folder, Existing existing);
 
-/// Removes what an earlier run left, by name; nothing else.
-void remove_run(const RunFolder& folder);
+/// Marks the folder as one where a run begins and removes what an earlier run of ours left, by name; nothing else. The
+/// mark comes first, so that after a kill at any moment the leftovers are still known as ours.
+void make_room(const RunFolder& folder);
 
-/// Copies the case with every file it reads, the resolved case and, last, the ticket that makes it a run.
-/// @throws FileError
+/// Takes the mark of make_room away: the ticket says the same from now on.
+void end_marking(const RunFolder& folder);
+
+/// Copies the case with every file it reads, the resolved case and, last, the ticket that makes it a run; then ends the
+/// marking. @throws FileError
 void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides);
 
 /// The case of a run folder as it was first read. @throws FileError, CaseError

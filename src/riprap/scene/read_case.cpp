@@ -60,6 +60,10 @@ std::string read_case_file(const std::filesystem::path& path) {
         throw FileError(fmt::format("{} is a folder; give the case file in it, such as {}", path.string(),
                                     (path / "case.toml").string()));
     }
+    // Opening a pipe waits for a writer, and a device need not end.
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        throw FileError(fmt::format("{} is not a regular file; a case is read from a file", path.string()));
+    }
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
         throw FileError(
