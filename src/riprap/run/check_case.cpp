@@ -19,6 +19,9 @@ namespace {
 constexpr double bytes_per_number = 19;
 constexpr double ledger_columns = 35;
 
+/// More steps than this take years: a slip in `end` or in a unit. Also below 2^53, so that steps still count exactly.
+constexpr std::int64_t plausible_steps = 1'000'000'000'000;
+
 double predicted_frame_bytes(const sim::Model& model, const sim::State& initial, const sim::State& state,
                              const sim::Scratch& scratch) {
     if (!model.output.vtk) {
@@ -31,6 +34,14 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
         bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
     }
     return bytes;
+}
+
+bool has_countable_steps(const CaseCheck& check) { return check.steps <= plausible_steps; }
+
+/// Steps where there are too many for an integer, which is then saturated.
+double estimated_steps(const CaseCheck& check) {
+    constexpr std::int64_t saturated = 1'000'000'000'000'000'000;
+    return check.steps < saturated ? static_cast<double>(check.steps) : check.end / check.time_step;
 }
 
 }  // namespace
@@ -66,6 +77,10 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         }
     }
     check.steps = count_steps(model.time.end, check.time_step, model.time.max_steps);
+    if (!has_countable_steps(check)) {
+        check.warnings.push_back(fmt::format(
+            "about {:.2g} steps: no machine gets to the end; is `end` in the right unit?", estimated_steps(check)));
+    }
 
     sim::State initial = loaded.state;
     sim::initialise(model, initial);
@@ -100,9 +115,12 @@ std::string check_text(const CaseCheck& check) {
         "  at time 0     {} contacts, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
         "  memory        {}\n  output        {} in {} frames and the tables\n",
         check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, check.parts,
-        check.shapes, check.time_step, check.time_step_limit, check.limited_by, check.steps, check.end, check.contacts,
-        check.max_overlap, 100 * check.max_potential, size_text(static_cast<double>(check.memory_bytes)),
-        size_text(static_cast<double>(check.output_bytes)), check.frames);
+        check.shapes, check.time_step, check.time_step_limit, check.limited_by,
+        has_countable_steps(check) ? fmt::format("{}", check.steps)
+                                   : fmt::format("about {:.2g}", estimated_steps(check)),
+        check.end, check.contacts, check.max_overlap, 100 * check.max_potential,
+        size_text(static_cast<double>(check.memory_bytes)), size_text(static_cast<double>(check.output_bytes)),
+        check.frames);
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
     }
@@ -113,25 +131,28 @@ std::string check_text(const CaseCheck& check) {
 }
 
 std::string check_json(const CaseCheck& check) {
-    const nlohmann::ordered_json json{{"title", check.title},
-                                      {"bodies", check.bodies},
-                                      {"free_bodies", check.free_bodies},
-                                      {"parts", check.parts},
-                                      {"shapes", check.shapes},
-                                      {"mass", check.mass},
-                                      {"time_step", check.time_step},
-                                      {"time_step_limit", check.time_step_limit},
-                                      {"limited_by", check.limited_by},
-                                      {"end", check.end},
-                                      {"steps", check.steps},
-                                      {"frames", check.frames},
-                                      {"contacts", check.contacts},
-                                      {"max_overlap", check.max_overlap},
-                                      {"max_potential", check.max_potential},
-                                      {"memory_bytes", check.memory_bytes},
-                                      {"output_bytes", check.output_bytes},
-                                      {"refusal", check.refusal},
-                                      {"warnings", check.warnings}};
+    nlohmann::ordered_json json{{"title", check.title},
+                                {"bodies", check.bodies},
+                                {"free_bodies", check.free_bodies},
+                                {"parts", check.parts},
+                                {"shapes", check.shapes},
+                                {"mass", check.mass},
+                                {"time_step", check.time_step},
+                                {"time_step_limit", check.time_step_limit},
+                                {"limited_by", check.limited_by},
+                                {"end", check.end},
+                                {"steps", check.steps},
+                                {"frames", check.frames},
+                                {"contacts", check.contacts},
+                                {"max_overlap", check.max_overlap},
+                                {"max_potential", check.max_potential},
+                                {"memory_bytes", check.memory_bytes},
+                                {"output_bytes", check.output_bytes},
+                                {"refusal", check.refusal},
+                                {"warnings", check.warnings}};
+    if (!has_countable_steps(check)) {
+        json["steps"] = estimated_steps(check);
+    }
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
