@@ -49,8 +49,8 @@ Box bounds(const sim::Model& model, const sim::State& state) {
 
 /// Two unit vectors that complete the unit vector `n` to a right-handed frame.
 std::array<Vec3, 2> tangents(const Vec3& n) {
-    const Vec3 helper = std::abs(n.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    const Vec3 s = normalized(cross(helper, n));
+    const Vec3 aside = std::abs(n.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+    const Vec3 s = normalized(cross(aside, n));
     return {s, cross(n, s)};
 }
 

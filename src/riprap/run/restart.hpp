@@ -22,7 +22,7 @@ struct RunRecord {
     std::int64_t max_steps{-1};  ///< likewise
     double frame_interval{0};    ///< between frames [s]
     double row_interval{0};      ///< between rows of the tables [s]
-    double wall_seconds{0};      ///< of all sessions so far [s]
+    double wall_seconds{0};      ///< of all processes so far [s]
     std::int64_t resumes{0};
     std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
     std::vector<double> frame_times;       ///< times of the frames written [s]

@@ -11,7 +11,7 @@ namespace riprap::run {
 namespace {
 
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
-// The only global of the program: a signal handler has no other way to speak.
+// Global because a signal handler has no other way to speak.
 volatile sig_atomic_t received = 0;
 std::array<struct sigaction, stop_signals.size()> previous;
 

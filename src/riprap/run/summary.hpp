@@ -20,8 +20,8 @@ struct Summary {
     std::int64_t steps{0};
     double time{0};          ///< [s]
     double dt{0};            ///< [s]
-    double wall_seconds{0};  ///< of all sessions [s]
-    double cost{0};          ///< of this session [ns per body and step]
+    double wall_seconds{0};  ///< of all processes that ran it [s]
+    double cost{0};          ///< of this process [ns per body and step]
     std::int64_t body_count{0};
     std::size_t memory_bytes{0};  ///< State and Scratch
     int threads{1};
