@@ -11,6 +11,8 @@ namespace riprap::contact {
 namespace {
 /// Candidates evaluated by one thread at a time. Changes no result.
 constexpr std::int64_t chunk_size = 32;
+/// Candidates that one thread works through sooner than it wakes another.
+constexpr std::int64_t small_wave = 256;
 
 /// Candidates evaluated before their results are moved to their final place: an eighth, so that the intermediate
 /// records of a large scene take little memory beside what stays, but enough to keep threads busy. Changes no result.
@@ -179,7 +181,8 @@ void ContactPipeline::run_wave(const ContactScene& scene, const body::BodyState&
         record.old_contact = old;
         return true;
     };
-    parallel::for_ranges(count, chunk_size, [&](std::int64_t first, std::int64_t last) {
+    const std::int64_t grain = count <= small_wave ? count : chunk_size;
+    parallel::for_ranges(count, grain, [&](std::int64_t first, std::int64_t last) {
         std::int32_t found = 0;
         for (std::int64_t i = first; i < last; ++i) {
             found += evaluate(begin + i, wave_[at(first + found)]) ? 1 : 0;

@@ -47,10 +47,11 @@ void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f)
 }
 }  // namespace detail
 
-/// f(i) for i in [0, n). Entries of equal cost; f may write only what belongs to i.
+/// f(i) for i in [0, n). Entries of equal, small cost: up to 1024 of them are not worth waking a thread for. f may
+/// write only what belongs to i.
 template <class F>
 void for_each(std::int64_t n, const F& f) {
-    const std::int64_t grain = std::max<std::int64_t>(64, (n + thread_count() - 1) / thread_count());
+    const std::int64_t grain = std::max<std::int64_t>(1024, (n + thread_count() - 1) / thread_count());
     detail::for_chunks(n, grain, false, [&f](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             f(i);
