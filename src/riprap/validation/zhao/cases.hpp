@@ -12,6 +12,11 @@ void golden_values(const CaseSetting& setting, CaseReport& report);
 void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
 void incline(const CaseSetting& setting, CaseReport& report);
 void pillar_impact(const CaseSetting& setting, CaseReport& report);
+void slope_1(const CaseSetting& setting, CaseReport& report);
+void slope_2(const CaseSetting& setting, CaseReport& report);
+void slope_3(const CaseSetting& setting, CaseReport& report);
+void slope_4(const CaseSetting& setting, CaseReport& report);
+void slope_5(const CaseSetting& setting, CaseReport& report);
 void wedge_static(const CaseSetting& setting, CaseReport& report);
 void wedge_dynamic(const CaseSetting& setting, CaseReport& report);
 

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/validation/case_trial.hpp"
+#include "riprap/validation/side_view.hpp"
+#include "riprap/validation/zhao/cases.hpp"
+
+namespace riprap::validation::zhao {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double gravity = 9.81;         // [m/s^2]
+constexpr double tilt_rate = 0.03;       // of the published platform [rad/s]
+constexpr double approach_rate = 0.3;    // up to `approach` in the short version [rad/s]
+constexpr double settling_time = 0.5;    // under upright gravity [s]
+constexpr double failure_slip = 1e-3;    // relative to the platform [m]
+constexpr double collapse_slip = 20e-3;  // the slope has gone on to fall [m]
+constexpr double slope_height = 0.5;     // of all five [m]
+
+/// One of the five slopes: what is published, and what the mechanics of its blocks allow.
+struct Slope {
+    double paper, li;                        ///< simulated failure angle of Zhao and of Li [deg]
+    double experiment_low, experiment_high;  ///< [deg]
+    double low, high;                        ///< accepted [deg]
+    const char* reason;                      ///< of the accepted band
+    bool topples;                            ///< published mode
+    double approach;                         ///< angle reached fast in the short version, well below failure [deg]
+};
+
+struct Failure {
+    double angle{std::nan("")};  ///< when the block that falls first has moved by failure_slip [deg]
+    bool collapsed{false};       ///< and gone on to collapse_slip, accelerating
+    double toppling_share{0};    ///< of the mass that moves, at collapse [-]
+    double rest_depth{0};        ///< deepest overlap over the inscribed radius after settling [-]
+    double approach_slip{0};     ///< largest displacement when the slow tilt begins [m]
+};
+
+/// Gravity from here on: turned by `angle`, and turning about -y at `rate`.
+void turn_gravity(Trial& trial, double angle, double rate) {
+    sim::Gravity& g = trial.model().gravity;
+    g.value = {gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
+    g.axis = {0, -1, 0};
+    g.rate = rate;
+    g.start = trial.time();
+}
+
+class SlopeTest {
+ public:
+    SlopeTest(const CaseSetting& setting, const Slope& slope)
+        : setting_(setting), slope_(slope), trial_(trial_of(setting)), initial_(trial_.state()) {}
+
+    Failure run() {
+        turn_gravity(trial_, 0, 0);
+        trial_.run_until(settling_time);
+        failure_.rest_depth = trial_.report().max_potential;
+        initial_ = trial_.state();
+        first_passage_.assign(initial_.bodies.position.size(), std::nan(""));
+        speed_then_.assign(first_passage_.size(), 0.0);
+        start_angle_ = setting_.is_full ? 0 : slope_.approach * degree;
+        if (start_angle_ > 0) {
+            turn_gravity(trial_, 0, approach_rate);
+            trial_.run_until(trial_.time() + start_angle_ / approach_rate);
+        }
+        turn_gravity(trial_, start_angle_, tilt_rate);
+        start_time_ = trial_.time();
+        failure_.approach_slip = largest_slip();
+        constexpr double last_angle = 32 * degree;
+        const double end = start_time_ + (last_angle - start_angle_) / tilt_rate;
+        while (!failure_.collapsed && trial_.time() < end) {
+            trial_.step();
+            look();
+            draw_frames();
+        }
+        return failure_;
+    }
+
+ private:
+    double angle() const { return start_angle_ + tilt_rate * (trial_.time() - start_time_); }
+    double slip(std::size_t i) const { return norm(trial_.state().bodies.position[i] - initial_.bodies.position[i]); }
+    bool is_free(std::size_t i) const { return trial_.model().bodies.drive[i] == body::Drive::free; }
+    double largest_slip() const {
+        double largest = 0;
+        for (std::size_t i = 0; i < first_passage_.size(); ++i) {
+            largest = std::max(largest, is_free(i) ? slip(i) : 0.0);
+        }
+        return largest;
+    }
+
+    void look() {
+        for (std::size_t i = 0; i < first_passage_.size(); ++i) {
+            const double moved = is_free(i) ? slip(i) : 0;
+            const double speed = norm(trial_.state().bodies.velocity[i]);
+            if (moved < failure_slip) {
+                first_passage_[i] = std::nan("");  // it came back: that was no failure
+            } else if (std::isnan(first_passage_[i])) {
+                first_passage_[i] = angle();
+                speed_then_[i] = speed;
+            }
+            if (moved > collapse_slip && speed > speed_then_[i]) {
+                failure_.angle = first_passage_[i] / degree;
+                failure_.collapsed = true;
+                failure_.toppling_share = toppling_share();
+                return;
+            }
+        }
+    }
+
+    /// A block counts as toppling when its turn accounts for its displacement: turn * slope_height > displacement, as
+    /// in a column that turns about its foot; a sliding block hardly turns.
+    double toppling_share() const {
+        double toppling = 0, all = 0;
+        const auto& now = trial_.state().bodies.orientation;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (!is_free(i) || slip(i) < failure_slip) {
+                continue;
+            }
+            const double turned = norm(to_rotation_vector(now[i] * conjugate(initial_.bodies.orientation[i])));
+            all += trial_.model().bodies.mass[i];
+            toppling += turned * slope_height > slip(i) ? trial_.model().bodies.mass[i] : 0;
+        }
+        return all > 0 ? toppling / all : 0;
+    }
+
+    /// Frames as the paper shows them: before the tilt, when blocks have moved by 1 mm, 5 mm and 20 mm.
+    void draw_frames() {
+        constexpr std::array limits{0.0, 1e-3, 5e-3, 20e-3};
+        if (setting_.results.empty() || frame_ == limits.size() || largest_slip() < limits[frame_]) {
+            return;
+        }
+        const View platform{};
+        write_plot(setting_, fmt::format("{}_frame_{}", setting_.folder.filename().string(), frame_),
+                   side_view_plot(trial_.model(), trial_.state(), platform,
+                                  fmt::format("tilt {:.2f} deg, largest displacement {:.3g} mm", angle() / degree,
+                                              largest_slip() * 1e3)));
+        ++frame_;
+    }
+
+    const CaseSetting& setting_;
+    const Slope& slope_;
+    Trial trial_;
+    sim::State initial_;  ///< after settling
+    Failure failure_;
+    std::vector<double> first_passage_;  ///< angle at which a block last passed failure_slip [rad]
+    std::vector<double> speed_then_;     ///< its speed at that moment [m/s]
+    double start_angle_{0}, start_time_{0};
+    std::size_t frame_{0};
+};
+
+/// Turn of the platform between the loss of equilibrium and a displacement of failure_slip [deg]. The resultant grows
+/// as g w t from there on: a sliding block moves by s = g w t^3/(6 cos phi), the top block of a column of five that
+/// turns about its foot by 9/10 D * g w t^3/(4 D), D its diagonal.
+double lag(bool topples) {
+    const double compliance = topples ? 0.9 / 4 : 1 / (6 * std::cos(26 * degree));
+    return tilt_rate * std::cbrt(failure_slip / (compliance * gravity * tilt_rate)) / degree;
+}
+
+void judge(const CaseSetting& setting, const Slope& slope, CaseReport& report) {
+    const Failure failure = SlopeTest(setting, slope).run();
+    const std::string history = setting.is_full
+                                    ? "turned at 0.03 rad/s throughout"
+                                    : fmt::format(
+                                          "brought to {} deg at 0.3 rad/s, then turned at 0.03 rad/s; --full "
+                                          "turns at 0.03 rad/s throughout",
+                                          slope.approach);
+    const double corrected = failure.angle - lag(slope.topples);
+    const auto published = fmt::format("{} (experiment {} to {}, Li {})", slope.paper, slope.experiment_low,
+                                       slope.experiment_high, slope.li);
+    report.judge({"failure angle, kinematic lag taken off",
+                  "deg",
+                  published,
+                  {},
+                  fmt::format("{}; {}; lag {:.2f} deg", slope.reason, history, lag(slope.topples))},
+                 failure.collapsed ? corrected : std::nan(""), slope.low, slope.high);
+    report.state({"failure angle at 1 mm",
+                  "deg",
+                  published,
+                  {},
+                  failure.angle >= slope.experiment_low && failure.angle <= slope.experiment_high
+                      ? "within the range of the experiment"
+                      : "outside the range of the experiment"},
+                 failure.angle);
+    report.judge({"share of the moving mass that topples", "-", slope.topples ? "toppling" : "sliding", {}, {}},
+                 failure.collapsed ? failure.toppling_share : std::nan(""), slope.topples ? 0.5 : 0.0,
+                 slope.topples ? 1.0 : 0.5);
+    // inscribed radius = half the height of a block
+    report.judge_below({"deepest overlap after settling over block size", "-", {}, {}, {}}, 0.5 * failure.rest_depth,
+                       1e-4);
+    report.judge_below({"largest displacement before the slow turn", "m", {}, {}, {}}, failure.approach_slip,
+                       0.5 * failure_slip);
+}
+
+}  // namespace
+
+void slope_1(const CaseSetting& setting, CaseReport& report) {
+    judge(setting, {24.0, 23.0, 22.1, 24.2, 22, 25, "free column 21.8, static bound of the profile 24.0", true, 17},
+          report);
+}
+void slope_2(const CaseSetting& setting, CaseReport& report) {
+    judge(setting, {26.0, 25.5, 25.0, 26.3, 25.9, 26.5, "friction angle 26.0 -0.1 +0.5", false, 23}, report);
+}
+void slope_3(const CaseSetting& setting, CaseReport& report) {
+    judge(setting, {11.0, 10.0, 9.8, 11.6, 11.0, 14.3, "free column 11.31, static bound 14.26", true, 7.5}, report);
+}
+void slope_4(const CaseSetting& setting, CaseReport& report) {
+    judge(setting,
+          {24.0, 23.5, 23.0, 24.9, 25.9, 26.5, "friction angle 26.0 -0.1 +0.5; no mechanism is weaker", false, 23},
+          report);
+}
+void slope_5(const CaseSetting& setting, CaseReport& report) {
+    judge(setting, {21.0, 20.0, 19.5, 21.8, 19.5, 22.5, "static bound 20.8", false, 16}, report);
+}
+
+}  // namespace riprap::validation::zhao
