@@ -111,6 +111,39 @@ TEST_F(Runs, AnAbsurdStateEndsTheRunWithinOneStepAndTheLastGoodOneIsKept) {
     EXPECT_EQ(run({"resume", out("a")}).code, 4);
 }
 
+TEST_F(Runs, AnEnergyLedgerThatDoesNotCloseEndsTheRun) {
+    const std::vector<std::string> words{"run",    case_file(), "--out",
+                                         out("a"), "--set",     "output.ledger_tolerance=1e-9"};
+    const Ending ending = run(words);
+    EXPECT_EQ(ending.code, 4);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("energy ledger"), HasSubstr("turned over at t = "), HasSubstr("J of")));
+    EXPECT_EQ(summary_of("a").at("status"), "failed");
+    EXPECT_EQ(run({"resume", out("a")}).code, 4);
+    EXPECT_EQ(run({"run", case_file(), "--out", out("a"), "--resume", "--set", "output.ledger_tolerance=0.05"}).code,
+              0);
+}
+
+TEST_F(Runs, ABodyInFreeFlightNeverFailsTheLedger) {
+    // Nothing but round-off is turned over, and nothing but round-off is missing.
+    const std::string flight = write_case("flight.toml", R"(
+gravity   = [0, 0, 0]
+end       = 0.1
+time_step = 1e-4
+[material.rock]
+density          = 2500.0
+normal_stiffness = "20 MPa"
+[[body]]
+name     = "block"
+shape    = { box = [1.0, 0.8, 0.5] }
+position = [1e3, 0, 0]
+velocity = [3, 1, 0]
+angular_velocity = [1, 2, 3]
+material = "rock"
+)");
+    const Ending ending = run({"run", flight, "--out", out("flight"), "--set", "output.ledger_tolerance=1e-6"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+}
+
 TEST_F(Runs, ExpectedAnswersDecideTheExitCode) {
     const std::string good = write_case("good.toml", case_text() + R"(
 [[expect]]

@@ -182,6 +182,7 @@ void build_output(CaseBuild& build) {
     settings.interval = get_number(output, "interval");
     settings.probe_interval = get_number(output, "probe_interval");
     settings.checkpoint_interval = get_number(output, "checkpoint_interval");
+    settings.ledger_tolerance = get_number(output, "ledger_tolerance");
     settings.vtk = get_boolean(output, "vtk");
     settings.contacts = get_boolean(output, "contacts");
     for (const Value& probe : get(output, "probe").items) {

@@ -38,7 +38,7 @@ const Table& output_table() {
     static const Table table{
         "output",
         "[output]",
-        "What is written, and how often.",
+        "What is written and watched, and how often.",
         {{"interval", {number(dimension::time, non_negative())}, "Between frames; 0 = end/100.", Value::of(0.0)},
          {"probe_interval",
           {number(dimension::time, non_negative())},
@@ -48,6 +48,11 @@ const Table& output_table() {
           {number(dimension::time, positive())},
           "Wall-clock time between checkpoints.",
           Value::of(60.0)},
+         {"ledger_tolerance",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Share of the energy turned over that the energy ledger may fail to close by; looked at with every row of "
+          "ledger.csv. More ends the run.",
+          Value::of(0.05)},
          {"vtk", {boolean()}, "Write frames for ParaView.", Value::of(true)},
          {"contacts", {boolean()}, "Write contact points and forces with each frame.", Value::of(true)},
          {"probe", {table_list(probe_table)}, "Time histories.", Value::array()}}};

@@ -49,6 +49,7 @@ struct OutputSettings {
     double interval{0};              ///< between frames [s]; 0 = end/100
     double probe_interval{0};        ///< between rows of probes.csv and ledger.csv [s]; 0 = end/1000
     double checkpoint_interval{60};  ///< wall-clock seconds between checkpoints [s]
+    double ledger_tolerance{0.05};   ///< share of the turnover that the energy residual may reach [-]
     bool vtk{true};
     bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
