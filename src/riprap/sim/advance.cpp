@@ -155,7 +155,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     state.previous_dt = dt;
 
     report.dt = dt;
-    const double omega_squared = with_energy ? contacts.gershgorin_bound(scene) : 0;
+    const double omega_squared = contacts.gershgorin_bound(scene);
     report.dt_bound = omega_squared > 0 ? 2 / std::sqrt(omega_squared) : std::numeric_limits<double>::infinity();
     report.max_speed = kick.max_speed;
     report.max_potential = sums.potential;
