@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "riprap/core/vec3.hpp"
+
+namespace riprap::fluid {
+
+/// Particles that stand for walls and blocks inside the kernel sums, as the fluid sees them: where they are, how they
+/// move, what they take. Whoever moves the solids fills the inputs and carries the forces back; the fluid knows no
+/// body. One entry per particle; the order never changes, so sums follow it.
+struct BoundaryParticles {
+    std::vector<Vec3> position;             ///< [m]
+    std::vector<Vec3> velocity;             ///< of the solid there [m/s]
+    std::vector<Vec3> acceleration;         ///< of the solid there [m/s^2]
+    std::vector<double> volume;             ///< [m^3]; in 2D [m^2]
+    std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
+
+    /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N].
+    std::vector<Vec3> pressure_force, viscous_force;
+
+    std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
+};
+
+}  // namespace riprap::fluid

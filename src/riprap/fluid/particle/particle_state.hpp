@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "riprap/core/fields.hpp"
+
+namespace riprap::fluid {
+
+/// Particles of a fluid: State. All carry the same mass, which is Model. The order of the arrays is part of the State:
+/// sums over neighbours follow it, and it is renewed (sorted by place) on steps given by the step number alone. Lists
+/// of neighbours are Scratch and decide no bit.
+struct ParticleState {
+    std::vector<Vec3> position;    ///< x_n [m]
+    std::vector<Vec3> velocity;    ///< v_n [m/s]
+    std::vector<double> density;   ///< rho_(n-1/2), half a step behind the rest [kg/m^3]
+    std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
+    double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
+    std::vector<double> totals;    ///< running sums of the fluid's ledger (FluidTotal)
+
+    std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("fluid.position", self.position);
+        visit("fluid.velocity", self.velocity);
+        visit("fluid.density", self.density);
+        visit("fluid.id", self.id);
+        visit("fluid.max_acceleration", self.max_acceleration);
+        visit("fluid.totals", self.totals);
+    }
+};
+
+}  // namespace riprap::fluid
