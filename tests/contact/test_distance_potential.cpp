@@ -106,13 +106,16 @@ class RandomBlocks : public DistancePotential {
     }
 };
 
-TEST_F(RandomBlocks, TheFastKernelAgreesWithTheOracle) {
+/// Force, moment and energy are sums of terms of the size of the force, times the length for the latter two, so
+/// round-off is a share of that size however small the overlap is; positions are good to round-off of the blocks' size.
+TEST_F(RandomBlocks, TheFastKernelAgreesWithTheOracleOnTenThousandTouchingPairs) {
     int touching = 0;
     std::vector<Block> stock;
     for (int i = 0; i < 100; ++i) {
         stock.push_back(block());
     }
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; touching < 10'000; ++i) {
+        ASSERT_LT(i, 20'000) << "too few of the pairs touch";
         Block a = stock[random() % stock.size()], b = stock[random() % stock.size()];
         a.pose = {point(0.35), orientation()};
         b.pose = {point(0.35), orientation()};
@@ -122,13 +125,14 @@ TEST_F(RandomBlocks, TheFastKernelAgreesWithTheOracle) {
         const bool plain_touches = pairs.is_touching;
         const NormalContact fast = pairs.fast(a, b);
         ASSERT_EQ(pairs.is_touching, plain_touches) << "pair " << i;
-        if (pairs.is_touching && norm(plain.force) > 1e-6) {
+        if (pairs.is_touching) {
             ++touching;
-            expect_same(fast, plain, 1e-11, 1.0);
+            const double wall = std::min(flattest_wall(pairs.shapes.view(a.shape), pairs.options.potential),
+                                         flattest_wall(pairs.shapes.view(b.shape), pairs.options.potential));
+            expect_same(fast, plain, 1e-12, 1.0, wall);
             ASSERT_FALSE(HasFailure()) << "pair " << i;
         }
     }
-    EXPECT_GT(touching, 1000);
 }
 
 }  // namespace
