@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "riprap/validation/rigid/cases.hpp"
@@ -11,7 +10,6 @@ namespace riprap::validation::rigid {
 
 namespace {
 
-constexpr double tilt_stiffness = 1e9;  // k_n of the block that tips [Pa]
 constexpr double gravity = 9.81, degree = M_PI / 180, slope = 30 * degree;
 
 Vec3 tilted(double angle) { return {gravity * std::sin(angle), 0, -gravity * std::cos(angle)}; }
@@ -75,89 +73,6 @@ void sliding_block(const CaseSetting& setting, CaseReport& report) {
         const double exact = speed * speed / (2 * gravity * (std::cos(slope) * friction - std::sin(slope)));
         report.judge({"friction angle 40, 2 m/s down the slope: stops after", "m", {}, exact, {}},
                      trial.position(block).x - x0, Relative{2e-3});
-    }
-}
-
-namespace {
-
-struct Failure {
-    double angle{std::nan("")};  ///< of the slope when the block begins to go [deg]
-    bool is_toppling{false};
-};
-
-/// Turns gravity slowly until the block has slid by a thousandth of its width or turned by 0.01, and tells how.
-Failure tilt(double width, double height, double friction, double from, double to) {
-    SceneBuilder scene;
-    scene.add_material({.name = "rock", .density = 2500, .normal_stiffness = tilt_stiffness, .friction = friction});
-    BodySpec ground;
-    ground.name = "ground";
-    ground.shape = scene.add_half_space({0, 0, 1}, 0);
-    ground.drive = body::Drive::fixed;
-    scene.add_body(ground);
-    BodySpec block;
-    block.name = "block";
-    block.shape = scene.add_shape(geometry::box({width, 1, height}));
-    block.pose.position.z = 0.5 * height;
-    const BodyId body = scene.add_body(block);
-    scene.model.gravity.value = tilted(from);
-    Trial trial(std::move(scene));
-    trial.follow_energy(false);
-    // Close to tipping the block rocks a hundred times slower than its contact swings: local damping takes the same
-    // share of every mode, where mass damping would stop the slow ones from settling at all.
-    trial.model().solid.local_damping = 0.5;
-    trial.run_until(1);
-    sim::Gravity& gravity_of = trial.model().gravity;
-    gravity_of.axis = {0, -1, 0};  // turns (0, 0, -g) towards +x
-    gravity_of.rate = 0.1 * degree;
-    gravity_of.start = trial.time();
-    const Vec3 x0 = trial.position(body);
-    Failure failure;
-    const double end = trial.time() + (to - from) / gravity_of.rate;
-    while (trial.time() < end && std::isnan(failure.angle)) {
-        trial.step();
-        const double turn = norm(to_rotation_vector(trial.orientation(body)));
-        const double slip = trial.position(body).x - x0.x;
-        if (turn > 0.01 || slip > 1e-3 * width) {
-            failure.angle = (from + gravity_of.rate * (trial.time() - gravity_of.start)) / degree;
-            failure.is_toppling = turn * 0.5 * height > 0.5 * slip;
-        }
-    }
-    return failure;
-}
-
-}  // namespace
-
-namespace {
-
-/// Slope at which a block on an elastic base tips [rad]. Near tipping the weight rests on a strip of width 3 x, x from
-/// its edge, that sinks in by 2 N/(3 K x); the tilt 2 N/(9 K x^2) moves the weight outwards by h/2 times itself. Rest
-/// is possible down to the x where x + h N/(9 K x^2) is least: the weight then passes 1.5 x inside the edge, x^3 = 2 h
-/// N/(9 K). K = k_n/r is the stiffness per area of base [N/m^3], the block 1 m long.
-double tipping_slope(double width, double height) {
-    const double rigid = std::atan(width / height);
-    const double load = 2500 * width * height * gravity * std::cos(rigid);
-    const double stiffness = tilt_stiffness / (0.5 * std::min({width, height, 1.0}));
-    const double inside = 1.5 * std::cbrt(2 * height * load / (9 * stiffness));
-    return std::atan((width - 2 * inside) / height);
-}
-
-}  // namespace
-
-void tip_or_slide(const CaseSetting&, CaseReport& report) {
-    for (const double ratio : {0.2, 0.4, 0.8}) {
-        for (const double side : {0.8, 1.25}) {
-            const double height = 0.5, width = ratio * height, friction = side * ratio;
-            const bool must_topple = side > 1;
-            const double exact = (must_topple ? tipping_slope(width, height) : std::atan(friction)) / degree;
-            const Failure failure = tilt(width, height, friction, (exact - 1) * degree, (exact + 1) * degree);
-            const std::string name =
-                fmt::format("b/h = {}, tan phi = {:.3g}: {}", ratio, friction, must_topple ? "topples" : "slides");
-            const std::string note =
-                must_topple ? fmt::format("on an elastic base; on a rigid one {:.6g}", std::atan(ratio) / degree) : "";
-            report.judge({name + " at", "deg", {}, exact, note}, failure.angle, Absolute{0.1});
-            report.judge({name + " (1 = topples)", "-", {}, must_topple ? 1.0 : 0.0, {}}, failure.is_toppling ? 1 : 0,
-                         Absolute{0});
-        }
     }
 }
 

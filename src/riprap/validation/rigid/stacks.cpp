@@ -74,7 +74,7 @@ void stack_of_weights(CaseReport& report) {
 
 /// Bricks 1 m long on the edge of a table, each leaning out over the one below by `share` of the harmonic limit
 /// 1/(2 k) m, k counted from the top. The contacts must be stiff: on an elastic base a stack tips when its weight still
-/// passes 1.5 (2 h N/(9 K))^(1/3) inside the edge (see tipping_slope in sliding_block.cpp), which must be well under
+/// passes 1.5 (2 h N/(9 K))^(1/3) inside the edge (tipping.hpp), which must be well under
 /// the hundredth of an overhang that is tested. @returns the largest motion of a brick in `duration` after settling [m]
 double lean(int count, double share, double duration) {
     const Vec3 size{1, 0.5, 0.2};
