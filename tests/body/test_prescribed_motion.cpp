@@ -27,6 +27,8 @@ TEST(PrescribedMotion, EveryLawStartsAtTheInitialPoseAndMovesAtItsStatedVelocity
         {SinusoidalMotion{{0.1, 0, 0.2}, 0.7, 0.3}},
         {TableMotion{{0, 1, 3}, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}}},
         {RotatingMotion{{0, 0, 1}, {0, 0.6, 0.8}, 0.3, 0.1, 1.5, 0.2}},
+        {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}}},
+        {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}, {0, 1, 0}, true}},
     };
     for (const PrescribedMotion& motion : motions) {
         const DrivenState first = evaluate(motion, start, 0);
@@ -59,6 +61,24 @@ TEST(PrescribedMotion, ATableIsLinearBetweenRowsAndConstantBeyondThem) {
     EXPECT_EQ(evaluate(motion, Pose{}, 0.5).pose.position, Vec3{});
     EXPECT_EQ(evaluate(motion, Pose{}, 1.25).pose.position, (Vec3{1, 0, 0}));
     EXPECT_EQ(evaluate(motion, Pose{}, 7).pose.position, (Vec3{4, 0, 0}));
+}
+
+TEST(PrescribedMotion, ASplineReproducesACubicAndItsRate) {
+    const auto cubic = [](double t) { return 2 - t + 3 * t * t - 0.5 * t * t * t; };
+    const auto rate = [](double t) { return -1 + 6 * t - 1.5 * t * t; };
+    SplineMotion law;
+    for (const double t : {0.0, 0.7, 2.0}) {
+        law.time.push_back(t);
+        law.stroke.push_back(cubic(t));
+        law.rate.push_back(rate(t));
+    }
+    for (const double t : {0.1, 0.69, 0.7, 1.3, 1.9}) {
+        const DrivenState now = evaluate({law}, Pose{}, t);
+        EXPECT_NEAR(now.pose.position.x, cubic(t), 1e-14);
+        EXPECT_NEAR(now.velocity.x, rate(t), 1e-14);
+    }
+    EXPECT_EQ(evaluate({law}, Pose{}, 5).velocity, Vec3{});
+    EXPECT_EQ(evaluate({law}, Pose{}, 5).pose.position.x, cubic(2.0));
 }
 
 }  // namespace

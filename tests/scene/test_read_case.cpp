@@ -189,6 +189,39 @@ TEST(ReadCase, motions_reach_the_model) {
     EXPECT_EQ(table.displacement[1], (Vec3{0, 0, 1}));
 }
 
+TEST(ReadCase, wave_makers_get_their_stroke_from_wave_theory) {
+    const std::string moving = minimal_case + "motion = { wave_maker = { height = 0.1, depth = 0.5, ";
+    const auto paddle = [&](const std::string& text) {
+        return std::get<body::SplineMotion>(read(moving + text + " } }\n").model.bodies.motions.at(0).law);
+    };
+    const auto stroke = [](const body::SplineMotion& law) {
+        const auto [low, high] = std::minmax_element(law.stroke.begin(), law.stroke.end());
+        return *high - *low;
+    };
+    EXPECT_NEAR(stroke(paddle("period = 1.2, ramp = 0")), 0.1 / 1.41675, 1e-6);
+    EXPECT_NEAR(std::tan(stroke(paddle("period = 1.2, ramp = 0, paddle = \"flap\", hinge = [0, 0, 0]")) / 2),
+                0.5 * 0.1 / 0.82085 / 0.5, 1e-5);
+    EXPECT_EQ(paddle("period = 1.2, paddle = \"flap\", hinge = [0, 0, 0]").direction, (Vec3{0, 1, 0}));
+    EXPECT_NEAR(stroke(paddle("wave = \"solitary\", direction = [0, 2, 0]")), 0.999 * 2 * 0.1 / (0.7746 * 0.5), 1e-5);
+    EXPECT_GT(stroke(paddle("period = 2, wave = \"second_order\"")), 0);
+}
+
+TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {
+    const auto problems = [](const std::string& text) {
+        return problems_of(minimal_case + "motion = { wave_maker = { " + text + " } }\n");
+    };
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5"), ElementsAre(HasSubstr("without 'period'")));
+    EXPECT_THAT(problems("height = 0.4, depth = 0.5, period = 1"), ElementsAre(HasSubstr("breaks")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, paddle = \"flap\""), ElementsAre(HasSubstr("hinge")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, paddle = \"flap\", hinge = [0, 0, 0], wave = \"solitary\""),
+                ElementsAre(HasSubstr("flap")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, direction = [1, 0, 1]"),
+                ElementsAre(HasSubstr("up or down")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1e-9"), ElementsAre(HasSubstr("until the end")));
+    EXPECT_THAT(problems("height = 0.2, depth = 0.3, period = 9, wave = \"second_order\""),
+                ElementsAre(HasSubstr("second-order theory")));
+}
+
 TEST(ReadCase, a_motion_table_is_read_from_the_folder_of_the_case) {
     const TemporaryFolder folder;
     folder.write("shake.csv", "time [s],x [m],y [m],z [m]\n0,0,0,0\r\n0.5, 0.1 ,0,0\n\n1,0,0,0\n");

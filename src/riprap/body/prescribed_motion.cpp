@@ -37,14 +37,54 @@ Offset offset_at(const TableMotion& law, double t) {
     return {law.displacement[i - 1] + (t - law.time[i - 1]) * velocity, velocity};
 }
 
+/// The body turned by `angle` about an axis through `center`, and its velocities.
+DrivenState turned(const Pose& initial, const Vec3& center, const Vec3& axis, double angle, double rate) {
+    const Quat turn = from_rotation_vector(angle * axis);
+    const Vec3 arm = rotate(turn, initial.position - center);
+    const Vec3 angular_velocity = rate * axis;
+    return {{center + arm, normalized(turn * initial.orientation)}, cross(angular_velocity, arm), angular_velocity};
+}
+
 DrivenState apply(const RotatingMotion& law, const Pose& initial, double t) {
     const double omega = 2 * std::numbers::pi / law.period;
     const double angle = law.rate * t + law.amplitude * (std::sin(omega * t + law.phase) - std::sin(law.phase));
     const double rate = law.rate + law.amplitude * omega * std::cos(omega * t + law.phase);
-    const Quat turn = from_rotation_vector(angle * law.axis);
-    const Vec3 arm = rotate(turn, initial.position - law.center);
-    const Vec3 angular_velocity = rate * law.axis;
-    return {{law.center + arm, normalized(turn * initial.orientation)}, cross(angular_velocity, arm), angular_velocity};
+    return turned(initial, law.center, law.axis, angle, rate);
+}
+
+struct Stroke {
+    double value, rate;
+};
+
+Stroke stroke_at(const SplineMotion& law, double t) {
+    if (law.time.empty()) {
+        return {0, 0};
+    }
+    const auto next = std::upper_bound(law.time.begin(), law.time.end(), t);
+    if (next == law.time.begin()) {
+        return {law.stroke.front(), 0};
+    }
+    if (next == law.time.end()) {
+        return {law.stroke.back(), 0};
+    }
+    const auto b = static_cast<std::size_t>(next - law.time.begin());
+    const std::size_t a = b - 1;
+    const double span = law.time[b] - law.time[a];
+    const double u = (t - law.time[a]) / span;
+    const double rise = law.stroke[b] - law.stroke[a];
+    // With p(u) = s_a + u span r_a + u^2 c + u^3 d, matched to value and rate at u = 1.
+    const double from = span * law.rate[a], to = span * law.rate[b];
+    const double c = 3 * rise - 2 * from - to;
+    const double d = from + to - 2 * rise;
+    return {law.stroke[a] + u * (from + u * (c + u * d)), (from + u * (2 * c + u * 3 * d)) / span};
+}
+
+DrivenState apply(const SplineMotion& law, const Pose& initial, double t) {
+    const Stroke stroke = stroke_at(law, t);
+    if (law.is_turn) {
+        return turned(initial, law.center, law.direction, stroke.value, stroke.rate);
+    }
+    return {{initial.position + stroke.value * law.direction, initial.orientation}, stroke.rate * law.direction, {}};
 }
 
 template <class Law>

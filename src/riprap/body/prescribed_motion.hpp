@@ -37,9 +37,20 @@ struct RotatingMotion {
     double phase{0};      ///< [rad]
 };
 
+/// A stroke known with its rate at rows, cubic Hermite between them, at rest beyond both ends: smooth where a linear
+/// table jumps in velocity. Moves the body by stroke * direction [m], or turns it by stroke [rad] about `direction`.
+struct SplineMotion {
+    std::vector<double> time;    ///< increasing [s]
+    std::vector<double> stroke;  ///< [m] or [rad]
+    std::vector<double> rate;    ///< [m/s] or [rad/s]
+    Vec3 direction{1, 0, 0};     ///< unit vector: of the way, or the axis of the turn [-]
+    Vec3 center{};               ///< a point of the axis [m]
+    bool is_turn{false};
+};
+
 /// How a body is driven. Outside [start, stop] the body rests where the motion put it.
 struct PrescribedMotion {
-    std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion> law;
+    std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion, SplineMotion> law;
     double start{0};  ///< the law's t counts from here [s]
     double stop{std::numeric_limits<double>::infinity()};
 };

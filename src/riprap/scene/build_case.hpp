@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -69,6 +70,9 @@ Quat orientation_of(const Value* table);
 
 /// Adds the motion of a body to the model. @returns its index, or -1 with a problem.
 std::int32_t add_motion(CaseBuild& build, const Value& motion);
+
+/// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
+std::optional<body::SplineMotion> wave_maker_motion(CaseBuild& build, const Value& table);
 
 /// Bodies and parts that the case asks for, from counts alone. A problem, and false, when above limits.hpp.
 bool check_counts(const Value& root, std::vector<Diagnostic>& problems);

@@ -61,6 +61,12 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
         motion.law = body::RotatingMotion{get_vector(*rotation, "center"), normalized(get_vector(*rotation, "axis")),
                                           get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
                                           get_number(*rotation, "period"), get_number(*rotation, "phase")};
+    } else if (const Value* maker = table.find("wave_maker")) {
+        std::optional<body::SplineMotion> paddle = wave_maker_motion(build, *maker);
+        if (!paddle) {
+            return -1;
+        }
+        motion.law = std::move(*paddle);
     } else {
         const std::size_t before = build.problems.size();
         motion.law = read_motion_table(build, get(table, "table"));

@@ -164,6 +164,31 @@ const Table& rotation_table() {
     return table;
 }
 
+const Table& wave_maker_table() {
+    static const Table table{
+        "motion.wave_maker",
+        "motion = { wave_maker = { ... } }",
+        "A paddle that makes waves in water of constant depth: the stroke follows from wave theory "
+        "(docs/theory/waves.md). "
+        "Up is against gravity.",
+        {{"paddle", {choice({"piston", "flap"})}, "An upright plate, or one hinged at the bed.", Value::of("piston")},
+         {"wave",
+          {choice({"regular", "second_order", "solitary"})},
+          "A sine; a sine whose free second harmonic is cancelled (piston only); one solitary wave (piston only).",
+          Value::of("regular")},
+         {"height", {number(dimension::length, positive())}, "Wave height, crest to trough.", {}, true},
+         {"depth", {number(dimension::length, positive())}, "Depth of still water.", {}, true},
+         {"period", {number(dimension::time, positive())}, "Wave period; not for a solitary wave.", {}},
+         {"direction", {form::direction()}, "Where the waves go.", Value::of(Vec3{1, 0, 0})},
+         {"hinge", {vector(dimension::length)}, "A point of a flap's hinge, at the bed.", {}},
+         {"phase", {phase}, "Phase of the sine at the start.", Value::of(0.0)},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time over which the stroke grows; two periods when not given.",
+          {}}}};
+    return table;
+}
+
 }  // namespace
 
 const Table& shape_table() {
@@ -237,9 +262,10 @@ const Table& motion_table() {
          {"sinusoidal", {form::table(sinusoidal_table)}, "A sine.", {}},
          {"table", {form::table(motion_data_table)}, "Displacements from a table.", {}},
          {"rotation", {form::table(rotation_table)}, "A turn about a fixed axis.", {}},
+         {"wave_maker", {form::table(wave_maker_table)}, "A paddle that makes waves.", {}},
          {"start", {number(dimension::time, non_negative())}, "The law's t counts from here.", Value::of(0.0)},
          {"stop", {number(dimension::time, positive())}, "The body rests afterwards; never when not given.", {}}},
-        {{GroupRule::exactly_one, {"linear", "sinusoidal", "table", "rotation"}}}};
+        {{GroupRule::exactly_one, {"linear", "sinusoidal", "table", "rotation", "wave_maker"}}}};
     return table;
 }
 
