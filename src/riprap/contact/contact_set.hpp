@@ -28,10 +28,18 @@ struct NormalContact {
         spin_moment;  ///< pressure * distance to `point` over the patch, as (2/3) |F| sqrt(area/pi) [N m]; for torsion
 };
 
+/// The tangential and torsional springs of one contact, which survive from step to step.
+struct ShearState {
+    Vec3 normal;          ///< at the last step, from A to B [-]
+    Vec3 shear_force;     ///< on A [N]
+    double torsion;       ///< on A about the normal [N m]
+    double shear_energy;  ///< [J]
+};
+
 /// Contacts that survive from step to step: State. Sorted by (pair, feature); one row per touching contact.
 struct ContactHistory {
     std::vector<std::uint64_t> pair;     ///< a << 32 | b of the parts
-    std::vector<std::uint64_t> feature;  ///< feature of A << 32 | feature of B; 0 for one contact per pair
+    std::vector<std::uint64_t> feature;  ///< which contact of the pair: feature_key(); 0 where there is only one
     std::vector<Vec3> normal;            ///< of the last step, from A to B [-]
     std::vector<Vec3> shear_force;       ///< tangential spring force on A [N]
     std::vector<double> torsion;         ///< torsional spring moment on A about the normal [N m]
@@ -45,6 +53,9 @@ struct ContactHistory {
         shear_force.resize(count);
         torsion.resize(count);
         shear_energy.resize(count);
+    }
+    ShearState springs(std::size_t row) const {
+        return {normal[row], shear_force[row], torsion[row], shear_energy[row]};
     }
     friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 
@@ -61,6 +72,11 @@ struct ContactHistory {
 
 constexpr std::uint64_t pair_key(PartPair parts) {
     return static_cast<std::uint64_t>(parts.a) << 32 | static_cast<std::uint64_t>(parts.b);
+}
+/// Names one of several contacts of a pair: which vertex, edge or face of A meets which of B, in numbers of the
+/// narrowphase's own choosing.
+constexpr std::uint64_t feature_key(std::uint32_t of_a, std::uint32_t of_b) {
+    return static_cast<std::uint64_t>(of_a) << 32 | of_b;
 }
 
 /// Full account of one contact in one step, for gathering, ledger and output: Scratch. Rows as in ContactHistory.

@@ -2,13 +2,12 @@
 #include <algorithm>
 
 #include "riprap/contact/pipeline.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::contact {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 struct Load {
     Vec3 force{}, torque{};
@@ -24,21 +23,27 @@ Load load_on(const ContactRow& row, std::int32_t part, const Vec3& center) {
 
 }  // namespace
 
+/// visit(row, part) for every contact of a body, `part` being the one of its parts that the contact is on.
+template <class Visit>
+void ContactPipeline::visit_contacts_of(std::size_t body, const body::BodySet& bodies, const Visit& visit) const {
+    for (std::int32_t part = bodies.part_begin[body]; part < bodies.part_begin[body + 1]; ++part) {
+        for (const std::int32_t pair : cache_.pairs_of(part)) {
+            for (std::int32_t contact = contact_begin_[at(pair)]; contact < contact_begin_[at(pair) + 1]; ++contact) {
+                visit(rows_[at(contact)], part);
+            }
+        }
+    }
+}
+
 void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const {
     const body::BodySet& bodies = scene.bodies;
     loads.force.resize(at(bodies.size()));
     loads.torque.resize(at(bodies.size()));
-    parallel::for_each_uneven(bodies.size(), 256, [&](std::int64_t index) {
-        const auto body = static_cast<std::int32_t>(index);
+    parallel::for_each_uneven(bodies.size(), 256, [&](std::int64_t body) {
         Load sum;
-        for (std::int32_t part = bodies.part_begin[at(body)]; part < bodies.part_begin[at(body) + 1]; ++part) {
-            for (const std::int32_t pair : cache_.pairs_of(part)) {
-                const std::int32_t contact = contact_of_pair_[at(pair)];
-                if (contact >= 0) {
-                    sum = sum + load_on(rows_[at(contact)], part, state.position[at(body)]);
-                }
-            }
-        }
+        visit_contacts_of(at(body), bodies, [&](const ContactRow& row, std::int32_t part) {
+            sum = sum + load_on(row, part, state.position[at(body)]);
+        });
         loads.force[at(body)] = sum.force;
         loads.torque[at(body)] = sum.torque;
     });
@@ -68,23 +73,17 @@ double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::Body
 }
 
 double ContactPipeline::gershgorin_bound(const ContactScene& scene) const {
-    const body::BodySet& bodies = scene.bodies;
+    constexpr std::int64_t block = 256;  // a maximum does not depend on it
     return parallel::reduce(
-        bodies.size(), 0.0,
+        scene.bodies.size(), 0.0,
         [&](std::int64_t body) {
             double sum = 0;
-            for (std::int32_t part = bodies.part_begin[at(body)]; part < bodies.part_begin[at(body) + 1]; ++part) {
-                for (const std::int32_t pair : cache_.pairs_of(part)) {
-                    const std::int32_t contact = contact_of_pair_[at(pair)];
-                    if (contact >= 0) {
-                        const ContactRow& row = rows_[at(contact)];
-                        sum += row.parts.a == part ? row.gershgorin_a : row.gershgorin_b;
-                    }
-                }
-            }
+            visit_contacts_of(at(body), scene.bodies, [&sum](const ContactRow& row, std::int32_t part) {
+                sum += row.parts.a == part ? row.gershgorin_a : row.gershgorin_b;
+            });
             return sum;
         },
-        [](double a, double b) { return std::max(a, b); });
+        [](double a, double b) { return std::max(a, b); }, block);
 }
 
 }  // namespace riprap::contact

@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "riprap/body/body_kinematics.hpp"
-#include "riprap/contact/broadphase/giants.hpp"
 #include "riprap/contact/broadphase/pair_cache.hpp"
 #include "riprap/contact/contact_set.hpp"
-#include "riprap/contact/law/coulomb.hpp"
-#include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/contact/pair_physics.hpp"
+#include "riprap/contact/placed_parts.hpp"
 #include "riprap/material/material_set.hpp"
 
 namespace riprap::contact {
@@ -18,7 +17,6 @@ struct ContactScene {
     const geometry::ShapeSet& shapes;
     const material::MaterialSet& materials;
     const body::BodySet& bodies;
-    DistancePotentialOptions narrowphase;
     double grid_factor;  ///< gamma of the multi-level grid [-]
     double skin;         ///< of the pair cache, as a fraction of the median circumradius [-]
 };
@@ -29,7 +27,7 @@ struct BodyLoads {
     std::vector<Vec3> torque;  ///< about the centre of mass [N m]
 };
 
-/// The stages bounds -> broadphase -> pair cache -> narrowphase -> law -> history, shared by all solids: Scratch.
+/// The stages bounds -> broadphase -> pair cache -> pair physics -> history, shared by all solids: Scratch.
 /// Only touching contacts, in the order of their keys, reach any result; candidates, chunks and caches do not.
 class ContactPipeline {
  public:
@@ -37,10 +35,12 @@ class ContactPipeline {
     void place_parts(const ContactScene& scene, const body::BodyState& state);
     /// Brings the candidate pairs up to date. @returns true when they were searched afresh.
     bool find_pairs();
-    /// Narrowphase and law on every candidate; `history` is replaced by that of the contacts found now.
+    /// The physics on every candidate; `history` is replaced by that of the contacts found now. The body is in
+    /// find_contacts.hpp; a physics instantiates it in its own source file.
     /// @param sliding_time  time since the last evaluation [s]
     /// @returns energy of springs whose contact was lost, dissipated [J]
-    double find_contacts(const ContactScene& scene, const body::BodyState& state,
+    template <PairPhysics Physics>
+    double find_contacts(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
     void gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const;
@@ -56,35 +56,34 @@ class ContactPipeline {
     std::size_t bytes() const;
 
  private:
-    /// What one candidate became, before it finds its place in the sorted contacts.
-    struct Record {
-        ContactRow row;
-        ShearState springs;
-        std::int32_t pair;
-        std::int32_t old_contact;  ///< row of the last step, -1 = none
+    /// Candidates [begin, end), whose results are moved to their final place together: few at a time, so that the
+    /// records of a large scene take little memory beside what stays.
+    struct Wave {
+        std::int64_t begin, end;
+        std::int64_t grain;  ///< candidates of a chunk, evaluated by one thread at a time
+        std::int64_t chunk_count() const { return (end - begin + grain - 1) / grain; }
     };
+    Wave next_wave(std::int64_t begin) const;
 
     /// The contacts of the last step are those of `history`: nobody has put another State in between.
     bool are_rows_of(const ContactHistory& history) const;
     void map_history(const ContactHistory& history);
-    void run_wave(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,
-                  double sliding_time, const ContactHistory& history, std::int64_t begin, std::int64_t end);
-    void append_wave(std::int64_t begin, std::int64_t end);
-
-    void describe_parts(const ContactScene& scene);
+    template <PairPhysics Physics>
+    void run_wave(const Wave& wave, const Physics& physics, const ContactScene& scene, const body::BodyState& state,
+                  const body::BodyKinematics& kinematics, double sliding_time, const ContactHistory& history);
+    /// @param base  contacts of the waves before  @returns base for the next wave
+    std::size_t append_wave(const Wave& wave, std::size_t base);
+    double lost_energy(const ContactHistory& history) const;
+    template <class Visit>
+    void visit_contacts_of(std::size_t body, const body::BodySet& bodies, const Visit& visit) const;
 
     PairCache cache_;
+    PlacedParts placed_;
     PairCache::Settings cache_settings_;
-    std::vector<Giant> giants_;
-    std::vector<Frame> frames_;                  // per part
-    std::vector<Vec3> centers_;                  // per part
-    std::vector<double> radii_;                  // per part
-    std::vector<std::int32_t> part_body_;        // per part
-    std::vector<std::uint8_t> is_mobile_;        // per part
-    std::vector<SeparatingCache> separating_;    // per candidate pair
-    std::vector<std::int32_t> contact_of_pair_;  // per candidate pair: row of the last step, -1 = none
-    std::vector<Record> wave_;                   // records of the wave in progress
-    std::vector<std::int32_t> wave_count_;       // records per chunk of the wave
+    std::vector<SeparatingCache> separating_;      // per candidate pair
+    std::vector<std::int32_t> contact_begin_;      // per candidate pair and one more: its first contact
+    std::vector<std::vector<FoundContact>> wave_;  // contacts of the wave in progress, per chunk
+    std::vector<std::int32_t> wave_offset_;        // per chunk: contacts in the chunks before it
     std::vector<ContactRow> rows_;
     std::vector<std::uint8_t> is_carried_;  // per row of the old history
     ContactHistory next_;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "riprap/contact/pipeline.hpp"
+#include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
@@ -37,10 +37,15 @@ namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-contact::ContactScene contact_scene(const Model& model, bool with_energy) {
-    contact::DistancePotentialOptions narrowphase = model.solid.contact;
-    narrowphase.with_energy = with_energy;
-    return {model.shapes, model.materials, model.bodies, narrowphase, model.solid.grid_factor, model.solid.skin};
+contact::ContactScene contact_scene(const Model& model) {
+    return {model.shapes, model.materials, model.bodies, model.solid.grid_factor, model.solid.skin};
+}
+
+/// What happens between two parts: the one place that chooses it.
+contact::DistancePotentialPhysics pair_physics(const Model& model, bool with_energy) {
+    contact::DistancePotentialPhysics physics{model.solid.contact};
+    physics.options.with_energy = with_energy;
+    return physics;
 }
 
 /// Sums and extremes over the contacts of one step, in fixed blocks of their order.
@@ -105,7 +110,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     ScratchData& data = scratch.data();
     contact::ContactPipeline& contacts = data.pipeline;
     const bool with_energy = measure == Measure::energy || state.step == 0;
-    const contact::ContactScene scene = contact_scene(model, with_energy);
+    const contact::ContactScene scene = contact_scene(model);
     const double kick_time = state.time + 0.5 * dt;
     const double sliding_time = 0.5 * (state.previous_dt + dt);
     const double previous_kick = state.step > 0 ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
@@ -123,7 +128,8 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     }
     {
         const ScopedTimer timer(data.times.find_contacts);
-        lost_springs = contacts.find_contacts(scene, state.bodies, data.kinematics, sliding_time, state.contacts);
+        lost_springs = contacts.find_contacts(pair_physics(model, with_energy), scene, state.bodies, data.kinematics,
+                                              sliding_time, state.contacts);
     }
     {
         const ScopedTimer timer(data.times.contact_loads);

@@ -35,7 +35,7 @@ bool is_surely_apart(const ConvexView& a, const Frame& frame_a, const ConvexView
 
 void remember(const Frame& frame_a, const Vec3& direction, SeparatingCache& cache) {
     const Vec3 d = transpose_times(frame_a.axes, direction);
-    cache = {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0};
+    cache = {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
 }
 
 /// Keeps a direction for the next look at a pair that does not touch: the face that separates it, or any other.

@@ -3,6 +3,7 @@
 
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/frame.hpp"
+#include "riprap/contact/narrowphase/separating_cache.hpp"
 #include "riprap/geometry/convex_view.hpp"
 
 namespace riprap::contact {
@@ -20,13 +21,6 @@ struct DistancePotentialOptions {
     Potential potential{Potential::distance};
     Sides sides{Sides::both};
     bool with_energy{true};  ///< also find NormalContact::energy; costs time, wanted only where the ledger looks
-};
-
-/// A direction that separated a pair when last looked at, in the frame of A. Scratch: it may only *reject*, and only
-/// where the full computation would find no contact either, so dropping it changes no bit of any result.
-struct SeparatingCache {
-    float x{0}, y{0}, z{0};  ///< unit direction from A to B; zero = none
-    std::int32_t spare{0};
 };
 
 /// Distance-potential contact of two convex parts (see docs/theory/distance-potential.md).

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/distance_potential_physics.hpp"
+
+#include "riprap/contact/find_contacts.hpp"
+#include "riprap/contact/law/coulomb.hpp"
+
+namespace riprap::contact {
+
+void DistancePotentialPhysics::find_contacts(const Candidate& pair, SeparatingCache& cache,
+                                             FoundContacts& found) const {
+    const PairSide &a = pair.a, &b = pair.b;
+    NormalContact normal;
+    if (!find_contact(a.shape, a.frame, a.material.normal_stiffness, b.shape, b.frame, b.material.normal_stiffness,
+                      options, cache, normal)) {
+        return;
+    }
+    const double force = norm(normal.force);
+    const Vec3 n = force > 0 ? -normal.force / force : Vec3{0, 0, 1};
+    const double inverse_a = inverse_mass_at(a, normal.point, n), inverse_b = inverse_mass_at(b, normal.point, n);
+
+    FoundContact& contact = found.add(feature_key(0, 0));
+    const ShearState before = contact.springs;
+    coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, inverse_a + inverse_b),
+            contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+    const double coupling = std::sqrt(inverse_a * inverse_b);
+    contact.row.gershgorin_a = static_cast<float>(normal.stiffness * (inverse_a + coupling));
+    contact.row.gershgorin_b = static_cast<float>(normal.stiffness * (inverse_b + coupling));
+}
+
+template double ContactPipeline::find_contacts(const DistancePotentialPhysics& physics, const ContactScene& scene,
+                                               const body::BodyState& state, const body::BodyKinematics& kinematics,
+                                               double sliding_time, ContactHistory& history);
+
+}  // namespace riprap::contact

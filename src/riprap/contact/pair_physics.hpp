@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <vector>
+
+#include "riprap/body/body_kinematics.hpp"
+#include "riprap/contact/contact_kinematics.hpp"
+#include "riprap/contact/contact_set.hpp"
+#include "riprap/contact/frame.hpp"
+#include "riprap/contact/narrowphase/separating_cache.hpp"
+#include "riprap/geometry/convex_view.hpp"
+#include "riprap/material/material_set.hpp"
+
+namespace riprap::contact {
+
+/// One side of a candidate pair: a part where it is, and the body that carries it.
+struct PairSide {
+    std::int32_t part;
+    std::int32_t body;
+    geometry::ConvexView shape;
+    const Frame& frame;  ///< of the part
+    const material::Material& material;
+    const Vec3& center;    ///< of mass of the body [m]
+    const Vec3& velocity;  ///< of the centre of mass [m/s]
+    const Vec3& spin;      ///< angular velocity, world axes [rad/s]
+    const double& inverse_mass;
+    const body::Sym3& inverse_inertia;  ///< world axes; both zero for a body that forces do not move
+};
+
+/// Two parts that may touch, with all that a physics may want to know of them.
+struct Candidate {
+    PairSide a, b;
+    const material::PairProperties& surfaces;
+    double sliding_time;  ///< since the last evaluation [s]
+};
+
+/// 1/m + (r x n) . J^-1 (r x n): how easily a push along n at a point moves a body there [1/kg].
+inline double inverse_mass_at(const PairSide& side, const Vec3& point, const Vec3& n) {
+    const Vec3 turn = cross(point - side.center, n);
+    return side.inverse_mass + dot(turn, side.inverse_inertia * turn);
+}
+
+/// How the two bodies of a candidate move at a point, where `inverse` is the sum of their inverse_mass_at it [1/kg].
+inline ContactKinematics kinematics_at(const Candidate& pair, const Vec3& point, double inverse) {
+    const PairSide &a = pair.a, &b = pair.b;
+    return {.relative_velocity =
+                a.velocity + cross(a.spin, point - a.center) - b.velocity - cross(b.spin, point - b.center),
+            .mean_spin = 0.5 * (a.spin + b.spin),
+            .relative_spin = a.spin - b.spin,
+            .sliding_time = pair.sliding_time,
+            .effective_mass = inverse > 0 ? 1 / inverse : 0};
+}
+
+/// A contact that the physics of a pair reports.
+struct FoundContact {
+    std::int32_t pair;         ///< number of the candidate
+    std::int32_t old_contact;  ///< row of the last step, -1 = none
+    std::uint64_t feature;
+    ShearState springs;  ///< to be remembered
+    ContactRow row;      ///< filled but for the parts
+    bool is_old() const { return old_contact >= 0; }
+};
+
+/// Where the physics of a pair puts the contacts it finds, none to many, in any order.
+class FoundContacts {
+ public:
+    FoundContacts(const ContactHistory& history, std::vector<FoundContact>& found)
+        : history_(&history), found_(&found) {}
+
+    /// Adds contact `feature` of this pair, each at most once. Where it was there at the last step (is_old), its
+    /// springs are those of then. Valid until the next is added.
+    FoundContact& add(std::uint64_t feature);
+
+    /// Goes on to another candidate. @param old_begin  first row of the history that can be of this pair
+    void begin_pair(std::int32_t pair, PartPair parts, std::int32_t old_begin);
+    /// Brings the contacts of the pair into the order of their features.
+    void end_pair();
+
+ private:
+    const ContactHistory* history_;
+    std::vector<FoundContact>* found_;
+    PartPair parts_{};
+    std::int32_t pair_{0}, old_begin_{0};
+    std::size_t first_{0};  ///< of this pair's contacts in *found_
+};
+
+/// What happens between two parts: a narrowphase and a law. One object serves all threads; per candidate it has a
+/// SeparatingCache to remember what may save it work. A DDA reports a contact per vertex on face and edge on edge, the
+/// distance potential one per pair.
+///
+/// A physics fills `springs` and `row` of what it adds, forces on A. The pipeline finds the candidates, carries the
+/// springs from step to step by (part, part, feature), sums the loads in the order of that key, and knows nothing of
+/// what a feature is.
+template <class T>
+concept PairPhysics = requires(const T& physics, const Candidate& pair, SeparatingCache& cache, FoundContacts& found) {
+    { physics.find_contacts(pair, cache, found) } -> std::same_as<void>;
+};
+
+}  // namespace riprap::contact

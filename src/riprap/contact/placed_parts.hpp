@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/contact/broadphase/broadphase.hpp"
+
+namespace riprap::contact {
+
+/// Every part where its body is, as searches for contact see it: Scratch. One entry per part.
+struct PlacedParts {
+    std::vector<Frame> frames;
+    std::vector<Vec3> centers;            ///< of the bounding spheres: the origins of the frames [m]
+    std::vector<double> radii;            ///< of the bounding spheres [m]
+    std::vector<std::int32_t> body;       ///< that the part belongs to
+    std::vector<std::uint8_t> is_mobile;  ///< the body is free or will be released
+    std::vector<Giant> giants;            ///< see choose_giants
+    double median_radius{0};              ///< of the finite ones [m]
+
+    PartBounds bounds() const { return {centers, radii, body, is_mobile}; }
+    std::size_t bytes() const;
+};
+
+/// Puts every part where its body is. What does not change is read when the number of parts does: a PlacedParts
+/// belongs to one scene.
+void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+                 PlacedParts& placed);
+
+}  // namespace riprap::contact
