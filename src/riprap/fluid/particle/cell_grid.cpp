@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/particle/cell_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::fluid {
+
+namespace {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse_period(double period, double reach) {
+    Diagnostic problem;
+    problem.message = fmt::format("the domain is periodic with a period of {:g} m", period);
+    problem.allowed =
+        fmt::format("at least {:g} m, twice the distance at which particles act on each other", 2 * reach);
+    throw CaseError(std::move(problem));
+}
+}  // namespace
+
+Box box_of(std::span<const Vec3> points) {
+    const Box nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    return parallel::reduce(
+        static_cast<std::int64_t>(points.size()), nothing,
+        [&](std::int64_t i) {
+            const Vec3& x = points[static_cast<std::size_t>(i)];
+            return is_finite(x) ? Box{x, x} : nothing;
+        },
+        [](const Box& a, const Box& b) {
+            return Box{min(a.low, b.low), max(a.high, b.high)};
+        });
+}
+
+void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
+    reach_ = reach;
+    const Box box = box_of(points);
+    for (int axis = 0; axis < 3; ++axis) {
+        Axis& a = axes_[static_cast<std::size_t>(axis)];
+        a = {};
+        if (axis >= domain.dimension) {
+            continue;  // one cell
+        }
+        if (domain.is_periodic[static_cast<std::size_t>(axis)]) {
+            a.low = domain.low[axis];
+            a.period = domain.high[axis] - domain.low[axis];
+            if (!(a.period >= 2 * reach)) {
+                refuse_period(a.period, reach);
+            }
+        } else if (box.low[axis] <= box.high[axis]) {
+            a.low = box.low[axis];
+        }
+    }
+    // As many cells as fit, unless that is far more than there are points.
+    const double most = 4096 + 4 * static_cast<double>(points.size());
+    double edge = reach;
+    for (;; edge *= 2) {
+        double cells = 1;
+        for (int axis = 0; axis < domain.dimension; ++axis) {
+            Axis& a = axes_[static_cast<std::size_t>(axis)];
+            const double length = a.period > 0 ? a.period : std::max(0.0, box.high[axis] - a.low);
+            const double fitting = std::clamp(std::floor(length / edge), 1.0, 1e9);
+            a.cells = static_cast<std::int64_t>(fitting);
+            a.per_metre = length > 0 ? fitting / length : 1 / edge;
+            cells *= fitting;
+        }
+        if (cells <= most) {
+            break;
+        }
+    }
+    const auto n = static_cast<std::int64_t>(points.size());
+    const std::int64_t cell_count = axes_[0].cells * axes_[1].cells * axes_[2].cells;
+    keys_.resize(points.size());
+    points_.resize(points.size());
+    parallel::for_each(n, [&](std::int64_t i) {
+        const auto k = static_cast<std::size_t>(i);
+        // points that are not finite go behind the last cell
+        keys_[k] = static_cast<std::uint64_t>(is_finite(points[k]) ? cell_of(points[k]) : cell_count);
+        points_[k] = static_cast<std::uint32_t>(i);
+    });
+    parallel::sort_by_key(keys_, points_, key_buffer_, value_buffer_);
+    start_.resize(static_cast<std::size_t>(cell_count) + 1);
+    parallel::for_each(cell_count + 1, [&](std::int64_t cell) {
+        start_[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(
+            std::lower_bound(keys_.begin(), keys_.end(), static_cast<std::uint64_t>(cell)) - keys_.begin());
+    });
+}
+
+std::int64_t CellGrid::cell_of(const Vec3& x) const {
+    std::int64_t cell = 0;
+    for (int axis = 2; axis >= 0; --axis) {
+        const Axis& a = axes_[static_cast<std::size_t>(axis)];
+        double from_low = x[axis] - a.low;
+        if (a.period > 0) {
+            from_low -= a.period * std::floor(from_low / a.period);
+        }
+        const auto along = a.cells == 1 ? 0 : static_cast<std::int64_t>(from_low * a.per_metre);
+        cell = cell * a.cells + std::clamp<std::int64_t>(along, 0, a.cells - 1);
+    }
+    return cell;
+}
+
+CellGrid::CellRange CellGrid::cells_around(double x, int axis) const {
+    const Axis& a = axes_[static_cast<std::size_t>(axis)];
+    if (a.cells == 1) {
+        return {0, 1};
+    }
+    double from_low = x - a.low;
+    if (a.period > 0) {
+        from_low -= a.period * std::floor(from_low / a.period);
+    }
+    const double first = std::floor((from_low - reach_) * a.per_metre);
+    const double last = std::floor((from_low + reach_) * a.per_metre);
+    if (a.period > 0) {
+        if (!(last - first + 1 < static_cast<double>(a.cells))) {
+            return {0, a.cells};
+        }
+        return {static_cast<std::int64_t>(first) + a.cells, static_cast<std::int64_t>(last - first) + 1};
+    }
+    const double low = std::max(first, 0.0);
+    const double high = std::min(last, static_cast<double>(a.cells - 1));
+    if (!(low <= high)) {
+        return {0, 0};
+    }
+    return {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high - low) + 1};
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The traversal of neighbours, as everybody calls it:
+//
+//     sweep(continuity, reach, {fluid.position, {component(fluid.velocity, 0), ...}},   // targets
+//           {walls.position, {component(walls.velocity, 0), ..., field(walls.volume)}}, // candidates
+//           {sink(rate)}, scratch.fluid_walls);
+//
+// adds what every candidate does to each target. The definition is in sweep_kernel.hpp, which only files of kernels
+// include: each instantiates the sweeps of its own pair physics with RIPRAP_INSTANTIATE_SWEEP, and is listed in
+// fluid/CMakeLists.txt for its flags.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/pair_physics.hpp"
+
+namespace riprap::fluid {
+
+/// One number per particle, every `stride`-th of an array. Fast sweeps round it to float: what enters a difference,
+/// such as density, is better given as the departure from its value at rest.
+struct FieldView {
+    const double* data{nullptr};
+    std::int64_t stride{1};
+    double operator[](std::int64_t i) const { return data[i * stride]; }
+};
+inline FieldView field(std::span<const double> values) { return {values.data(), 1}; }
+inline FieldView component(std::span<const Vec3> values, int axis) {
+    return {values.empty() ? nullptr : &values[0].x + axis, 3};
+}
+
+/// Where one sum per particle is added.
+struct FieldSink {
+    double* data{nullptr};
+    std::int64_t stride{1};
+    double& operator[](std::int64_t i) const { return data[i * stride]; }
+};
+inline FieldSink sink(std::span<double> values) { return {values.data(), 1}; }
+inline FieldSink sink_component(std::span<Vec3> values, int axis) {
+    return {values.empty() ? nullptr : &values[0].x + axis, 3};
+}
+
+/// Particles as one side of a sweep: places [m] and the numbers that the pair physics reads, in its order.
+template <int FieldCount>
+struct SweepSide {
+    std::span<const Vec3> position;
+    std::array<FieldView, static_cast<std::size_t>(FieldCount)> fields;
+};
+
+/// How far pairs act, and in what space.
+struct SweepReach {
+    double support_radius;  ///< 2 h [m]: no pair acts at or beyond it
+    Domain domain;          ///< for its dimension and its periods; particles may be outside
+};
+
+struct SweepScratchData;
+
+/// Which particles are near which: Scratch. One for each pair of sets of particles (fluid with fluid, fluid with walls,
+/// walls with fluid), the same one for all sweeps over that pair. Losing it costs time and changes no bit.
+class SweepScratch {
+ public:
+    SweepScratch();
+    ~SweepScratch();
+    SweepScratch(SweepScratch&&) noexcept;
+    SweepScratch& operator=(SweepScratch&&) noexcept;
+    SweepScratchData& data() { return *data_; }
+
+ private:
+    std::unique_ptr<SweepScratchData> data_;
+};
+
+/// Adds to each target's sums what all candidates do to it:
+///
+///     sums[k][i] += sum over j of pair_k(target i, candidate j),
+///
+/// in the order of the candidates. Targets and candidates may be the same particles; a particle meets itself too. The
+/// bits depend on the particles and their order alone: not on `scratch`, not on the number of threads.
+/// @throws CaseError  where a period is shorter than two support radii
+template <PairPhysics Pair>
+void sweep(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
+           const SweepSide<Pair::candidate_fields>& candidates,
+           const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch);
+
+}  // namespace riprap::fluid
