@@ -83,8 +83,6 @@ struct SurfacePoint {
     std::int32_t face;  ///< a face that `point` lies on
 };
 
-namespace detail {
-
 /// Nearest point to x on a face polygon: its foot on the plane if that falls inside the loop, else on the nearest edge.
 RIPRAP_HD inline Vec3 nearest_on_face(const ConvexView& shape, std::int32_t face, const Vec3& x) {
     const Vec3 n = shape.normal(face);
@@ -112,8 +110,6 @@ RIPRAP_HD inline Vec3 nearest_on_face(const ConvexView& shape, std::int32_t face
     return best;
 }
 
-}  // namespace detail
-
 /// Nearest point of the surface, exact: inside, the foot on the nearest face; outside, the nearest over the faces that
 /// see x. Also for half-spaces. About one pass over the faces and edges of the shape.
 RIPRAP_HD inline SurfacePoint closest_surface_point(const ConvexView& shape, const Vec3& x) {
@@ -129,7 +125,7 @@ RIPRAP_HD inline SurfacePoint closest_surface_point(const ConvexView& shape, con
         if (shape.offset[j] - dot(shape.normal(j), x) >= 0) {
             continue;
         }
-        const Vec3 point = detail::nearest_on_face(shape, j, x);
+        const Vec3 point = nearest_on_face(shape, j, x);
         const double squared = norm_squared(x - point);
         if (least < 0 || squared < least) {
             least = squared;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/rigid_map.hpp"
+
+#include <algorithm>
+
+#include "riprap/core/mat3.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles) {
+    const auto count = at(samples.size());
+    particles.position.resize(count);
+    particles.velocity.resize(count);
+    particles.acceleration.resize(count);
+    particles.volume = samples.volume;
+    particles.is_slippery = samples.is_slippery;
+    parallel::for_each(samples.size(), [&](std::int64_t index) {
+        const auto i = at(index);
+        const auto body = at(samples.body[i].value);
+        const Vec3 r = rotate(motion.pose[body].orientation, samples.anchor[i]);
+        const Vec3& omega = motion.angular_velocity[body];
+        const Vec3 swing = cross(omega, r);
+        particles.position[i] = motion.pose[body].position + r;
+        particles.velocity[i] = motion.velocity[body] + swing;
+        particles.acceleration[i] =
+            motion.acceleration[body] + cross(motion.angular_acceleration[body], r) + cross(omega, swing);
+    });
+}
+
+void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
+                  FluidLoads& loads) {
+    const std::size_t bodies = motion.pose.size();
+    loads.pressure_force.assign(bodies, {});
+    loads.viscous_force.assign(bodies, {});
+    loads.pressure_torque.assign(bodies, {});
+    loads.viscous_torque.assign(bodies, {});
+    // Samples are grouped by body, so each body has one range of them and its sum one order.
+    const auto begin_of = [&samples](std::size_t body) {
+        const BodyId id{static_cast<std::int32_t>(body)};
+        return at(std::lower_bound(samples.body.begin(), samples.body.end(), id) - samples.body.begin());
+    };
+    parallel::for_each_uneven(static_cast<std::int64_t>(bodies), 8, [&](std::int64_t index) {
+        const auto body = at(index);
+        const std::size_t end = begin_of(body + 1);
+        for (std::size_t i = begin_of(body); i < end; ++i) {
+            const Vec3 r = particles.position[i] - motion.pose[body].position;
+            loads.pressure_force[body] += particles.pressure_force[i];
+            loads.viscous_force[body] += particles.viscous_force[i];
+            loads.pressure_torque[body] += cross(r, particles.pressure_force[i]);
+            loads.viscous_torque[body] += cross(r, particles.viscous_force[i]);
+        }
+    });
+}
+
+}  // namespace riprap::coupling

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/sample_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/coupling/face_layers.hpp"
+#include "riprap/geometry/chebyshev.hpp"
+#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::coupling {
+
+using geometry::ConvexView;
+using geometry::Plane;
+using geometry::Polyhedron;
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this are equal
+constexpr double same_plane = 1e-9;  ///< of the domain: a face on a plane that cuts is the cut
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The box that fixed bodies are sampled in: the domain, grown by at least the reach and by whole spacings.
+struct Box {
+    Vec3 low, high;
+};
+
+Box grown_domain(const SampleSettings& settings) {
+    const double margin = (std::ceil(settings.reach / settings.spacing - same_depth) + 1) * settings.spacing;
+    Box box{settings.domain.low, settings.domain.high};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool is_flat = axis == 2 && settings.domain.dimension == 2;
+        const double length = box.high[axis] - box.low[axis];
+        const double intervals = std::ceil(length / settings.spacing - same_depth);
+        box.high[axis] = is_flat ? 0.5 * settings.spacing : box.low[axis] + intervals * settings.spacing + margin;
+        box.low[axis] = is_flat ? -0.5 * settings.spacing : box.low[axis] - margin;
+    }
+    return box;
+}
+
+/// The planes that bound what is sampled of a body, in its frame.
+std::vector<Plane> cutting_planes(const Box& box, const Pose& pose, bool is_still_body, bool is_planar) {
+    std::vector<Plane> planes;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(is_still_body || (is_planar && axis == 2))) {
+            continue;
+        }
+        for (const double side : {-1.0, 1.0}) {
+            Vec3 normal{};
+            normal[axis] = side;
+            const double offset = side * (side < 0 ? box.low[axis] : box.high[axis]);
+            planes.push_back({rotate_back(pose.orientation, normal), offset - dot(normal, pose.position)});
+        }
+    }
+    return planes;
+}
+
+Polyhedron box_in_body(const Box& box, const Pose& pose) {
+    Polyhedron result = geometry::box(box.high - box.low);
+    for (Vec3& x : result.vertices) {
+        x = to_body(pose, x + 0.5 * (box.low + box.high));
+    }
+    return result;
+}
+
+/// A convex part in the frame of its body, cut to what is to be sampled.
+struct CutPart {
+    Polyhedron shape;
+    std::vector<LayerFace> faces;
+    bool has_glue{false};  ///< some faces lie against other parts
+};
+
+bool is_cut(const Plane& face, std::span<const Plane> planes, double scale) {
+    return std::any_of(planes.begin(), planes.end(), [&](const Plane& cut) {
+        return dot(cut.normal, face.normal) > 1 - same_plane && std::abs(cut.offset - face.offset) < same_plane * scale;
+    });
+}
+
+CutPart cut_part(const geometry::ShapeSet& shapes, const body::Part& part, const Box& box, const Pose& pose,
+                 std::span<const Plane> planes) {
+    CutPart result;
+    if (shapes.is_half_space(part.shape)) {
+        const ConvexView view = shapes.view(part.shape);
+        const Vec3 normal = rotate(part.local.orientation, view.normal(0));
+        result.shape =
+            geometry::clip_convex(box_in_body(box, pose), {normal, view.offset[0] + dot(normal, part.local.position)});
+    } else {
+        result.shape = geometry::moved(shapes.polyhedron(part.shape), part.local);
+        for (const Plane& plane : planes) {
+            if (!result.shape.faces.empty()) {
+                result.shape = geometry::clip_convex(result.shape, plane);
+            }
+        }
+    }
+    const double scale = norm(box.high - box.low);
+    for (std::size_t f = 0; f < result.shape.faces.size(); ++f) {
+        const Plane plane = geometry::face_plane(result.shape.vertices, result.shape.faces[f]);
+        result.faces.push_back({plane, is_cut(plane, planes, scale)});
+        const bool is_internal = !result.shape.is_internal.empty() && result.shape.is_internal[f] != 0;
+        result.has_glue = result.has_glue || (is_internal && !result.faces.back().is_cut);
+    }
+    return result;
+}
+
+/// Nearest point of the faces of a body that carry a field, in its frame.
+geometry::SurfacePoint nearest_on_body(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyId body,
+                                       const Vec3& x) {
+    geometry::SurfacePoint best{};
+    best.distance = infinity;
+    for (std::int32_t p = bodies.part_begin[at(body.value)]; p < bodies.part_begin[at(body.value) + 1]; ++p) {
+        const body::Part& part = bodies.parts[at(p)];
+        const ConvexView view = shapes.view(part.shape);
+        const Vec3 local = to_body(part.local, x);
+        for (std::int32_t j = 0; j < view.face_count; ++j) {
+            if (view.is_internal[j] != 0) {
+                continue;
+            }
+            const double distance = norm(local - geometry::nearest_on_face(view, j, local));
+            if (distance < best.distance) {
+                best.distance = distance;
+                best.normal = rotate(part.local.orientation, view.normal(j));
+            }
+        }
+    }
+    return best;
+}
+
+double layer_estimate(const CutPart& part, const SampleSettings& settings) {
+    double area = 0;
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+        if (!part.faces[f].is_cut) {
+            area += norm(geometry::vector_area(part.shape.vertices, part.shape.faces[f]));
+        }
+    }
+    const double layers = settings.reach / settings.spacing + 1;
+    return area / (settings.spacing * settings.spacing) * layers;
+}
+
+std::vector<LayerPoint> sample_part(const CutPart& part, const SampleSettings& settings, bool is_planar) {
+    std::vector<Plane> planes;
+    std::vector<std::uint8_t> flags;
+    for (const LayerFace& face : part.faces) {
+        planes.push_back(face.plane);
+        flags.push_back(face.is_cut ? 1 : 0);
+    }
+    if (std::find(flags.begin(), flags.end(), 0) == flags.end()) {
+        return {};  // nothing of its surface is within the domain
+    }
+    Vec3 middle{};
+    for (const Vec3& x : part.shape.vertices) {
+        middle += x / static_cast<double>(part.shape.vertices.size());
+    }
+    const double extent = 2 * geometry::length_scale(part.shape.vertices);
+    geometry::InscribedSphere sphere = geometry::largest_inscribed_sphere(planes, flags, middle, extent);
+    sphere.centre.z = is_planar ? 0 : sphere.centre.z;
+    return layers_under_faces(part.faces, sphere.radius, sphere.centre, extent,
+                              {settings.spacing, settings.reach, is_planar});
+}
+
+/// World bounds of a body, to look only where something can be.
+struct Ball {
+    Vec3 centre;
+    double radius;
+};
+
+Ball ball_of(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state, BodyId body) {
+    Ball ball{state.position[at(body.value)], 0};
+    for (std::int32_t p = bodies.part_begin[at(body.value)]; p < bodies.part_begin[at(body.value) + 1]; ++p) {
+        const body::Part& part = bodies.parts[at(p)];
+        ball.radius = std::max(ball.radius, norm(part.local.position) + shapes.view(part.shape).circumradius);
+    }
+    return ball;
+}
+
+/// Takes out samples of still bodies that lie deeper in another still body.
+void keep_deepest(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+                  const SampleSettings& settings, SampleSet& samples) {
+    std::vector<BodyId> still;
+    std::vector<Ball> balls;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        const bool is_dry = !settings.is_dry.empty() && settings.is_dry[at(b)] != 0;
+        if (is_still(bodies, BodyId{b}) && !is_dry) {
+            still.push_back(BodyId{b});
+            balls.push_back(ball_of(shapes, bodies, state, BodyId{b}));
+        }
+    }
+    std::vector<std::uint8_t> is_kept(at(samples.size()), 1);
+    const double tolerance = same_depth * settings.spacing;
+    parallel::for_each_uneven(samples.size(), 256, [&](std::int64_t i) {
+        const BodyId owner = samples.body[at(i)];
+        if (!is_still(bodies, owner)) {
+            return;
+        }
+        const Pose pose{state.position[at(owner.value)], state.orientation[at(owner.value)]};
+        const Vec3 x = to_world(pose, samples.anchor[at(i)]);
+        for (std::size_t k = 0; k < still.size() && is_kept[at(i)] != 0; ++k) {
+            if (still[k] == owner || norm_squared(x - balls[k].centre) > balls[k].radius * balls[k].radius) {
+                continue;
+            }
+            const double more = depth_in_body(shapes, bodies, state, still[k], x) - samples.depth[at(i)];
+            is_kept[at(i)] = more > tolerance || (more > -tolerance && still[k] < owner) ? 0 : 1;
+        }
+    });
+    const auto keep = [&is_kept](auto& field) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < is_kept.size(); ++i) {
+            if (is_kept[i] != 0) {
+                field[kept++] = field[i];
+            }
+        }
+        field.resize(kept);
+    };
+    keep(samples.body);
+    keep(samples.anchor);
+    keep(samples.normal);
+    keep(samples.depth);
+    keep(samples.volume);
+    keep(samples.is_slippery);
+}
+
+}  // namespace
+
+bool is_still(const body::BodySet& bodies, BodyId body) {
+    return bodies.drive[at(body.value)] == body::Drive::fixed && bodies.release_time[at(body.value)] == infinity;
+}
+
+double depth_in_body(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+                     BodyId body, const Vec3& x) {
+    const Pose pose{state.position[at(body.value)], state.orientation[at(body.value)]};
+    const Vec3 in_body = to_body(pose, x);
+    double deepest = -infinity;
+    for (std::int32_t p = bodies.part_begin[at(body.value)]; p < bodies.part_begin[at(body.value) + 1]; ++p) {
+        const body::Part& part = bodies.parts[at(p)];
+        const ConvexView view = shapes.view(part.shape);
+        const Vec3 local = to_body(part.local, in_body);
+        double depth = infinity;
+        for (std::int32_t j = 0; j < view.face_count; ++j) {
+            const bool is_end = bodies.is_planar && std::abs(view.normal_z[j]) > 0.5;
+            depth = is_end ? depth : std::min(depth, view.offset[j] - dot(view.normal(j), local));
+        }
+        deepest = std::max(deepest, depth);
+    }
+    return deepest;
+}
+
+namespace {
+
+void append(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyId body, const CutPart& cut,
+            const SampleSettings& settings, SampleSet& samples) {
+    for (const LayerPoint& point : sample_part(cut, settings, bodies.is_planar)) {
+        Vec3 normal = cut.faces[at(point.face)].plane.normal;
+        double depth = point.depth;
+        if (cut.has_glue) {
+            const geometry::SurfacePoint nearest = nearest_on_body(shapes, bodies, body, point.position);
+            if (nearest.distance >= settings.reach) {
+                continue;
+            }
+            normal = nearest.normal;
+            depth = nearest.distance;
+        }
+        samples.body.push_back(body);
+        samples.anchor.push_back(point.position);
+        samples.normal.push_back(normal);
+        samples.depth.push_back(depth);
+        samples.volume.push_back(bodies.is_planar ? point.volume / settings.spacing : point.volume);
+        samples.is_slippery.push_back(settings.is_slippery.empty() ? 0 : settings.is_slippery[at(body.value)]);
+    }
+}
+
+[[noreturn]] void refuse(const std::string& body, double estimate, std::int64_t limit) {
+    Diagnostic problem;
+    problem.message = fmt::format("the surfaces up to '{}' need about {:.3g} boundary particles", body, estimate);
+    problem.allowed = fmt::format(
+        "at most {}: use a larger spacing, a smaller domain, or wet = false for bodies that meet no water", limit);
+    throw CaseError(std::move(problem));
+}
+
+}  // namespace
+
+SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
+                        const SampleSettings& settings) {
+    const Box box = grown_domain(settings);
+    SampleSet samples;
+    double estimate = 0;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (!settings.is_dry.empty() && settings.is_dry[at(b)] != 0) {
+            continue;
+        }
+        const BodyId body{b};
+        const Pose pose{initial.position[at(b)], initial.orientation[at(b)]};
+        for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
+            const body::Part& part = bodies.parts[at(p)];
+            const bool is_bounded = is_still(bodies, body) || shapes.is_half_space(part.shape);
+            const CutPart cut =
+                cut_part(shapes, part, box, pose, cutting_planes(box, pose, is_bounded, bodies.is_planar));
+            if (cut.shape.faces.empty()) {
+                continue;
+            }
+            estimate += layer_estimate(cut, settings);
+            if (estimate > static_cast<double>(settings.limit)) {
+                refuse(bodies.name(body), estimate, settings.limit);
+            }
+            append(shapes, bodies, body, cut, settings, samples);
+        }
+    }
+    keep_deepest(shapes, bodies, initial, settings, samples);
+    return samples;
+}
+
+}  // namespace riprap::coupling

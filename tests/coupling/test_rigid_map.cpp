@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/sample_shapes.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+/// Two blocks that fly and spin, with samples.
+struct Flying {
+    test::Scene scene;
+    SampleSet samples;
+    BodyMotion motion;
+    fluid::BoundaryParticles particles;
+
+    Flying() {
+        scene.add(geometry::box({0.3, 0.5, 0.4}), {{1, 2, 3}, from_rotation_vector({0.1, 0.7, -0.4})});
+        scene.add(geometry::cube(0.3), {{-1, 0, 0.5}, from_rotation_vector({-0.8, 0.1, 0.2})});
+        SampleSettings settings;
+        settings.spacing = 0.1;
+        settings.reach = 0.3;
+        settings.domain = {{-9, -9, -9}, {9, 9, 9}, {}, 3};
+        settings.limit = 100'000;
+        samples = sample_shapes(scene.shapes, scene.bodies, scene.state, settings);
+        for (std::size_t b = 0; b < 2; ++b) {
+            motion.pose.push_back({scene.state.position[b], scene.state.orientation[b]});
+        }
+        motion.velocity = {{0.3, -1.2, 0.5}, {0, 2, 1}};
+        motion.angular_velocity = {{2, -3, 5}, {0.4, 0.1, -7}};
+        motion.acceleration = {{-1, 0.2, 9}, {3, 3, 3}};
+        motion.angular_acceleration = {{0.7, 11, -2}, {5, -5, 1}};
+        place_samples(samples, motion, particles);
+    }
+};
+
+TEST(RigidMap, the_power_of_loads_on_samples_is_that_of_force_and_torque) {
+    Flying f;
+    double power = 0;
+    for (std::size_t i = 0; i < f.particles.position.size(); ++i) {
+        const auto s = static_cast<double>(i);
+        f.particles.pressure_force.push_back({std::sin(s), std::cos(3 * s), std::sin(7 * s + 1)});
+        f.particles.viscous_force.push_back({std::cos(s), std::sin(5 * s), 0.3});
+        power += dot(f.particles.pressure_force[i] + f.particles.viscous_force[i], f.particles.velocity[i]);
+    }
+    FluidLoads loads;
+    gather_loads(f.samples, f.motion, f.particles, loads);
+    double rigid = 0, scale = 0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const Vec3 force = loads.pressure_force[b] + loads.viscous_force[b];
+        const Vec3 torque = loads.pressure_torque[b] + loads.viscous_torque[b];
+        rigid += dot(force, f.motion.velocity[b]) + dot(torque, f.motion.angular_velocity[b]);
+        scale += norm(force) * norm(f.motion.velocity[b]) + norm(torque) * norm(f.motion.angular_velocity[b]);
+    }
+    EXPECT_NEAR(power, rigid, 1e-12 * scale);
+}
+
+TEST(RigidMap, velocity_and_acceleration_are_the_time_derivatives_of_the_place) {
+    Flying f;
+    const double dt = 1e-4;
+    const auto moved = [&](double t) {
+        BodyMotion motion = f.motion;
+        for (std::size_t b = 0; b < 2; ++b) {
+            const Vec3 omega = f.motion.angular_velocity[b], alpha = f.motion.angular_acceleration[b];
+            motion.pose[b].position += t * f.motion.velocity[b] + 0.5 * t * t * f.motion.acceleration[b];
+            // Exact to second order in t: exp(omega t + alpha t^2/2).
+            motion.pose[b].orientation =
+                from_rotation_vector(t * omega + 0.5 * t * t * alpha) * f.motion.pose[b].orientation;
+        }
+        fluid::BoundaryParticles particles;
+        place_samples(f.samples, motion, particles);
+        return particles.position;
+    };
+    const auto before = moved(-dt), after = moved(dt);
+    for (std::size_t i = 0; i < before.size(); i += 7) {
+        const Vec3 velocity = (after[i] - before[i]) / (2 * dt);
+        const Vec3 acceleration = (after[i] - 2.0 * f.particles.position[i] + before[i]) / (dt * dt);
+        EXPECT_NEAR(norm(velocity - f.particles.velocity[i]), 0, 1e-5);
+        EXPECT_NEAR(norm(acceleration - f.particles.acceleration[i]), 0, 1e-4);
+    }
+}
+
+}  // namespace
+}  // namespace riprap::coupling

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/coupling/sample_shapes.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+using test::Scene;
+
+constexpr double dp = 0.1;
+constexpr double support = 3 * dp;  // h = 1.5 dp
+
+SampleSettings settings_of(const Vec3& low, const Vec3& high, int dimension = 3) {
+    SampleSettings settings;
+    settings.spacing = dp;
+    settings.reach = support;
+    settings.domain = {low, high, {}, dimension};
+    settings.limit = 1'000'000;
+    return settings;
+}
+
+SampleSet sample(const Scene& scene, const SampleSettings& settings) {
+    return sample_shapes(scene.shapes, scene.bodies, scene.state, settings);
+}
+
+double total_volume(const SampleSet& samples) {
+    return std::accumulate(samples.volume.begin(), samples.volume.end(), 0.0);
+}
+
+/// Places in whole spacings from the low corner of a lattice, so that sets of them can be compared.
+std::set<std::array<long, 3>> lattice_places(const Scene& scene, const SampleSet& samples, const Vec3& corner) {
+    std::set<std::array<long, 3>> places;
+    for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+        const auto body = static_cast<std::size_t>(samples.body[i].value);
+        const Vec3 x = to_world({scene.state.position[body], scene.state.orientation[body]}, samples.anchor[i]);
+        std::array<long, 3> place{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double cell = (x[axis] - corner[axis]) / dp - 0.5;
+            EXPECT_NEAR(cell, std::round(cell), 1e-6);
+            place[static_cast<std::size_t>(axis)] = std::lround(cell);
+        }
+        EXPECT_TRUE(places.insert(place).second) << "two samples in one place";
+    }
+    return places;
+}
+
+TEST(SampleShapes, a_cube_that_a_lattice_fits_gets_exactly_its_lattice) {
+    for (const int n : {1, 2, 3, 5, 6}) {  // even: layers meet in the middle; odd: the middle is a layer
+        Scene scene;
+        scene.add(geometry::cube(n * dp), {{0.3, -0.2, 0.1}, {}});
+        const SampleSet samples = sample(scene, settings_of({-9, -9, -9}, {9, 9, 9}));
+        ASSERT_EQ(samples.size(), n * n * n);
+        for (const double volume : samples.volume) {
+            EXPECT_NEAR(volume, dp * dp * dp, 1e-8 * dp * dp * dp);
+        }
+        lattice_places(scene, samples, Vec3{0.3, -0.2, 0.1} - 0.5 * n * dp * Vec3{1, 1, 1});
+    }
+}
+
+TEST(SampleShapes, a_large_cube_is_sampled_down_to_the_support_only) {
+    Scene scene;
+    scene.add(geometry::cube(10 * dp), {});
+    const SampleSet samples = sample(scene, settings_of({-9, -9, -9}, {9, 9, 9}));
+    EXPECT_EQ(samples.size(), 10 * 10 * 10 - 4 * 4 * 4);
+    EXPECT_LT(*std::max_element(samples.depth.begin(), samples.depth.end()), support);
+}
+
+TEST(SampleShapes, a_planar_square_gets_its_square_lattice) {
+    Scene scene;
+    scene.bodies.is_planar = true;
+    scene.add(geometry::planar_prism(std::vector<geometry::Point2>{{0, 0}, {5 * dp, 0}, {5 * dp, 4 * dp}, {0, 4 * dp}})
+                  .value(),
+              {});
+    const SampleSet samples = sample(scene, settings_of({-9, -9, 0}, {9, 9, 0}, 2));
+    ASSERT_EQ(samples.size(), 20);
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_NEAR(samples.volume[i], dp * dp, 1e-8 * dp * dp);
+        EXPECT_EQ(samples.anchor[i].z, 0);
+    }
+}
+
+TEST(SampleShapes, volumes_of_a_body_that_no_lattice_fits_add_up_to_its_volume) {
+    Scene scene;
+    const Pose turned{{}, from_rotation_vector({0.3, 0.4, 0.5})};
+    scene.add(geometry::box({3.3 * dp, 5.7 * dp, 4.45 * dp}), turned);
+    scene.add(geometry::icosahedron(2.3 * dp), turned);
+    scene.add(geometry::regular_tetrahedron(9 * dp), turned);
+    const SampleSet samples = sample(scene, settings_of({-9, -9, -9}, {9, 9, 9}));
+    std::array<double, 3> volume{};
+    for (std::size_t i = 0; i < samples.volume.size(); ++i) {
+        volume[static_cast<std::size_t>(samples.body[i].value)] += samples.volume[i];
+        EXPECT_GT(samples.volume[i], 0);
+    }
+    for (std::int32_t b = 0; b < 3; ++b) {
+        const double exact = scene.shapes.volume(ShapeId{b});
+        // Simpson's rule is exact but where a Voronoi cell meets an edge between the three depths.
+        EXPECT_NEAR(volume[static_cast<std::size_t>(b)], exact, 0.01 * exact) << "body " << b;
+    }
+}
+
+TEST(SampleShapes, volumes_under_a_wall_add_up_to_area_times_depth) {
+    Scene scene;
+    scene.add_half_space({0, 0, 1}, 0);
+    const SampleSettings settings = settings_of({0, 0, 0}, {1, 2, 1});
+    const SampleSet samples = sample(scene, settings);
+    // The domain is grown by the support and one spacing.
+    const double area = (1 + 8 * dp) * (2 + 8 * dp);
+    EXPECT_NEAR(total_volume(samples), area * 3 * dp, 1e-9);
+    for (std::size_t i = 0; i < samples.depth.size(); ++i) {
+        EXPECT_NEAR(samples.depth[i], -samples.anchor[i].z, 1e-12);
+        EXPECT_NEAR(samples.normal[i].z, 1, 1e-12);
+    }
+}
+
+TEST(SampleShapes, the_corner_of_a_tank_is_filled_once_and_completely) {
+    Scene scene;
+    scene.add_half_space({0, 0, 1}, 0);
+    scene.add_half_space({1, 0, 0}, 0);
+    scene.add_half_space({0, 1, 0}, 0);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {0.5, 0.5, 0.5}));
+    const auto places = lattice_places(scene, samples, {});
+    std::size_t expected = 0;
+    for (long k = -3; k < 9; ++k) {
+        for (long j = -3; j < 9; ++j) {
+            for (long i = -3; i < 9; ++i) {
+                const bool is_wall = i < 0 || j < 0 || k < 0;
+                EXPECT_EQ(places.contains({i, j, k}), is_wall) << i << ' ' << j << ' ' << k;
+                expected += is_wall ? 1 : 0;
+            }
+        }
+    }
+    // Beyond the third layer only the rest of the domain's margin can follow.
+    EXPECT_GE(samples.size(), static_cast<std::int64_t>(expected));
+}
+
+TEST(SampleShapes, wall_and_water_together_make_the_kernel_sum_of_a_full_lattice) {
+    // Water on a lattice beside an inner corner of the tank: every kernel sum equals that far from any wall.
+    Scene scene;
+    scene.add_half_space({0, 0, 1}, 0);
+    scene.add_half_space({1, 0, 0}, 0);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {1, 1, 1}));
+    const double h = 1.5 * dp;
+    double bulk = 0, near_corner = 0;
+    const Vec3 target{0.5 * dp, 4.5 * dp, 0.5 * dp};
+    for (int k = -4; k < 10; ++k) {
+        for (int j = -4; j < 14; ++j) {
+            for (int i = -4; i < 10; ++i) {
+                const Vec3 x = dp * Vec3{i + 0.5, j + 0.5, k + 0.5};
+                const double w = test::wendland(norm(x - target), h, 3) * dp * dp * dp;
+                bulk += w;
+                near_corner += i >= 0 && k >= 0 ? w : 0;
+            }
+        }
+    }
+    for (std::size_t s = 0; s < samples.anchor.size(); ++s) {
+        near_corner += test::wendland(norm(samples.anchor[s] - target), h, 3) * samples.volume[s];
+    }
+    EXPECT_NEAR(near_corner, bulk, 1e-6);
+}
+
+TEST(SampleShapes, the_re_entrant_corner_of_a_union_is_filled) {
+    // An L of three glued cubes; without the corner cube's own layers under the glue, its re-entrant edge is hollow.
+    Scene scene;
+    const double edge = 8 * dp;
+    const auto part = [&](std::initializer_list<int> glued, const Vec3& place) {
+        geometry::Polyhedron cube = geometry::cube(edge);
+        cube.is_internal.assign(cube.faces.size(), 0);
+        for (std::size_t f = 0; f < cube.faces.size(); ++f) {
+            const Vec3 n = geometry::face_plane(cube.vertices, cube.faces[f]).normal;
+            for (const int side : glued) {
+                const double along = std::abs(side) == 1 ? n.x : n.y;
+                cube.is_internal[f] |= along * side > 0.5 ? 1 : 0;
+            }
+        }
+        return body::Part{BodyId{}, scene.shapes.add_convex(cube), {place, {}}};
+    };
+    scene.add_parts({part({1, 2}, {}), part({-1}, {edge, 0, 0}), part({-2}, {0, edge, 0})}, {});
+    const SampleSet samples = sample(scene, settings_of({-9, -9, -9}, {9, 9, 9}));
+    const Vec3 shift = scene.state.position[0];
+    const Vec3 corner = Vec3{0.5 * edge, 0.5 * edge, 0} - shift;
+    int in_quarter = 0;
+    for (const Vec3& x : samples.anchor) {
+        const Vec3 d = x - corner;
+        in_quarter += d.x < 0 && d.y < 0 && d.x * d.x + d.y * d.y < 4 * dp * dp && std::abs(d.z) < dp ? 1 : 0;
+    }
+    EXPECT_EQ(in_quarter, 2 * 3);  // (1/2, 1/2), (3/2, 1/2) and (1/2, 3/2) dp in each of two rows
+}
+
+TEST(SampleShapes, a_fixed_body_larger_than_the_domain_is_sampled_within_it) {
+    Scene scene;
+    scene.add(geometry::box({1000, 1000, 1000}), {{0, 0, -500}, {}}, body::Drive::fixed);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {1, 1, 1}));
+    EXPECT_EQ(samples.size(), 18 * 18 * 3);
+    EXPECT_NEAR(total_volume(samples), 1.8 * 1.8 * 0.3, 1e-9);
+}
+
+TEST(SampleShapes, dry_bodies_get_no_samples) {
+    Scene scene;
+    scene.add(geometry::cube(3 * dp), {});
+    scene.add(geometry::cube(3 * dp), {{1, 0, 0}, {}});
+    SampleSettings settings = settings_of({-9, -9, -9}, {9, 9, 9});
+    const std::vector<std::uint8_t> is_dry{1, 0};
+    settings.is_dry = is_dry;
+    const SampleSet samples = sample(scene, settings);
+    EXPECT_EQ(samples.size(), 27);
+    EXPECT_THAT(samples.body, testing::Each(BodyId{1}));
+}
+
+TEST(SampleShapes, too_many_samples_are_refused_before_they_are_made) {
+    Scene scene;
+    scene.add(geometry::cube(100), {});
+    EXPECT_THROW(sample(scene, settings_of({-9, -9, -9}, {9, 9, 9})), CaseError);
+}
+
+TEST(SampleShapes, samples_are_the_same_at_any_thread_count) {
+    Scene scene;
+    scene.add(geometry::dodecahedron(6.1 * dp), {{0.5, 0.5, 0.2}, from_rotation_vector({1, 2, 3})});
+    scene.add_half_space({0, 0, 1}, 0);
+    scene.add_half_space({0.1, 0, 1}, 0);
+    const int threads = parallel::thread_count();
+    parallel::set_thread_count(1);
+    const SampleSet one = sample(scene, settings_of({0, 0, 0}, {1, 1, 1}));
+    parallel::set_thread_count(2);
+    const SampleSet two = sample(scene, settings_of({0, 0, 0}, {1, 1, 1}));
+    parallel::set_thread_count(threads);
+    EXPECT_EQ(one.anchor, two.anchor);
+    EXPECT_EQ(one.volume, two.volume);
+    EXPECT_EQ(one.body, two.body);
+}
+
+}  // namespace
+}  // namespace riprap::coupling
