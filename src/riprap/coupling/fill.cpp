@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/convex_query.hpp"
+
+namespace riprap::coupling {
+
+using geometry::Plane;
+using geometry::Polyhedron;
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+constexpr double slack = 1e-6;  ///< of a spacing: a lattice that fits is not lost to round-off
+
+struct Bounds {
+    Vec3 low, high;
+};
+
+/// A region as planes: a place is inside when it is below all planes of one piece, and below the level.
+struct RegionPlanes {
+    std::vector<std::vector<Plane>> pieces;
+    Bounds bounds;
+    double surface;
+};
+
+Polyhedron slab_of(const fluid::Domain& domain) {
+    Polyhedron box;
+    const bool is_flat = domain.dimension == 2;
+    const double low = is_flat ? -0.5 : domain.low.z, high = is_flat ? 0.5 : domain.high.z;
+    for (const double z : {low, high}) {
+        for (const auto& [x, y] : {std::pair{domain.low.x, domain.low.y}, std::pair{domain.high.x, domain.low.y},
+                                   std::pair{domain.high.x, domain.high.y}, std::pair{domain.low.x, domain.high.y}}) {
+            box.vertices.push_back({x, y, z});
+        }
+    }
+    box.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    return box;
+}
+
+/// The region cut at its level, with its volume and surface.
+RegionPlanes planes_of(const FillRegion& region, const fluid::SphSettings& settings, const Vec3& up,
+                       FillReport& report) {
+    std::vector<Polyhedron> pieces = region.pieces;
+    if (pieces.empty()) {
+        pieces.push_back(slab_of(settings.domain));
+    }
+    RegionPlanes result{{}, {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}}, -1e300};
+    for (const Polyhedron& whole : pieces) {
+        const Polyhedron piece = std::isfinite(region.level) ? geometry::clip_convex(whole, {up, region.level}) : whole;
+        if (piece.faces.empty()) {
+            continue;
+        }
+        const bool is_planar = settings.domain.dimension == 2;
+        const geometry::Range z = geometry::range_along(piece, {0, 0, 1});
+        report.region_volume += geometry::mass_properties(piece).volume / (is_planar ? z.high - z.low : 1);
+        result.surface = std::max(result.surface, geometry::range_along(piece, up).high);
+        std::vector<Plane> planes;
+        for (const auto& face : piece.faces) {
+            const Plane plane = geometry::face_plane(piece.vertices, face);
+            if (!(is_planar && std::abs(plane.normal.z) > 0.5)) {
+                planes.push_back(plane);
+            }
+        }
+        result.pieces.push_back(std::move(planes));
+        for (const Vec3& x : piece.vertices) {
+            result.bounds.low = min(result.bounds.low, x);
+            result.bounds.high = max(result.bounds.high, x);
+        }
+    }
+    report.surface = result.surface;
+    return result;
+}
+
+/// The lattice that all regions share.
+struct Lattice {
+    Vec3 first;
+    std::array<std::int64_t, 3> counts;
+    double spacing;
+    Vec3 place(std::int64_t i, std::int64_t j, std::int64_t k) const {
+        return first + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+    }
+};
+
+[[noreturn]] void refuse(std::string message, std::string allowed) {
+    throw CaseError(Diagnostic{{}, std::move(message), std::move(allowed)});
+}
+
+Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSettings& settings) {
+    const double dp = settings.spacing;
+    Lattice lattice{{}, {1, 1, 1}, dp};
+    Bounds all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    for (const RegionPlanes& region : regions) {
+        all = {min(all.low, region.bounds.low), max(all.high, region.bounds.high)};
+    }
+    for (int axis = 0; axis < settings.domain.dimension; ++axis) {
+        const double period = settings.domain.high[axis] - settings.domain.low[axis];
+        if (settings.domain.is_periodic[at(axis)] && std::abs(period / dp - std::round(period / dp)) > slack) {
+            refuse(fmt::format("the domain repeats every {:.9g} m along {}, which is {:.9g} spacings", period,
+                               "xyz"[axis], period / dp),
+                   "a whole number of spacings");
+        }
+        const double anchor = regions[0].bounds.low[axis] + 0.5 * dp;
+        const double low = std::max(all.low[axis], settings.domain.low[axis]);
+        const double high = std::min(all.high[axis], settings.domain.high[axis]);
+        const double before = std::ceil((low - anchor) / dp - slack);
+        lattice.first[axis] = anchor + before * dp;
+        lattice.counts[at(axis)] = std::max<std::int64_t>(
+            0, static_cast<std::int64_t>(std::floor((high - lattice.first[axis]) / dp + slack)) + 1);
+    }
+    return lattice;
+}
+
+/// The first region that a place is in; -1 = none.
+int region_of(std::span<const RegionPlanes> regions, const Vec3& x, const Vec3& up, double spacing) {
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (dot(up, x) > regions[r].surface - (0.5 - slack) * spacing) {
+            continue;
+        }
+        for (const auto& planes : regions[r].pieces) {
+            const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+                return dot(plane.normal, x) <= plane.offset - slack * spacing;
+            });
+            if (is_inside) {
+                return static_cast<int>(r);
+            }
+        }
+    }
+    return -1;
+}
+
+/// Keeps places out of solids and half a spacing away from their faces.
+class Solids {
+ public:
+    Solids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+           double keep_away)
+        : keep_away_(keep_away) {
+        for (const body::Part& part : bodies.parts) {
+            const auto b = at(part.body.value);
+            const Pose pose{state.position[b], state.orientation[b]};
+            const geometry::ConvexView view = shapes.view(part.shape);
+            parts_.push_back({view,
+                              {to_world(pose, part.local.position), pose.orientation * part.local.orientation},
+                              view.circumradius + keep_away});
+        }
+    }
+    bool touch(const Vec3& x) const {
+        return std::any_of(parts_.begin(), parts_.end(), [&](const Placed& part) {
+            if (norm_squared(x - part.pose.position) > part.reach * part.reach) {
+                return false;
+            }
+            const Vec3 local = to_body(part.pose, x);
+            return geometry::depth_below_faces(part.shape, local) > -keep_away_ &&
+                   geometry::closest_surface_point(part.shape, local).distance < keep_away_;
+        });
+    }
+
+ private:
+    struct Placed {
+        geometry::ConvexView shape;
+        Pose pose;
+        double reach;
+    };
+    std::vector<Placed> parts_;
+    double keep_away_;
+};
+
+}  // namespace
+
+double density_at_pressure(const fluid::SphSettings& settings, double pressure) {
+    const double c2 = settings.sound_speed * settings.sound_speed, rho = settings.rest_density;
+    if (settings.state_equation == fluid::StateEquation::linear) {
+        return rho + pressure / c2;
+    }
+    return rho * std::pow(1 + settings.tait_exponent * pressure / (rho * c2), 1 / settings.tait_exponent);
+}
+
+Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
+             const fluid::SphSettings& settings, const Vec3& gravity, std::span<const FillRegion> regions,
+             std::int64_t limit) {
+    Filling filling;
+    filling.regions.resize(regions.size());
+    const double strength = norm(gravity);
+    const Vec3 up =
+        strength > 0 ? -1.0 * gravity / strength
+                     : Vec3{0, settings.domain.dimension == 2 ? 1.0 : 0.0, settings.domain.dimension == 2 ? 0.0 : 1.0};
+    std::vector<RegionPlanes> cut;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        cut.push_back(planes_of(regions[r], settings, up, filling.regions[r]));
+    }
+    if (cut.empty()) {
+        return filling;
+    }
+    const Lattice lattice = lattice_over(cut, settings);
+    double places = 1;
+    for (const std::int64_t count : lattice.counts) {
+        places *= static_cast<double>(count);
+    }
+    if (places > 64.0 * static_cast<double>(limit)) {
+        refuse(fmt::format("the regions of water span about {:.3g} places of the lattice", places),
+               fmt::format("particles are at most {}: use a larger spacing or tighter regions", limit));
+    }
+
+    const Solids solids(shapes, bodies, initial, (0.5 - slack) * settings.spacing);
+    const std::int64_t row = lattice.counts[0], rows = lattice.counts[1] * lattice.counts[2];
+    std::vector<std::int8_t> owner(at(row * rows), -1);
+    parallel::for_each_uneven(rows, 4, [&](std::int64_t line) {
+        for (std::int64_t i = 0; i < row; ++i) {
+            const Vec3 x = lattice.place(i, line % lattice.counts[1], line / lattice.counts[1]);
+            const int region = region_of(cut, x, up, settings.spacing);
+            owner[at(line * row + i)] = static_cast<std::int8_t>(region < 0 || solids.touch(x) ? -1 : region);
+        }
+    });
+    const auto count =
+        static_cast<std::int64_t>(owner.size()) - std::count(owner.begin(), owner.end(), std::int8_t{-1});
+    if (count > limit) {
+        refuse(fmt::format("the regions of water hold {} particles", count),
+               fmt::format("at most {}: use a larger spacing", limit));
+    }
+
+    fluid::ParticleState& particles = filling.particles;
+    const double cell = std::pow(settings.spacing, settings.domain.dimension);
+    for (std::int64_t place = 0; place < row * rows; ++place) {
+        const std::int8_t r = owner[at(place)];
+        if (r < 0) {
+            continue;
+        }
+        const std::int64_t line = place / row;
+        const Vec3 x = lattice.place(place % row, line % lattice.counts[1], line / lattice.counts[1]);
+        const double depth = cut[at(r)].surface - dot(up, x);
+        particles.id.push_back(static_cast<std::int32_t>(particles.position.size()));
+        particles.position.push_back(x);
+        particles.velocity.push_back(regions[at(r)].velocity);
+        particles.density.push_back(density_at_pressure(settings, settings.rest_density * strength * depth));
+        filling.regions[at(r)].count += 1;
+        filling.regions[at(r)].volume += cell;
+    }
+    return filling;
+}
+
+}  // namespace riprap::coupling

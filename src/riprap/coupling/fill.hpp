@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/shape_set.hpp"
+
+namespace riprap::coupling {
+
+/// A region of water at the start: convex pieces, and what is below a level.
+struct FillRegion {
+    std::vector<geometry::Polyhedron> pieces;               ///< world axes; empty = the whole domain [m]
+    double level{std::numeric_limits<double>::infinity()};  ///< of the surface, along `up` [m]
+    Vec3 velocity{};                                        ///< [m/s]
+};
+
+/// What a region got.
+struct FillReport {
+    std::int64_t count{0};    ///< particles
+    double volume{0};         ///< that they stand for [m^3]; in 2D [m^2]
+    double region_volume{0};  ///< of the region below its level, solids not taken out [m^3]; in 2D [m^2]
+    double surface{0};        ///< height of its free surface along `up` [m]
+};
+
+/// Water at the start.
+struct Filling {
+    fluid::ParticleState particles;
+    std::vector<FillReport> regions;  ///< one per region
+};
+
+/// Fills regions with particles on one lattice of spacing dp for all of them, so regions that touch or overlap join
+/// without a seam; a place in several regions belongs to the first. The lattice starts half a spacing inside the low
+/// corner of the first region. A place is filled when it lies in a region, half a spacing below its level at least,
+/// outside every solid and no nearer than half a spacing to its faces: water never starts inside a solid. Dry bodies
+/// count too. Particles get the ids 0, 1, ... along the lattice, x fastest.
+///
+/// Density at the start is that of rest under gravity g: p = rho_0 |g| d at depth d below the surface of the region,
+/// its level or else its highest point, through the state equation of `settings`.
+///
+/// @throws CaseError  with the cause when more than `limit` particles would be made, or when a period of the domain is
+/// not a whole number of spacings
+Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
+             const fluid::SphSettings& settings, const Vec3& gravity, std::span<const FillRegion> regions,
+             std::int64_t limit);
+
+/// The density at which the state equation gives the pressure p [kg/m^3]:
+///
+///     tait:   rho_0 (1 + gamma p / (rho_0 c_0^2))^(1/gamma),        linear: rho_0 + p/c_0^2.
+double density_at_pressure(const fluid::SphSettings& settings, double pressure);
+
+}  // namespace riprap::coupling

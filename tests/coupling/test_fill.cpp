@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/coupling/fill.hpp"
+#include "riprap/geometry/convex_query.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+using test::Scene;
+
+constexpr double dp = 0.05;
+const Vec3 gravity{0, 0, -9.81};
+
+fluid::SphSettings settings_of(const Vec3& low, const Vec3& high, int dimension = 3) {
+    fluid::SphSettings settings;
+    settings.spacing = dp;
+    settings.sound_speed = 40;
+    settings.domain = {low, high, {}, dimension};
+    return settings;
+}
+
+geometry::Polyhedron box(const Vec3& low, const Vec3& high) {
+    return geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}});
+}
+
+Filling fill(const Scene& scene, const fluid::SphSettings& settings, const std::vector<FillRegion>& regions,
+             std::int64_t limit = 1'000'000) {
+    return fill(scene.shapes, scene.bodies, scene.state, settings, gravity, regions, limit);
+}
+
+TEST(Fill, a_box_that_the_lattice_fits_is_filled_to_its_volume) {
+    const Filling filling = fill({}, settings_of({0, 0, 0}, {2, 2, 2}), {{{box({0, 0, 0}, {0.5, 0.25, 0.4})}}});
+    EXPECT_EQ(filling.particles.size(), 10 * 5 * 8);
+    EXPECT_NEAR(filling.regions[0].volume, 0.05, 1e-12);
+    EXPECT_NEAR(filling.regions[0].region_volume, 0.05, 1e-12);
+    EXPECT_EQ(filling.particles.position[0], (Vec3{0.025, 0.025, 0.025}));
+}
+
+TEST(Fill, water_stays_half_a_spacing_away_from_every_solid) {
+    Scene scene;
+    scene.add(geometry::icosahedron(0.2), {{0.5, 0.5, 0.5}, from_rotation_vector({0.3, 0.2, 0.1})});
+    scene.add(geometry::cube(0.21), {{0.3, 0.7, 0.3}, from_rotation_vector({0.1, -0.5, 0.4})});
+    scene.add_half_space({0.1, 0, 1}, 0.1);
+    const Filling filling = fill(scene, settings_of({0, 0, 0}, {1, 1, 1}), {{{}, 0.8}});
+    EXPECT_GT(filling.particles.size(), 4000);
+    double nearest = 1;
+    for (const Vec3& x : filling.particles.position) {
+        for (std::int32_t b = 0; b < 3; ++b) {
+            const auto i = static_cast<std::size_t>(b);
+            const Vec3 local = to_body({scene.state.position[i], scene.state.orientation[i]}, x);
+            nearest = std::min(nearest, geometry::closest_surface_point(scene.shapes.view(ShapeId{b}), local).distance);
+        }
+        EXPECT_LE(x.z, 0.8 - 0.5 * dp + 1e-6 * dp);
+    }
+    EXPECT_GE(nearest, (0.5 - 1e-6) * dp);
+    EXPECT_LT(nearest, 0.6 * dp);  // and fills the rest
+}
+
+TEST(Fill, regions_that_overlap_share_one_lattice_and_the_first_gives_its_velocity) {
+    const std::vector<FillRegion> regions{{{box({0, 0, 0}, {0.5, 0.5, 0.5})}, 9, {1, 0, 0}},
+                                          {{box({0.13, 0, 0}, {1, 0.5, 0.25})}}};
+    const Filling filling = fill({}, settings_of({0, 0, 0}, {1, 1, 1}), regions);
+    EXPECT_EQ(filling.particles.size(), 10 * 10 * 10 + 10 * 10 * 5);
+    EXPECT_EQ(filling.regions[0].count, 1000);
+    EXPECT_EQ(filling.particles.velocity[0], (Vec3{1, 0, 0}));
+    EXPECT_EQ(filling.particles.velocity[19], (Vec3{}));
+}
+
+TEST(Fill, density_at_rest_gives_hydrostatic_pressure_through_the_state_equation) {
+    for (const auto equation : {fluid::StateEquation::tait, fluid::StateEquation::linear}) {
+        fluid::SphSettings settings = settings_of({0, 0, 0}, {1, 1, 1});
+        settings.state_equation = equation;
+        const Filling filling = fill({}, settings, {{{}, 0.6}});
+        for (std::size_t i = 0; i < filling.particles.density.size(); ++i) {
+            const double ratio = filling.particles.density[i] / 1000;
+            const double c2 = 40.0 * 40.0;
+            const double pressure = equation == fluid::StateEquation::tait ? 1000 * c2 / 7 * (std::pow(ratio, 7) - 1)
+                                                                           : c2 * (filling.particles.density[i] - 1000);
+            EXPECT_NEAR(pressure, 1000 * 9.81 * (0.6 - filling.particles.position[i].z), 1e-6);
+        }
+    }
+}
+
+TEST(Fill, a_planar_tank_is_filled_per_metre_of_width) {
+    Scene scene;
+    scene.bodies.is_planar = true;
+    const fluid::SphSettings settings = settings_of({0, 0, 0}, {1, 1, 0}, 2);
+    const Filling filling = fill(scene.shapes, scene.bodies, scene.state, settings, {0, -9.81, 0},
+                                 std::vector<FillRegion>{{{}, 0.5}}, 1000);
+    EXPECT_EQ(filling.particles.size(), 20 * 10);
+    EXPECT_NEAR(filling.regions[0].region_volume, 0.5, 1e-12);
+    EXPECT_EQ(filling.particles.position[0].z, 0);
+}
+
+TEST(Fill, too_many_particles_are_refused) {
+    const std::vector<FillRegion> regions{{{}, 1}};
+    EXPECT_THROW(fill({}, settings_of({0, 0, 0}, {1, 1, 1}), regions, 7999), CaseError);
+    EXPECT_EQ(fill({}, settings_of({0, 0, 0}, {1, 1, 1}), regions, 8000).particles.size(), 8000);
+    EXPECT_THROW(fill({}, settings_of({0, 0, 0}, {1e6, 1e6, 1e6}), regions, 8000), CaseError);
+}
+
+TEST(Fill, a_period_that_the_lattice_does_not_fit_is_refused) {
+    fluid::SphSettings settings = settings_of({0, 0, 0}, {1.02, 1, 1});
+    settings.domain.is_periodic[0] = true;
+    EXPECT_THROW(fill({}, settings, {{{}, 1}}), CaseError);
+}
+
+}  // namespace
+}  // namespace riprap::coupling
