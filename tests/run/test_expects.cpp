@@ -54,9 +54,27 @@ TEST(Expects, EveryReductionSeesEveryStep) {
     EXPECT_EQ(results[0].value, 1.0);
     EXPECT_EQ(results[1].value, 0.0);
     EXPECT_EQ(results[2].value, 3.0);
-    EXPECT_NEAR(results[3].value, 4.0 / 3, 1e-15);
-    EXPECT_EQ(results[4].value, 2.0);  // halfway between 3 and 1
+    EXPECT_NEAR(results[3].value, (0.5 * 3 + 0.5 * 4) / 2, 1e-15);  // over time
+    EXPECT_EQ(results[4].value, 2.0);                               // halfway between 3 and 1
     EXPECT_EQ(results[0].unit, "m");
+}
+
+TEST(Expects, AMeanIsOverTimeHoweverUnevenTheSteps) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("mean")};
+    ExpectWatch watch(loaded.model);
+    sim::State state = loaded.state;
+    for (const double time : {0.0, 0.1, 0.11, 0.5, 2.0}) {
+        state.time = time;
+        state.bodies.position[2].x = 3 * time + 1;
+        watch.look({loaded.model, loaded.state, state, nullptr, nullptr});
+    }
+    EXPECT_NEAR(watch.judge(true)[0].value, 4, 1e-14);
+}
+
+TEST(Expects, ATimeThatTheLastStepMissesByRoundOffIsSeen) {
+    const auto results = follow({expect("at", 2 + 1e-12)}, false);
+    EXPECT_NEAR(results[0].value, 1, 1e-10);
 }
 
 TEST(Expects, FiguresSurviveACheckpoint) {

@@ -26,7 +26,8 @@ struct SomeRun {
         sim::initialise(loaded.model, initial);
         state = initial;
         sim::Scratch scratch;
-        record.dt = 1e-4;
+        record.end = 0.5;
+        record.frame_interval = record.row_interval = 0.01;
         record.csv_bytes = {1, 2};
         record.frame_times = {0, 0.5};
         io::make_folder(folder.checkpoint_latest().parent_path());
@@ -37,7 +38,7 @@ struct SomeRun {
     }
     void step(sim::Scratch& scratch) {
         for (int i = 0; i < 200; ++i) {
-            ASSERT_TRUE(advance(loaded.model, state, scratch, record.dt).status.ok());
+            ASSERT_TRUE(advance(loaded.model, state, scratch, 1e-4).status.ok());
         }
     }
     Restart load() const { return load_checkpoint(folder, loaded.model, initial); }
@@ -134,7 +135,10 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.push_back(0); }),
                 HasSubstr("ledger.totals"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.step = -1; }), HasSubstr("negative"));
-    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.dt = 0; }), HasSubstr("time step"));
+    EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.stepping.halvings = 60; }), HasSubstr("halved 60 times"));
+    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.end = 0; }), HasSubstr("end of the run"));
+    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.row_interval = 0; }), HasSubstr("interval"));
+    EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.next_frame = -1; }), HasSubstr("next output"));
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.csv_bytes.clear(); }), HasSubstr("tables"));
 }
 

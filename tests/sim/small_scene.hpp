@@ -49,7 +49,7 @@ struct SmallScene {
         }
         return report;
     }
-    double automatic_step() const { return choose_time_step(model, time_step_bound(model)); }
+    double automatic_step() const { return largest_time_step(model, time_step_bound(model)); }
 };
 
 }  // namespace riprap::sim

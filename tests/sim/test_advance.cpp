@@ -270,9 +270,9 @@ TEST(Advance, AStepAboveTheBoundIsRefusedUnlessForced) {
     // Frictionless cubes in a lattice: dt = (a/2) sqrt(rho/k_n).
     EXPECT_NEAR(bound.limit, 0.5 * std::sqrt(2000 / 1e7), 1e-12);
     scene.model.time.time_step = 1.01 * bound.limit;
-    EXPECT_THROW(choose_time_step(scene.model, bound), CaseError);
+    EXPECT_THROW(largest_time_step(scene.model, bound), CaseError);
     scene.model.time.force_time_step = true;
-    EXPECT_EQ(choose_time_step(scene.model, bound), scene.model.time.time_step);
+    EXPECT_EQ(largest_time_step(scene.model, bound), scene.model.time.time_step);
 }
 
 }  // namespace

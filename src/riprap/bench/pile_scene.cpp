@@ -119,7 +119,7 @@ void settle(Pile& pile, double fall, double size) {
     go_on(1, 1, 800);
     pile.model.solid.local_damping = 0;
     pile.model.solid.mass_damping = 0;
-    pile.dt = sim::choose_time_step(pile.model, sim::time_step_bound(pile.model));
+    pile.dt = sim::largest_time_step(pile.model, sim::time_step_bound(pile.model));
 }
 
 /// The 18 shapes of the mix, six of each size, largest first.
@@ -270,7 +270,7 @@ Pile voronoi_pack(std::int64_t block_count) {
         add_block(pack, shape, {centroid, Quat{}});
     }
     shrink_to_fit(pack);
-    pack.dt = sim::choose_time_step(pack.model, sim::time_step_bound(pack.model));
+    pack.dt = sim::largest_time_step(pack.model, sim::time_step_bound(pack.model));
     sim::initialise(pack.model, pack.state);
     return pack;
 }

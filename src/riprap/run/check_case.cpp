@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -65,7 +66,9 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.bodies = model.bodies.size();
     check.parts = model.bodies.part_count();
     check.shapes = model.shapes.size();
-    check.time_step = sim::choose_time_step(model, bound);
+    sim::Scratch scratch;
+    const sim::TimeStep first = choose_time_step(model, loaded.state, scratch);
+    check.time_step = first.dt;
     check.time_step_limit = bound.limit;
     check.limited_by = bound.reason;
     check.end = model.time.end;
@@ -76,7 +79,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
             check.mass += model.bodies.mass[static_cast<std::size_t>(i)];
         }
     }
-    check.steps = count_steps(model.time.end, check.time_step, model.time.max_steps);
+    check.steps = model.time.max_steps >= 0 ? std::min(first.steps_left, model.time.max_steps) : first.steps_left;
     if (!has_countable_steps(check)) {
         check.warnings.push_back(fmt::format(
             "about {:.2g} steps: no machine gets to the end; is `end` in the right unit?", estimated_steps(check)));
@@ -85,7 +88,6 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::State initial = loaded.state;
     sim::initialise(model, initial);
     sim::State state = initial;
-    sim::Scratch scratch;
     const sim::StepReport report = advance(model, state, scratch, check.time_step);
     check.refusal = report.status.text;
     check.contacts = report.contact_count;
@@ -93,9 +95,11 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.max_potential = report.max_potential;
     check.memory_bytes = sim::memory_bytes(model, state, scratch);
 
-    const double run_time = static_cast<double>(check.steps) * check.time_step;
     const auto times = [&](double interval) {
-        return static_cast<double>(Schedule(interval, check.time_step).due_count(check.steps)) + (run_time > 0 ? 1 : 0);
+        const auto steps = static_cast<double>(check.steps);
+        const double count = due_count(interval, check.time_step, steps);
+        const bool is_end_due = steps == 0 || count > due_count(interval, check.time_step, steps - 1);
+        return count + (is_end_due ? 0 : 1);
     };
     check.frames = model.output.vtk ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
     double columns = ledger_columns;

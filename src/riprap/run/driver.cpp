@@ -14,8 +14,6 @@ namespace riprap::run {
 
 namespace {
 
-constexpr std::int64_t steps_between_copies = 32;
-
 std::string signal_name(int signal) {
     switch (signal) {
         case SIGINT:
@@ -50,24 +48,6 @@ std::string ledger_problem(const sim::Ledger& ledger, std::int64_t step, double 
 
 }  // namespace
 
-void GoodState::keep(const sim::State& state) {
-    if (!copy_ || state.step >= copy_->step + steps_between_copies) {
-        copy_ = state;
-    }
-}
-
-sim::State GoodState::at(const sim::Model& model, std::int64_t step, double dt) const {
-    sim::State state = *copy_;
-    sim::Scratch scratch;
-    while (state.step < step) {
-        sim::State before = state;
-        if (!advance(model, state, scratch, dt).status.ok()) {
-            return before;
-        }
-    }
-    return state;
-}
-
 Driver::Driver(RunFolder folder, scene::LoadedCase loaded, bool is_quiet)
     : folder_(std::move(folder)),
       loaded_(std::move(loaded)),
@@ -77,11 +57,21 @@ Driver::Driver(RunFolder folder, scene::LoadedCase loaded, bool is_quiet)
       watch_(loaded_.model) {
     sim::initialise(model(), initial_);
     state_ = initial_;
-    record_.dt = sim::choose_time_step(model(), bound_);
-    record_.end = model().time.end;
-    record_.max_steps = model().time.max_steps;
+    set_end(model().time.end, model().time.max_steps);
     record_.frame_interval = frame_interval(model());
     record_.row_interval = row_interval(model());
+}
+
+void Driver::set_end(double end, std::int64_t max_steps) {
+    record_.end = loaded_.model.time.end = end;
+    record_.max_steps = max_steps;
+    scratch_.forget();  // a step may be a share of the end
+    next_ = choose_time_step(model(), state_, scratch_);
+}
+
+std::int64_t Driver::steps_left() const {
+    return record_.max_steps >= 0 ? std::clamp<std::int64_t>(record_.max_steps - state_.step, 0, next_.steps_left)
+                                  : next_.steps_left;
 }
 
 void Driver::store_case(const std::vector<std::string>& overrides) const {
@@ -93,7 +83,7 @@ void Driver::start() {
     announce("start");
     outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_, false);
     watch_.look(now());
-    outputs_->after_step(now());
+    outputs_->after_step(now(), outputs_->due_at(state_.time, 0));
     outputs_->note(record_);
     record_.expects = watch_.save();
     save_checkpoint(folder_, model(), state_, record_);
@@ -108,27 +98,25 @@ void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_s
     }
     state_ = std::move(restart.state);
     record_ = std::move(restart.record);
-    record_.end = end.value_or(record_.end);
-    record_.max_steps = max_steps.value_or(record_.max_steps);
+    set_end(end.value_or(record_.end), max_steps.value_or(record_.max_steps));
     record_.resumes += 1;
     earlier_seconds_ = record_.wall_seconds;
     watch_.load(record_.expects);
     announce(fmt::format("resume at step {}", state_.step));
-    if (state_.step < last_step()) {
+    if (steps_left() > 0) {
         outputs_ = std::make_unique<Outputs>(folder_, model(), initial_, record_, true);
     }
 }
 
 void Driver::announce(const std::string& beginning) {
-    const std::int64_t steps = last_step();
-    log_->add(
-        "start",
-        fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {} threads", beginning,
-                    model().title, model().bodies.size(), record_.dt, steps, record_.end, parallel::thread_count()),
-        {{"step", static_cast<double>(state_.step)},
-         {"steps", static_cast<double>(steps)},
-         {"time_step", record_.dt},
-         {"threads", parallel::thread_count()}});
+    const std::int64_t steps = state_.step + steps_left();
+    log_->add("start",
+              fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {} threads", beginning,
+                          model().title, model().bodies.size(), next_.dt, steps, record_.end, parallel::thread_count()),
+              {{"step", static_cast<double>(state_.step)},
+               {"steps", static_cast<double>(steps)},
+               {"time_step", next_.dt},
+               {"threads", parallel::thread_count()}});
     for (const std::string& warning : loaded_.warnings) {
         log_->add("warning", warning);
         say("warning: " + warning);
@@ -137,49 +125,92 @@ void Driver::announce(const std::string& beginning) {
         fmt::format("{}\n  {} bodies, {} convex parts, {} threads\n  time step {:.6g} s of at most {:.6g} s ({})\n"
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
                     model().title.empty() ? "(untitled)" : model().title, model().bodies.size(),
-                    model().bodies.part_count(), parallel::thread_count(), record_.dt, bound_.limit, bound_.reason,
-                    steps, record_.end, state_.step, folder_.root.string()));
+                    model().bodies.part_count(), parallel::thread_count(), next_.dt, bound_.limit, bound_.reason, steps,
+                    record_.end, state_.step, folder_.root.string()));
+}
+
+sim::StepReport Driver::take_step(Due& due) {
+    const double dt = next_.dt, time = state_.time + dt;
+    due = outputs_->due_at(time, dt);
+    const bool is_last = steps_left() <= 1 || time + 1e-6 * dt >= record_.end;
+    return advance(model(), state_, scratch_, dt, due.row || is_last ? sim::Measure::energy : sim::Measure::flow);
 }
 
 int Driver::run() {
-    if (state_.step >= last_step() && outputs_ == nullptr) {
+    if (steps_left() == 0 && outputs_ == nullptr) {
         say(fmt::format(
             "nothing left to do: the run is at step {}, t = {:.6g} s; --end and --max-steps take it further",
             state_.step, state_.time));
         return verdict(watch_.judge(is_at_end()));
     }
     const StopRequest stop;
-    Progress progress(state_.step, last_step(), model().bodies.size(), is_quiet_);
-    while (state_.step < last_step()) {
+    Progress progress(state_.step, model().bodies.size(), is_quiet_);
+    while (steps_left() > 0) {
         if (stop.signal() != 0) {
             return interrupt(progress, stop.signal());
         }
         good_.keep(state_);
         const std::int64_t step = state_.step;
-        const bool is_measured = outputs_->is_row_due(step + 1) || step + 1 == last_step();
-        sim::StepReport report =
-            advance(model(), state_, scratch_, record_.dt, is_measured ? sim::Measure::energy : sim::Measure::flow);
-        if (!report.status.ok()) {
-            return fail(progress, step, report.status.text);
-        }
-        if (is_measured) {
-            const std::string problem = ledger_problem(report.ledger, step + 1, model().output.ledger_tolerance);
-            if (!problem.empty()) {
-                return fail(progress, step, problem);
+        Due due;
+        sim::StepReport report = take_step(due);
+        const std::string problem = ledger_problem(report.ledger, step + 1, model().output.ledger_tolerance);
+        if (!report.status.ok() || !problem.empty()) {
+            state_ = good_.at(model(), step);
+            if (!report.status.ok() && retry(report.status.text)) {
+                continue;
             }
+            return fail(progress, report.status.ok() ? problem : report.status.text);
         }
         report_ = std::move(report);
         has_stepped_ = true;
+        next_ = choose_time_step(model(), state_, scratch_);
+        watch_bound(report_);
         watch_.look(now());
-        outputs_->after_step(now());
+        outputs_->after_step(now(), due);
         // The checkpoint of the last step is written by finish(), when everything else is: see there.
         const bool is_due = progress.seconds() - last_checkpoint_ >= model().output.checkpoint_interval;
-        if (is_due && state_.step < last_step()) {
+        if (is_due && steps_left() > 0) {
             checkpoint(progress);
         }
-        progress.show(state_.step, state_.time);
+        progress.show(state_.step, steps_left(), state_.time);
     }
     return finish(progress);
+}
+
+bool Driver::retry(const std::string& reason) {
+    if (!halve_time_step(model(), state_)) {
+        return false;
+    }
+    good_.replace(state_);
+    scratch_.forget();  // it may hold what is not a number
+    next_ = choose_time_step(model(), state_, scratch_);
+    record_.retries += 1;
+    const std::string text = fmt::format("step {} was refused and is taken again from t = {:.6g} s with {:.6g} s: {}",
+                                         state_.step + 1, state_.time, next_.dt, reason);
+    log_->add("retry", text,
+              {{"step", static_cast<double>(state_.step)}, {"time", state_.time}, {"time_step", next_.dt}});
+    say(text);
+    return true;
+}
+
+/// Told when it happens first and whenever the excess has doubled; the summary counts all of them.
+void Driver::watch_bound(const sim::StepReport& report) {
+    if (!(report.dt > report.dt_bound)) {
+        return;
+    }
+    record_.steps_above_bound += 1;
+    const double excess = report.dt / report.dt_bound;
+    if (excess < 2 * logged_excess_) {
+        return;
+    }
+    logged_excess_ = excess;
+    const std::string text = fmt::format(
+        "step {}, t = {:.6g} s: the time step {:.4g} s is {:.3g} times what the contacts allow now ({:.4g} s, a bound "
+        "that errs on the safe side); a smaller time_step, or time_step_factor, is safer",
+        state_.step, state_.time, report.dt, excess, report.dt_bound);
+    log_->add("warning", text,
+              {{"step", static_cast<double>(state_.step)}, {"time", state_.time}, {"dt_bound", report.dt_bound}});
+    say("warning: " + text);
 }
 
 void Driver::checkpoint(const Progress& progress) {
@@ -196,7 +227,7 @@ void Driver::checkpoint(const Progress& progress) {
 
 int Driver::finish(const Progress& progress) {
     Progress last_line = progress;
-    last_line.finish(state_.step, state_.time);
+    last_line.finish(state_.step, steps_left(), state_.time);
     const std::vector<ExpectResult> results = watch_.judge(is_at_end());
     // The checkpoint comes last: killed before it, the run continues from the one before and writes all this again.
     outputs_->note(record_);
@@ -222,15 +253,14 @@ int Driver::interrupt(const Progress& progress, int signal) {
     return static_cast<int>(ExitCode::signal_base) + signal;
 }
 
-int Driver::fail(const Progress& progress, std::int64_t step, const std::string& reason) {
-    state_ = good_.at(model(), step, record_.dt);
+int Driver::fail(const Progress& progress, const std::string& reason) {
     checkpoint(progress);
     summarise(progress, "failed", reason, watch_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state_.step)}, {"time", state_.time}});
     fmt::print(stderr,
                "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
                "  a smaller time_step, a stiffer material or more damping usually helps\n",
-               step + 1, reason, state_.step, state_.time, folder_.checkpoint_latest().string());
+               state_.step + 1, reason, state_.step, state_.time, folder_.checkpoint_latest().string());
     return static_cast<int>(ExitCode::numerical);
 }
 
@@ -253,7 +283,9 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
                             .state_hash = sim::state_hash(state_),
                             .steps = state_.step,
                             .time = state_.time,
-                            .dt = record_.dt,
+                            .dt = state_.previous_dt,
+                            .retries = record_.retries,
+                            .steps_above_bound = record_.steps_above_bound,
                             .wall_seconds = earlier_seconds_ + progress.seconds(),
                             .cost = progress.cost(state_.step),
                             .body_count = model().bodies.size(),

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The loop around sim::advance: outputs, checkpoints, progress, stop signals, bad states, verdicts.
+// The loop around sim::advance: outputs, checkpoints, progress, stop signals, refused steps, verdicts.
 
 #include <memory>
 #include <optional>
 
 #include "riprap/run/expects.hpp"
+#include "riprap/run/good_state.hpp"
 #include "riprap/run/outputs.hpp"
 #include "riprap/run/progress.hpp"
 #include "riprap/run/restart.hpp"
@@ -18,18 +19,6 @@
 
 namespace riprap::run {
 
-/// A copy of State from a few steps ago. The last good State before a failed step is computed again from it: a
-/// fresh Scratch gives the same bits, so copying every step is not needed.
-class GoodState {
- public:
-    void keep(const sim::State& state);
-    /// The State at `step`, which is not before the last copy.
-    sim::State at(const sim::Model& model, std::int64_t step, double dt) const;
-
- private:
-    std::optional<sim::State> copy_;
-};
-
 /// One run. Made, then started or resumed, then run.
 class Driver {
  public:
@@ -39,22 +28,26 @@ class Driver {
     void store_case(const std::vector<std::string>& overrides) const;
     /// Begins at time 0: first frame, first rows, first checkpoint.
     void start();
-    /// Continues from the checkpoint. @throws CheckpointError
+    /// Continues from the checkpoint, with another end where one is given. @throws CheckpointError
     void resume(std::optional<double> end, std::optional<std::int64_t> max_steps);
     /// Steps to the end. @returns the exit code
     int run();
 
  private:
+    void set_end(double end, std::int64_t max_steps);
+    sim::StepReport take_step(Due& due);
+    bool retry(const std::string& reason);
+    void watch_bound(const sim::StepReport& report);
     int finish(const Progress& progress);
     int interrupt(const Progress& progress, int signal);
-    int fail(const Progress& progress, std::int64_t step, const std::string& reason);
+    int fail(const Progress& progress, const std::string& reason);
     int verdict(const std::vector<ExpectResult>& results) const;
     void checkpoint(const Progress& progress);
     void announce(const std::string& beginning);
     void summarise(const Progress& progress, const std::string& status, const std::string& reason,
                    const std::vector<ExpectResult>& results) const;
-    bool is_at_end() const { return state_.step >= count_steps(record_.end, record_.dt, -1); }
-    std::int64_t last_step() const { return count_steps(record_.end, record_.dt, record_.max_steps); }
+    bool is_at_end() const { return next_.steps_left == 0; }
+    std::int64_t steps_left() const;
     sim::Moment now() const {
         return {model(), initial_, state_, has_stepped_ ? &scratch_ : nullptr, has_stepped_ ? &report_ : nullptr};
     }
@@ -67,11 +60,13 @@ class Driver {
     sim::State initial_, state_;
     sim::TimeStepBound bound_;
     sim::Scratch scratch_;
+    sim::TimeStep next_;  ///< the step to take from state_
     sim::StepReport report_;
     bool has_stepped_{false};
     RunRecord record_;
     double earlier_seconds_{0};
     double last_checkpoint_{0};  ///< [s] of the progress timer
+    double logged_excess_{0};    ///< largest dt / dt_bound that was told [-]
     ExpectWatch watch_;
     GoodState good_;
     std::unique_ptr<Outputs> outputs_;

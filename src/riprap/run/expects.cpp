@@ -17,7 +17,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing, missing};
+constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
 constexpr std::array<std::string_view, 6> reduces{"last", "min", "max", "mean", "at", "when"};
 
@@ -27,9 +27,10 @@ double between(const RunningFigures& f, double value, double x0, double x1, doub
 }
 
 void look_at_time(RunningFigures& f, double time, double value, double at) {
+    constexpr double forgiven = 1e-9;  // of a step: the end of a run may miss `at` by round-off
     if (time == at) {
         f.at = value;
-    } else if (f.previous_time < at && at < time) {
+    } else if (std::isnan(f.at) && f.previous_time < at && at <= time + forgiven * (time - f.previous_time)) {
         f.at = between(f, value, f.previous_time, time, at);
     }
 }
@@ -47,10 +48,14 @@ void look_at_trigger(RunningFigures& f, double trigger, double value, double lev
 }
 
 void add(RunningFigures& f, double time, double value) {
+    if (f.count > 0) {
+        f.integral += 0.5 * (f.previous + value) * (time - f.previous_time);
+    } else {
+        f.first_time = time;
+    }
     f.last = value;
     f.minimum = std::min(f.minimum, value);
     f.maximum = std::max(f.maximum, value);
-    f.sum += value;
     f.count += 1;
     f.previous_time = time;
     f.previous = value;
@@ -67,7 +72,8 @@ double reduce(const RunningFigures& f, const std::string& how) {
         return f.maximum;
     }
     if (how == "mean") {
-        return f.sum / f.count;
+        const double duration = f.previous_time - f.first_time;
+        return duration > 0 ? f.integral / duration : f.last;
     }
     return how == "at" || how == "when" ? f.at : f.last;
 }

@@ -13,7 +13,9 @@ namespace riprap::run {
 
 /// Running figures of one quantity. State of a run: kept in its checkpoints.
 struct RunningFigures {
-    double last, minimum, maximum, sum, count, previous_time, previous, previous_trigger, at;
+    double last, minimum, maximum;
+    double integral;  ///< over time, by the trapezoidal rule [its unit times s]: steps may differ in length
+    double count, first_time, previous_time, previous, previous_trigger, at;
 };
 
 /// Judgement of one [[expect]].

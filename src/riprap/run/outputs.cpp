@@ -70,8 +70,8 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
                  bool is_continued)
     : folder_(folder),
       model_(model),
-      frame_schedule_(record.frame_interval, record.dt),
-      row_schedule_(record.row_interval, record.dt),
+      frame_schedule_(record.frame_interval, record.next_frame),
+      row_schedule_(record.row_interval, record.next_row),
       planes_(io::draw_planes(model, initial)),
       probe_columns_(all_probe_columns(model)),
       ledger_columns_(all_scene_columns()),
@@ -84,17 +84,24 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
     }
 }
 
-void Outputs::after_step(const sim::Moment& moment) {
-    const std::int64_t step = moment.state.step;
-    if (row_schedule_.due_at(step) >= 0) {
+Due Outputs::due_at(double time, double dt) const {
+    return {row_schedule_.is_due(time, dt), model_.output.vtk && frame_schedule_.is_due(time, dt)};
+}
+
+void Outputs::after_step(const sim::Moment& moment, Due due) {
+    const double time = moment.state.time, dt = moment.state.previous_dt;
+    if (due.row) {
         write_probe_row(moment);
         write_ledger_row(moment);
+        row_schedule_.meet(time, dt);
     }
-    if (model_.output.vtk && frame_schedule_.due_at(step) >= 0) {
+    if (due.frame) {
         write_frame(moment, frame_tag(frame_times_.size()));
-        frame_times_.push_back(moment.state.time);
+        frame_times_.push_back(time);
         write_lists(nullptr);
+        frame_schedule_.meet(time, dt);
     }
+    last_written_ = due;
 }
 
 void Outputs::write_probe_row(const sim::Moment& moment) {
@@ -144,17 +151,18 @@ void Outputs::note(RunRecord& record) {
     io::flush_file_system(folder_.root);  // frames included: what a checkpoint counts on is on the disk before it
     record.csv_bytes = {probes_.bytes(), ledger_.bytes()};
     record.frame_times = frame_times_;
+    record.next_row = row_schedule_.next();
+    record.next_frame = frame_schedule_.next();
 }
 
 void Outputs::at_end(const sim::Moment& moment) {
-    const std::int64_t step = moment.state.step;
-    if (row_schedule_.due_at(step) < 0) {
+    if (!last_written_.row) {
         write_probe_row(moment);
         write_ledger_row(moment);
     }
     probes_.flush(true);
     ledger_.flush(true);
-    if (model_.output.vtk && frame_schedule_.due_at(step) < 0) {
+    if (model_.output.vtk && !last_written_.frame) {
         write_frame(moment, "end");
         write_lists(&moment);
     }

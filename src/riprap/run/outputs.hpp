@@ -12,25 +12,32 @@
 
 namespace riprap::run {
 
-/// Everything a run writes while it runs: frames for ParaView, rows of probes.csv and ledger.csv. What is written
-/// when depends on the step number alone, so a resumed run writes the same files as one that was never stopped.
+/// What is to be written at one step.
+struct Due {
+    bool row{false};    ///< of the tables: the ledger must be complete
+    bool frame{false};  ///< for ParaView
+};
+
+/// Everything a run writes while it runs: frames for ParaView, rows of probes.csv and ledger.csv. The next time at
+/// which each is due is part of a checkpoint, so a resumed run writes the same files as one that was never stopped.
 class Outputs {
  public:
     /// Starts new files, or continues those of a run as the record of its checkpoint says. @throws FileError
     Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, const RunRecord& record,
             bool is_continued);
 
+    /// What is due once a step of length dt has ended at `time` [s]. Asked before the step is taken, so that it is
+    /// known what must be measured in it.
+    Due due_at(double time, double dt) const;
+
     /// Writes what is due at this step. Called for step 0 and after every step.
-    void after_step(const sim::Moment& moment);
+    void after_step(const sim::Moment& moment, Due due);
 
-    /// A row is written at this step, so its ledger must be complete.
-    bool is_row_due(std::int64_t step) const { return row_schedule_.due_at(step) >= 0; }
-
-    /// Puts all rows on the disk and notes the lengths, for a checkpoint.
+    /// Puts all rows on the disk and notes the lengths and the next due times, for a checkpoint.
     void note(RunRecord& record);
 
-    /// The last frame, the last rows and bodies.csv, where the end does not fall on a regular time. Comes after
-    /// `note`: a run that is continued past its end drops these again.
+    /// The last frame and the last rows, where the last step did not write them, and bodies.csv. Comes after `note`:
+    /// a run that is continued past its end drops these again.
     void at_end(const sim::Moment& moment);
 
  private:
@@ -46,6 +53,7 @@ class Outputs {
     std::vector<sim::Column> probe_columns_, ledger_columns_;
     io::GrowingCsv probes_, ledger_;
     std::vector<double> frame_times_;
+    Due last_written_;
 };
 
 /// The intervals of a case with their defaults: end/100 between frames, end/1000 between rows [s].

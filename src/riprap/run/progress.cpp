@@ -14,6 +14,10 @@ namespace {
 constexpr double terminal_period = 0.2;  // [s]
 constexpr double plain_period = 30;      // [s]
 constexpr int bar_width = 24;
+
+double share_done(std::int64_t step, std::int64_t steps_left) {
+    return steps_left > 0 ? static_cast<double>(step) / static_cast<double>(step + steps_left) : 1;
+}
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -31,19 +35,16 @@ std::string duration_text(double seconds) {
     return s < 9.5 ? fmt::format("{:.1f} s", s) : fmt::format("{} s", whole);
 }
 
-Progress::Progress(std::int64_t first_step, std::int64_t last_step, std::int64_t body_count, bool is_quiet)
+Progress::Progress(std::int64_t first_step, std::int64_t body_count, bool is_quiet)
     : first_step_(first_step),
-      last_step_(last_step),
       body_count_(std::max<std::int64_t>(1, body_count)),
       is_quiet_(is_quiet),
       is_terminal_(isatty(STDOUT_FILENO) != 0),
-      next_print_(is_terminal_ ? terminal_period : plain_period),
-      next_tenth_step_(tenth_after(first_step)) {}
+      next_print_(is_terminal_ ? terminal_period : plain_period) {}
 
-std::int64_t Progress::tenth_after(std::int64_t step) const {
-    const auto steps = static_cast<double>(last_step_ - first_step_);
-    const double tenths = std::floor(10 * static_cast<double>(step - first_step_) / std::max(1.0, steps)) + 1;
-    return first_step_ + static_cast<std::int64_t>(std::ceil(tenths * steps / 10));
+int Progress::tenths_done(std::int64_t step, std::int64_t steps_left) const {
+    const auto done = static_cast<double>(step - first_step_);
+    return static_cast<int>(10 * done / std::max(1.0, done + static_cast<double>(steps_left)));
 }
 
 double Progress::cost(std::int64_t step) const {
@@ -51,44 +52,44 @@ double Progress::cost(std::int64_t step) const {
     return done > 0 ? 1e9 * timer_.seconds() / (done * static_cast<double>(body_count_)) : 0;
 }
 
-std::string Progress::line(std::int64_t step, double time) const {
-    const auto done = static_cast<double>(step - first_step_);
-    const double left = done > 0 ? timer_.seconds() / done * static_cast<double>(last_step_ - step) : 0;
-    const double share = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 1;
-    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {:.0f} ns per body-step  {} left", 100 * share, time, step,
-                       last_step_, cost(step), duration_text(left));
+std::string Progress::line(std::int64_t step, std::int64_t steps_left, double time) const {
+    const auto done = static_cast<double>(step - first_step_), left = static_cast<double>(steps_left);
+    const double seconds_left = done > 0 ? timer_.seconds() / done * left : 0;
+    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {:.0f} ns per body-step  {} left",
+                       100 * share_done(step, steps_left), time, step, step + steps_left, cost(step),
+                       duration_text(seconds_left));
 }
 
-void Progress::print(std::int64_t step, double time) {
+void Progress::print(std::int64_t step, std::int64_t steps_left, double time) {
     if (!is_terminal_) {
-        fmt::print("{}\n", line(step, time));
+        fmt::print("{}\n", line(step, steps_left, time));
     } else {
-        const double share = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 1;
-        const auto filled = static_cast<std::size_t>(std::lround(bar_width * std::clamp(share, 0.0, 1.0)));
-        fmt::print("\r\033[K[{:<{}}] {}", std::string(filled, '='), bar_width, line(step, time));
+        const auto filled = static_cast<std::size_t>(std::lround(bar_width * share_done(step, steps_left)));
+        fmt::print("\r\033[K[{:<{}}] {}", std::string(filled, '='), bar_width, line(step, steps_left, time));
     }
     std::fflush(stdout);
 }
 
-void Progress::show(std::int64_t step, double time) {
+void Progress::show(std::int64_t step, std::int64_t steps_left, double time) {
     if (is_quiet_) {
         return;
     }
     const double now = timer_.seconds();
-    const bool is_tenth = !is_terminal_ && step >= next_tenth_step_ && step < last_step_;
+    const int tenths = tenths_done(step, steps_left);
+    const bool is_tenth = !is_terminal_ && tenths > tenths_printed_ && steps_left > 0;
     if (now < next_print_ && !is_tenth) {
         return;
     }
     next_print_ = now + (is_terminal_ ? terminal_period : plain_period);
-    next_tenth_step_ = tenth_after(step);
-    print(step, time);
+    tenths_printed_ = std::max(tenths_printed_, tenths);
+    print(step, steps_left, time);
 }
 
-void Progress::finish(std::int64_t step, double time) {
+void Progress::finish(std::int64_t step, std::int64_t steps_left, double time) {
     if (is_quiet_) {
         return;
     }
-    print(step, time);
+    print(step, steps_left, time);
     if (is_terminal_) {
         fmt::print("\n");
     }

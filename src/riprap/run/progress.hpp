@@ -13,27 +13,28 @@ namespace riprap::run {
 class Progress {
  public:
     /// @param is_quiet  nothing is printed at all
-    Progress(std::int64_t first_step, std::int64_t last_step, std::int64_t body_count, bool is_quiet);
+    Progress(std::int64_t first_step, std::int64_t body_count, bool is_quiet);
 
-    /// Called after every step; prints now and then.
-    void show(std::int64_t step, double time);
+    /// Called after every step; prints now and then. How many steps are left may change from step to step.
+    void show(std::int64_t step, std::int64_t steps_left, double time);
     /// The last line.
-    void finish(std::int64_t step, double time);
+    void finish(std::int64_t step, std::int64_t steps_left, double time);
 
     /// Wall-clock cost so far [ns per body and step]; 0 before the first step.
     double cost(std::int64_t step) const;
     double seconds() const { return timer_.seconds(); }
 
  private:
-    std::string line(std::int64_t step, double time) const;
-    std::int64_t tenth_after(std::int64_t step) const;
-    void print(std::int64_t step, double time);
+    std::string line(std::int64_t step, std::int64_t steps_left, double time) const;
+    /// Of what this process set out to do.
+    int tenths_done(std::int64_t step, std::int64_t steps_left) const;
+    void print(std::int64_t step, std::int64_t steps_left, double time);
 
     Timer timer_;
-    std::int64_t first_step_, last_step_, body_count_;
+    std::int64_t first_step_, body_count_;
     bool is_quiet_, is_terminal_;
-    double next_print_;             ///< [s] of the timer
-    std::int64_t next_tenth_step_;  ///< off a terminal
+    double next_print_;      ///< [s] of the timer
+    int tenths_printed_{0};  ///< off a terminal
 };
 
 /// "1 h 02 min", "3 min 20 s", "12 s"

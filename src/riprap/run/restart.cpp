@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "riprap/sim/time_step.hpp"
+
 namespace riprap::run {
 
 namespace {
@@ -48,11 +50,11 @@ void check_orientations(const io::Checkpoint& checkpoint, const sim::State& stat
 }
 
 void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
-    if (!(record.dt > 0) || !std::isfinite(record.dt) || !std::isfinite(record.end)) {
-        refuse(checkpoint, "the time step or the end of the run is not a positive number");
+    if (!(record.end > 0) || !std::isfinite(record.end)) {
+        refuse(checkpoint, "the end of the run is not a positive number");
     }
-    if (!(record.frame_interval >= 0) || !(record.row_interval >= 0)) {
-        refuse(checkpoint, "an interval between outputs is negative");
+    if (!(record.frame_interval > 0) || !(record.row_interval > 0) || record.next_frame < 0 || record.next_row < 0) {
+        refuse(checkpoint, "an interval between outputs is not positive, or the next output is before time 0");
     }
     if (record.csv_bytes.size() != 2) {
         refuse(checkpoint, "the lengths of the tables are missing");
@@ -105,6 +107,11 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     }
     if (restart.state.step < 0 || restart.state.time < 0) {
         refuse(checkpoint, "time or step is negative");
+    }
+    const sim::StepControl& stepping = restart.state.stepping;
+    if (stepping.halvings < 0 || stepping.halvings > sim::max_halvings || stepping.accepted < 0) {
+        refuse(checkpoint, fmt::format("the time step is halved {} times, {} steps ago; allowed: 0 to {} times",
+                                       stepping.halvings, stepping.accepted, sim::max_halvings));
     }
     check_contacts(checkpoint, model, restart.state.contacts);
     check_orientations(checkpoint, restart.state);

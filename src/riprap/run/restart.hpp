@@ -17,12 +17,15 @@ namespace riprap::run {
 
 /// The driver's memory at one step.
 struct RunRecord {
-    double dt{0};                ///< of every step [s]
-    double end{0};               ///< time asked for, which `riprap resume --end` may have moved [s]
-    std::int64_t max_steps{-1};  ///< likewise
-    double frame_interval{0};    ///< between frames [s]
-    double row_interval{0};      ///< between rows of the tables [s]
-    double wall_seconds{0};      ///< of all processes so far [s]
+    double end{0};                      ///< time asked for, which `riprap resume --end` may have moved [s]
+    std::int64_t max_steps{-1};         ///< likewise
+    double frame_interval{0};           ///< between frames [s]
+    double row_interval{0};             ///< between rows of the tables [s]
+    std::int64_t next_frame{0};         ///< the next frame is due at next_frame * frame_interval
+    std::int64_t next_row{0};           ///< likewise
+    std::int64_t retries{0};            ///< steps refused and taken again with half the length
+    std::int64_t steps_above_bound{0};  ///< steps longer than what the contacts allowed (StepReport::dt_bound)
+    double wall_seconds{0};             ///< of all processes so far [s]
     std::int64_t resumes{0};
     std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
     std::vector<double> frame_times;       ///< times of the frames written [s]
@@ -30,11 +33,14 @@ struct RunRecord {
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
-        visit("run.dt", self.dt);
         visit("run.end", self.end);
         visit("run.max_steps", self.max_steps);
         visit("run.frame_interval", self.frame_interval);
         visit("run.row_interval", self.row_interval);
+        visit("run.next_frame", self.next_frame);
+        visit("run.next_row", self.next_row);
+        visit("run.retries", self.retries);
+        visit("run.steps_above_bound", self.steps_above_bound);
         visit("run.wall_seconds", self.wall_seconds);
         visit("run.resumes", self.resumes);
         visit("run.csv_bytes", self.csv_bytes);

@@ -7,46 +7,32 @@
 
 namespace riprap::run {
 
-/// When something is due that is asked for at regular times. Steps all last `dt`, so the k-th time, k * interval, is
-/// met at the nearest step, round(k * interval / dt): known from the step number alone, hence the same after a
-/// restart. An interval below dt means every step.
+/// When something is due that is asked for at regular times k * interval, k = 0, 1, 2, ...: at the first step at or
+/// after each of them. Steps may differ in length. Several times within one step are met together, so an interval
+/// below dt means every step. `next` is all that a restart needs.
 class Schedule {
  public:
-    Schedule(double interval, double dt) : steps_between_(std::max(1.0, interval / dt)) {}
+    explicit Schedule(double interval, std::int64_t next = 0) : interval_(interval), next_(next) {}
 
-    /// Step at which the k-th time is due.
-    std::int64_t step_of(std::int64_t k) const { return std::llround(static_cast<double>(k) * steps_between_); }
-    /// The k of the time due at `step`, or -1 when nothing is due.
-    std::int64_t due_at(std::int64_t step) const {
-        const auto near = static_cast<std::int64_t>(std::floor(static_cast<double>(step) / steps_between_));
-        for (std::int64_t k = std::max<std::int64_t>(0, near - 1); k <= near + 1; ++k) {
-            if (step_of(k) == step) {
-                return k;
-            }
-        }
-        return -1;
-    }
-
-    /// How many times are due from step 0 to `last_step`.
-    std::int64_t due_count(std::int64_t last_step) const {
-        auto k = static_cast<std::int64_t>(std::floor(static_cast<double>(last_step) / steps_between_)) + 1;
-        while (k >= 0 && step_of(k) > last_step) {
-            --k;
-        }
-        return k + 1;
+    /// The k of the first time that was not met yet.
+    std::int64_t next() const { return next_; }
+    /// @param dt  of the step that ends at `time`: a time missed by round-off counts as met
+    bool is_due(double time, double dt) const { return time + forgiven * dt >= static_cast<double>(next_) * interval_; }
+    /// Everything due until `time` is done.
+    void meet(double time, double dt) {
+        const double last = std::floor((time + forgiven * dt) / interval_);
+        next_ = std::max(next_, static_cast<std::int64_t>(std::clamp(last, 0.0, 9e18))) + 1;
     }
 
  private:
-    double steps_between_;
+    static constexpr double forgiven = 1e-9;  // of a step
+    double interval_;
+    std::int64_t next_;
 };
 
-/// Steps of a run: the first step count n with n * dt >= end, round-off in end/dt forgiven, and at most max_steps
-/// (where not negative). The last step is not shortened: a run may end up to one dt after `end`.
-inline std::int64_t count_steps(double end, double dt, std::int64_t max_steps) {
-    constexpr double forgiven = 1e-9;  // of a step; end/dt carries a few units in the last place of error
-    const double steps = std::ceil(end / dt * (1 - 1e-15) - forgiven);
-    const auto whole = static_cast<std::int64_t>(std::clamp(steps, 0.0, 9e18));
-    return max_steps >= 0 ? std::min(whole, max_steps) : whole;
+/// How many times are met by `steps` equal steps from time 0 on, the times of step 0 included.
+inline double due_count(double interval, double dt, double steps) {
+    return 1 + std::min(steps, std::floor((steps + 1e-9) * dt / interval));
 }
 
 }  // namespace riprap::run

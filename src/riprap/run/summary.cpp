@@ -61,6 +61,8 @@ void write_summary(const RunFolder& folder, const Summary& summary) {
                     {"steps", summary.steps},
                     {"time", summary.time},
                     {"time_step", summary.dt},
+                    {"retries", summary.retries},
+                    {"steps_above_bound", summary.steps_above_bound},
                     {"wall_seconds", summary.wall_seconds},
                     {"bodies", summary.body_count},
                     {"ns_per_body_step", summary.cost},

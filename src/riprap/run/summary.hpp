@@ -18,10 +18,12 @@ struct Summary {
     std::string title;
     std::uint64_t state_hash{0};
     std::int64_t steps{0};
-    double time{0};          ///< [s]
-    double dt{0};            ///< [s]
-    double wall_seconds{0};  ///< of all processes that ran it [s]
-    double cost{0};          ///< of this process [ns per body and step]
+    double time{0};                     ///< [s]
+    double dt{0};                       ///< of the last step [s]
+    std::int64_t retries{0};            ///< steps refused and taken again with half the length
+    std::int64_t steps_above_bound{0};  ///< steps longer than the contacts allowed
+    double wall_seconds{0};             ///< of all processes that ran it [s]
+    double cost{0};                     ///< of this process [ns per body and step]
     std::int64_t body_count{0};
     std::size_t memory_bytes{0};  ///< State and Scratch
     int threads{1};

@@ -26,7 +26,8 @@ const Table& case_table() {
          {"end", {number(dimension::time, positive())}, "Physical time at which the run ends.", {}, true},
          {"time_step",
           {choice({"auto"}), number(dimension::time, positive())},
-          "\"auto\": time_step_factor times the stability limit. A number is refused above the limit unless "
+          "\"auto\": time_step_factor times the stability limit, shortened so that the last step meets the end, and "
+          "halved for a while after a step that was refused. A number is refused above the limit unless "
           "force_time_step is set.",
           Value::of("auto")},
          {"time_step_factor",

@@ -7,21 +7,13 @@
 #include <limits>
 
 #include "riprap/contact/distance_potential_physics.hpp"
-#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/sim/ledger_account.hpp"
+#include "riprap/sim/scratch_data.hpp"
 #include "riprap/solid/explicit_dem.hpp"
-#include "riprap/solid/time_step.hpp"
 
 namespace riprap::sim {
-
-struct ScratchData {
-    contact::ContactPipeline pipeline;
-    contact::BodyLoads loads;
-    body::BodyKinematics kinematics;
-    StageTimes times;
-};
 
 Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
 Scratch::~Scratch() = default;
@@ -30,6 +22,12 @@ Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 const std::vector<contact::ContactRow>& Scratch::contacts() const { return data_->pipeline.rows(); }
 const std::vector<Vec3>& Scratch::contact_force() const { return data_->loads.force; }
 const std::vector<Vec3>& Scratch::contact_torque() const { return data_->loads.torque; }
+
+void Scratch::forget() {
+    const StageTimes times = data_->times;
+    data_ = std::make_unique<ScratchData>();
+    data_->times = times;
+}
 
 StageTimes stage_times(const Scratch& scratch) { return scratch.data().times; }
 
@@ -46,6 +44,15 @@ contact::DistancePotentialPhysics pair_physics(const Model& model, bool with_ene
     contact::DistancePotentialPhysics physics{model.solid.contact};
     physics.options.with_energy = with_energy;
     return physics;
+}
+
+/// Adds to a sum whose rounding errors are kept in `rest` and made good (Kahan): after any number of steps the time
+/// is that of the exact sum to a unit in the last place.
+void add_compensated(double& sum, double& rest, double term) {
+    const double corrected = term - rest;
+    const double next = sum + corrected;
+    rest = (next - sum) - corrected;
+    sum = next;
 }
 
 /// Sums and extremes over the contacts of one step, in fixed blocks of their order.
@@ -156,7 +163,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
                              .friction_loss = sums.friction_loss + lost_springs,
                              .damping_loss = dashpot_loss},
                             state.ledger);
-    state.time += dt;
+    add_compensated(state.time, state.time_rest, dt);
     state.step += 1;
     state.previous_dt = dt;
 
@@ -169,6 +176,9 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
     report.pair_count = contacts.pair_count();
     report.status = judge(model, state, kick, sums, contacts.rows(), kick_time);
+    if (report.status.ok()) {
+        accept_step(state.stepping);
+    }
     return report;
 }
 
@@ -186,26 +196,6 @@ void initialise(const Model& model, State& state) {
         state.bodies.angular_momentum[at(i)] =
             angular_momentum_of(model.bodies, BodyId{i}, driven.pose.orientation, driven.angular_velocity);
     }
-}
-
-TimeStepBound time_step_bound(const Model& model) {
-    const solid::DemTimeStep bound = solid::time_step_bound(model.bodies, model.shapes, model.materials);
-    return {bound.limit, bound.body, bound.reason};
-}
-
-double choose_time_step(const Model& model, const TimeStepBound& bound) {
-    const TimeSettings& time = model.time;
-    if (time.time_step <= 0) {
-        return std::isfinite(bound.limit) ? time.factor * bound.limit : 1e-3 * time.end;
-    }
-    if (time.time_step > bound.limit && !time.force_time_step) {
-        Diagnostic problem;
-        problem.message = fmt::format("time_step = {:.6g} s is above the stability limit {:.6g} s ({})", time.time_step,
-                                      bound.limit, bound.reason);
-        problem.allowed = "use \"auto\", a smaller step, or force_time_step = true";
-        throw CaseError(std::move(problem));
-    }
-    return time.time_step;
 }
 
 std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch) {

@@ -8,6 +8,7 @@
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
+#include "riprap/sim/time_step.hpp"
 #include "riprap/solid/explicit_dem.hpp"
 
 namespace riprap::sim {
@@ -28,6 +29,8 @@ class Scratch {
     /// Sum of contact forces and of their moments about the centre of mass on every body in the last step [N, N m].
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;
+    /// Drops everything but the stage times: for after a step that was refused.
+    void forget();
 
  private:
     std::unique_ptr<ScratchData> data_;
@@ -69,6 +72,7 @@ enum class Measure {
 /// One step. On failure State may be non-finite: the driver keeps the last good one. The first step of a run measures
 /// the energy whatever is asked.
 ///
+/// @param dt     of choose_time_step, or any other [s]
 /// @param loads  what acts on the bodies besides contacts and gravity, held over the step: a fluid's pressure, say
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
                    const solid::ExternalLoads& loads = {});
@@ -77,17 +81,6 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 void initialise(const Model& model, State& state);
 
 StageTimes stage_times(const Scratch& scratch);
-
-/// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
-struct TimeStepBound {
-    double limit{0};     ///< 2/omega_max [s]
-    BodyId body;         ///< the body that sets it
-    std::string reason;  ///< in words, for the log
-};
-TimeStepBound time_step_bound(const Model& model);
-
-/// The step a run uses: model.time.time_step or factor * bound. @throws CaseError when above the bound, unless forced.
-double choose_time_step(const Model& model, const TimeStepBound& bound);
 
 /// Bytes of State and Scratch per body and in all, measured.
 std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch);

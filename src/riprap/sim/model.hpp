@@ -35,6 +35,7 @@ struct TimeSettings {
     double factor{0.15};          ///< s: share of the stability limit 2/omega_max used by the automatic step [-]
     bool force_time_step{false};  ///< accept a time_step above the bound
     std::int64_t max_steps{-1};   ///< stop after so many steps; -1 = no limit
+    bool is_automatic() const { return time_step <= 0; }
 };
 
 /// A time history of one quantity of one body, or of the whole scene.

@@ -15,11 +15,24 @@ struct LedgerState {
     }
 };
 
+/// What decides the length of the next step besides the fields themselves; see time_step.hpp.
+struct StepControl {
+    std::int64_t halvings{0};  ///< the automatic step is 2^-halvings of what is allowed
+    std::int64_t accepted{0};  ///< steps accepted since `halvings` changed; counted while it is not 0
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("stepping.halvings", self.halvings);
+        visit("stepping.accepted", self.accepted);
+    }
+};
+
 /// Everything that changes and must be saved to continue. Restart = write State, read State.
 struct State {
-    double time{0};
+    double time{0};       ///< [s]
+    double time_rest{0};  ///< what `time` has in excess of the exact sum of the steps, known to more digits [s]
     std::int64_t step{0};
     double previous_dt{0};  ///< [s]; a contact's sliding between two kicks lasts (previous_dt + dt)/2
+    StepControl stepping;
     body::BodyState bodies;
     contact::ContactHistory contacts;
     LedgerState ledger;
@@ -27,8 +40,10 @@ struct State {
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
         visit("time", self.time);
+        visit("time_rest", self.time_rest);
         visit("step", self.step);
         visit("previous_dt", self.previous_dt);
+        StepControl::visit_fields(self.stepping, visit);
         body::BodyState::visit_fields(self.bodies, visit);
         contact::ContactHistory::visit_fields(self.contacts, visit);
         LedgerState::visit_fields(self.ledger, visit);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How long the next step is. Everything here is a function of Model and State alone, so a resumed run takes the same
+// steps as one that was never stopped, at any number of threads.
+
+#include <cstdint>
+#include <string>
+
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::sim {
+
+class Scratch;
+
+/// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
+struct TimeStepBound {
+    double limit{0};     ///< 2/omega_max [s]
+    BodyId body;         ///< the body that sets it
+    std::string reason;  ///< in words, for the log
+};
+TimeStepBound time_step_bound(const Model& model);
+
+/// The longest step that solids take: model.time.time_step, or factor * bound where that is automatic [s]. @throws
+/// CaseError for a time_step above the bound, unless forced.
+double largest_time_step(const Model& model, const TimeStepBound& bound);
+
+/// The step to take from a State.
+struct TimeStep {
+    double dt{0};                ///< [s]
+    std::int64_t steps_left{0};  ///< to model.time.end if all are like this one; 0 = the end is reached
+};
+
+/// Chooses the next step. A fixed time_step stays what it is, so that the last step may pass the end by up to one dt.
+/// An automatic one is what every method allows (today largest_time_step alone), halved State::stepping.halvings
+/// times, then shortened so that equal steps meet the end exactly:
+///
+///     n = ceil((end - time) / allowed),   dt = (end - time) / n.
+///
+/// A method whose limit depends on its fields reads them from State here: what it keeps in Scratch for that must not
+/// change the result.
+/// @param scratch  keeps the bound, which depends on Model alone
+TimeStep choose_time_step(const Model& model, const State& state, Scratch& scratch);
+
+/// Equal steps of at most `dt` needed to cover `span` [s]; round-off in span/dt is forgiven. 0 where span is not
+/// positive; saturates at 9e18.
+std::int64_t steps_across(double span, double dt);
+
+/// How often a step is halved before a run gives up, and after how many accepted steps it is doubled again.
+inline constexpr std::int64_t max_halvings = 5;
+inline constexpr std::int64_t steps_until_doubling = 32;
+
+/// Makes the next step from this State half as long: for a step that was refused. False, and nothing changed, where
+/// the step is fixed by the case or was halved max_halvings times already.
+bool halve_time_step(const Model& model, State& state);
+
+/// Counts an accepted step and doubles a halved step when it is time to. Called by `advance`.
+void accept_step(StepControl& stepping);
+
+}  // namespace riprap::sim
