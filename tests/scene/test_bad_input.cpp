@@ -153,6 +153,14 @@ TEST(BadInput, what_cannot_move_by_itself_has_no_velocity_and_no_second_driver) 
                 ElementsAre(HasSubstr("does not follow forces")));
     EXPECT_THAT(problems_of(minimal_case + "fixed = true\nmotion = { linear = { velocity = [1, 0, 0] } }\n"),
                 ElementsAre(HasSubstr("is fixed and has a motion")));
+    EXPECT_THAT(problems_of(minimal_case + "fixed = true\nload = [{ force = [1, 0, 0] }]\n"),
+                ElementsAre(AllOf(HasSubstr("case.toml:11:8: body 'block' has a load and does not follow forces"),
+                                  HasSubstr("release_time"))));
+    EXPECT_THAT(problems_of(minimal_case + "load = [{ force = [1, 0, 0], start = 2, stop = 1 }]\n"),
+                ElementsAre(HasSubstr("a load from 2 s to 1 s")));
+    EXPECT_THAT(problems_of(minimal_case + "load = [{ force = [1, 0, 0] }, { force = [0, 1, 0] }]\n" +
+                            "repeat = { counts = [1100, 1000, 1], pitch = [2, 2, 2] }\n"),
+                ElementsAre(HasSubstr("at most 2000000 loads in a scene")));
     EXPECT_THAT(problems_of(minimal_case + "release_time = 1\n"), ElementsAre(HasSubstr("is free from the start")));
     EXPECT_THAT(problems_of(with(minimal_case, "box = [1.0, 1.0, 0.5]", "half_space = { normal = [0, 0, 1] }")),
                 ElementsAre(HasSubstr("is a half-space, which has no mass")));

@@ -60,11 +60,39 @@ TEST(ReadCase, a_vector_takes_a_unit_per_component_or_in_its_name) {
     EXPECT_EQ(a.state.bodies.position[0], b.state.bodies.position[0]);
 }
 
+TEST(ReadCase, a_load_acts_on_a_point_of_the_shape_of_every_copy) {
+    const LoadedCase loaded = read(with(minimal_case, "{ box = [1.0, 1.0, 0.5] }", "{ wedge = [0.3, 0.6, 0.9] }") + R"(
+position = [10, 0, 0]
+orientation = { axis_angle = { axis = [0, 0, 1], angle_deg = 90 } }
+repeat = { counts = [2, 1, 1], pitch = [5, 0, 0], scales = [1, 2] }
+[[body.load]]
+force = ["2 kN", 0, 0]
+at = [0, 0, 0.9]
+ramp = "1 s"
+[[body.load]]
+force = [0, 0, -5]
+start = 2
+stop = 3
+)");
+    const std::vector<sim::PointLoad>& loads = loaded.model.loads;
+    ASSERT_EQ(loads.size(), 4U);
+    EXPECT_EQ(loads[0].force, (Vec3{2000, 0, 0}));
+    EXPECT_EQ(loads[0].ramp, 1);
+    EXPECT_EQ(loads[1].point, Vec3{});  // the centre of mass
+    EXPECT_EQ(loads[3].stop, 3);
+    EXPECT_EQ(loads[2].body, BodyId{1});
+    // Half a box: the centre of mass is a third of the way from the upright corner. Body axes, so that the turn drops
+    // out.
+    EXPECT_LT(norm(loads[0].point - Vec3{-0.1, -0.3, 0.6}), 1e-12);
+    EXPECT_LT(norm(loads[2].point - Vec3{-0.2, -0.6, 1.2}), 1e-12);
+}
+
 TEST(ReadCase, the_resolved_case_reads_back_to_the_same_model) {
     const std::string text =
         with(minimal_case, "end = 1.0\n", "end = \"1 min\"\ntitle = \"quotes \\\" and \\\\ and \\u00e9\"\n") + R"(
 orientation = { axis_angle = { axis = [1, 1, 0], angle_deg = 30 } }
 repeat = { counts = [2, 3, 2], pitch_cm = [170, 170, 170], random_orientation = true, jitter = 0.01 }
+load = [{ force_kN = [0, 0, 1], ramp = 0.5 }]
 [solid]
 local_damping = 0.1
 [[output.probe]]

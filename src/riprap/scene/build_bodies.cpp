@@ -50,6 +50,14 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
 
 Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()}; }
 
+/// @param scale  of its shape against what the case gives
+void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& body, double scale = 1) {
+    const BodyId id = body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, body);
+    if (const Value* loads = table.find("load")) {
+        add_loads(build, *loads, id, body.pose, scale);
+    }
+}
+
 /// Copies of `body` on a lattice.
 void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
     const Lattice lattice(repeat);
@@ -76,15 +84,16 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
         if (is_turned) {
             copy.pose.orientation = random.orientation(build.is_planar) * copy.pose.orientation;
         }
+        double scale = 1;
         if (scales != nullptr) {
-            const double scale = scales->items[static_cast<std::size_t>(i) % scales->items.size()].as_number();
+            scale = scales->items[static_cast<std::size_t>(i) % scales->items.size()].as_number();
             const auto parts = build.shapes.parts(get(table, "shape"), scale);
             if (!parts) {
                 return;
             }
             copy.parts = *parts;
         }
-        body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, copy);
+        add_with_loads(build, table, copy, scale);
     }
 }
 
@@ -120,7 +129,10 @@ void build_body(CaseBuild& build, const Value& table) {
         return;
     }
     const auto parts = build.shapes.parts(shape);
-    if (!body.material.is_valid() || !parts || !is_turned_well || !is_driven_well) {
+    const Value* loads = table.find("load");
+    const bool is_loaded_well =
+        loads == nullptr || check_loads(build, *loads, body, repeat != nullptr ? Lattice(*repeat).size() : 1);
+    if (!body.material.is_valid() || !parts || !is_turned_well || !is_driven_well || !is_loaded_well) {
         return;
     }
     body.parts = *parts;
@@ -128,7 +140,7 @@ void build_body(CaseBuild& build, const Value& table) {
     if (repeat != nullptr) {
         add_copies(build, table, body, *repeat);
     } else {
-        body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, body);
+        add_with_loads(build, table, body);
     }
 }
 

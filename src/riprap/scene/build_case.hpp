@@ -74,6 +74,14 @@ std::int32_t add_motion(CaseBuild& build, const Value& motion);
 /// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
 std::optional<body::SplineMotion> wave_maker_motion(CaseBuild& build, const Value& table);
 
+/// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.
+bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies);
+
+/// Adds the loads of one body.
+/// @param pose   of its shape as the case gives it
+/// @param scale  of its shape against what the case gives
+void add_loads(CaseBuild& build, const Value& loads, BodyId body, const Pose& pose, double scale);
+
 /// Bodies and parts that the case asks for, from counts alone. A problem, and false, when above limits.hpp.
 bool check_counts(const Value& root, std::vector<Diagnostic>& problems);
 

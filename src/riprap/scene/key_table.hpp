@@ -126,6 +126,7 @@ const Table& body_table();
 const Table& shape_table();
 const Table& orientation_table();
 const Table& motion_table();
+const Table& load_table();
 const Table& repeat_table();
 const Table& pack_table();
 const Table& rock_mass_table();

@@ -269,6 +269,27 @@ const Table& motion_table() {
     return table;
 }
 
+const Table& load_table() {
+    static const Table table{
+        "body.load",
+        "load = [ { ... }, ... ]",
+        "A force on a point of the body. Its direction is fixed in space, its point moves with the body. Its work is "
+        "booked as work_external. Every copy of a repeated body bears it.",
+        {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
+         {"at",
+          {vector(dimension::length)},
+          "Where it acts, in the frame of the shape (grows with the scales of repeat); the centre of mass when not "
+          "given.",
+          {}},
+         {"start", {number(dimension::time, non_negative())}, "No force before.", Value::of(0.0)},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time in which it grows to its full size.",
+          Value::of(0.0)},
+         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}}};
+    return table;
+}
+
 const Table& repeat_table() {
     static const Table table{
         "repeat",
@@ -316,6 +337,7 @@ const Table& body_table() {
           "A fixed or moving body becomes free at this time.",
           {}},
          {"motion", {form::table(motion_table)}, "A prescribed motion.", {}},
+         {"load", {table_list(load_table)}, "Forces on points of it.", {}},
          {"repeat", {form::table(repeat_table)}, "Many copies.", {}}}};
     return table;
 }

@@ -23,6 +23,7 @@ inline constexpr std::int64_t union_parts = 4096;          ///< of one body
 inline constexpr std::int64_t cells = 200'000;             ///< of one Voronoi pack
 inline constexpr std::int64_t rock_blocks = 200'000;       ///< of one jointed rock mass
 inline constexpr std::int64_t table_rows = 1'000'000;      ///< of a motion table
+inline constexpr std::int64_t loads = 2'000'000;           ///< point loads in a scene
 inline constexpr std::size_t problems = 100;               ///< reported in one run
 
 }  // namespace riprap::scene::limits

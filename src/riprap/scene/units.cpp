@@ -42,9 +42,9 @@ constexpr std::array named_units{
     NamedUnit{"deg", {dimension::angle, 0, pi / 180}},
     NamedUnit{"rev", {dimension::angle, 0, 2 * pi}},
     NamedUnit{"rpm", {dimension::angular_velocity, 0, 2 * pi / 60}},
-    NamedUnit{"N", {{1, 1, -2, 0}, 0, 1}},
-    NamedUnit{"kN", {{1, 1, -2, 0}, 3, 1}},
-    NamedUnit{"MN", {{1, 1, -2, 0}, 6, 1}},
+    NamedUnit{"N", {dimension::force, 0, 1}},
+    NamedUnit{"kN", {dimension::force, 3, 1}},
+    NamedUnit{"MN", {dimension::force, 6, 1}},
     NamedUnit{"Pa", {dimension::pressure, 0, 1}},
     NamedUnit{"kPa", {dimension::pressure, 3, 1}},
     NamedUnit{"MPa", {dimension::pressure, 6, 1}},
@@ -79,9 +79,9 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::acceleration, "an acceleration", "m/s^2"},
     NamedDimension{dimension::angular_velocity, "an angular velocity", "rad/s"},
     NamedDimension{dimension::density, "a density", "kg/m^3"},
+    NamedDimension{dimension::force, "a force", "N"},
     NamedDimension{dimension::pressure, "a pressure", "Pa"},
     NamedDimension{dimension::stiffness, "a stiffness", "N/m"},
-    NamedDimension{{1, 1, -2, 0}, "a force", "N"},
     NamedDimension{{2, 1, -2, 0}, "an energy", "J"},
 };
 

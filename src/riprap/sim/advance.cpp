@@ -147,7 +147,8 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     double dashpot_loss = 0;
     {
         const ScopedTimer timer(data.times.move_bodies);
-        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads, loads, gravity,
+        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads,
+                           data.point_loads.add(model.loads, state.bodies, kick_time, loads), gravity,
                            {kick_time, previous_kick, dt}, state.bodies);
         dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, state.contacts, dt);
         solid::drift(model.bodies, state.bodies, state.time + dt, 0.5 * dt);

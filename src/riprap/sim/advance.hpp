@@ -73,7 +73,8 @@ enum class Measure {
 /// the energy whatever is asked.
 ///
 /// @param dt     of choose_time_step, or any other [s]
-/// @param loads  what acts on the bodies besides contacts and gravity, held over the step: a fluid's pressure, say
+/// @param loads  what acts on the bodies besides contacts, gravity and Model::loads, held over the step: a fluid's
+///               pressure, say
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
                    const solid::ExternalLoads& loads = {});
 

@@ -25,6 +25,19 @@ struct Gravity {
     Vec3 at(double time) const;
 };
 
+/// A force on a point of a body: a thrust, a cable, a weight set down. Its direction is fixed in the world, its point
+/// moves with the body. It grows linearly over [start, start + ramp] and ends at `stop`. A body that does not follow
+/// forces does not feel it.
+struct PointLoad {
+    BodyId body;
+    Vec3 force{};                                          ///< at its full size, world axes [N]
+    Vec3 point{};                                          ///< in the frame of the body, from its centre of mass [m]
+    double start{0};                                       ///< [s]
+    double ramp{0};                                        ///< [s]
+    double stop{std::numeric_limits<double>::infinity()};  ///< [s]
+    Vec3 at(double time) const;
+};
+
 /// How solids move; today explicit DEM with the distance potential.
 using SolidSettings = solid::DemSettings;
 
@@ -79,6 +92,7 @@ struct Model {
     material::MaterialSet materials;
     body::BodySet bodies;
     Gravity gravity;
+    std::vector<PointLoad> loads;
     SolidSettings solid;
     TimeSettings time;
     OutputSettings output;

@@ -7,6 +7,7 @@
 
 #include "riprap/contact/pipeline.hpp"
 #include "riprap/sim/advance.hpp"
+#include "riprap/sim/point_loads.hpp"
 
 namespace riprap::sim {
 
@@ -14,6 +15,7 @@ struct ScratchData {
     contact::ContactPipeline pipeline;
     contact::BodyLoads loads;
     body::BodyKinematics kinematics;
+    PointLoadSum point_loads;
     StageTimes times;
     std::optional<double> largest_time_step;  ///< of the solids [s]; set when it is first asked for
 };
