@@ -13,15 +13,20 @@ namespace riprap::fluid {
 
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-[[noreturn]] void refuse_period(double period, double reach) {
-    Diagnostic problem;
-    problem.message = fmt::format("the domain is periodic with a period of {:g} m", period);
-    problem.allowed =
-        fmt::format("at least {:g} m, twice the distance at which particles act on each other", 2 * reach);
-    throw CaseError(std::move(problem));
-}
 }  // namespace
+
+void check_periods(const Domain& domain, double reach) {
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        const double period = domain.high[axis] - domain.low[axis];
+        if (domain.is_periodic[static_cast<std::size_t>(axis)] && !(period >= 2 * reach)) {
+            Diagnostic problem;
+            problem.message = fmt::format("the domain is periodic with a period of {:g} m", period);
+            problem.allowed =
+                fmt::format("at least {:g} m, twice the distance at which particles act on each other", 2 * reach);
+            throw CaseError(std::move(problem));
+        }
+    }
+}
 
 Box box_of(std::span<const Vec3> points) {
     const Box nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
@@ -37,6 +42,7 @@ Box box_of(std::span<const Vec3> points) {
 }
 
 void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
+    check_periods(domain, reach);
     reach_ = reach;
     const Box box = box_of(points);
     for (int axis = 0; axis < 3; ++axis) {
@@ -48,9 +54,6 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
         if (domain.is_periodic[static_cast<std::size_t>(axis)]) {
             a.low = domain.low[axis];
             a.period = domain.high[axis] - domain.low[axis];
-            if (!(a.period >= 2 * reach)) {
-                refuse_period(a.period, reach);
-            }
         } else if (box.low[axis] <= box.high[axis]) {
             a.low = box.low[axis];
         }

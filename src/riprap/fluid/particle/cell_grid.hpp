@@ -11,13 +11,16 @@
 
 namespace riprap::fluid {
 
+/// @throws CaseError  where a period is shorter than two reaches, so that a particle could meet another twice
+void check_periods(const Domain& domain, double reach);
+
 /// Points binned in cells at least one reach wide. The grid covers the points wherever they are; along periodic axes it
 /// covers one period. Its memory is bounded by the number of points: cells grow when the points lie far apart. Points
 /// that are not finite are nobody's neighbours.
 class CellGrid {
  public:
     /// @param reach  distance within which neighbours are asked for [m], > 0
-    /// @throws CaseError  where a period is shorter than two reaches, so that a particle would meet an image of itself
+    /// @throws CaseError  see check_periods
     void build(std::span<const Vec3> points, const Domain& domain, double reach);
 
     /// f(j) for all points within `reach` of x and some beyond, cell by cell, ascending within a cell.

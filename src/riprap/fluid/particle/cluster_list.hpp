@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/fluid/particle/fixed_point.hpp"
+#include "riprap/fluid/particle/lanes.hpp"
+
+namespace riprap::fluid {
+
+/// Particles in clusters of four that follow each other in the State. Entry [cluster][axis][member]; the last cluster
+/// is filled up with copies of the last particle.
+class ClusterPlaces {
+ public:
+    /// Takes the places; returns the square of the farthest that one has come since remember() [m^2], or infinity where
+    /// there is nothing to compare with.
+    double update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
+    void remember();
+
+    std::int64_t size() const { return size_; }
+    std::int64_t cluster_count() const { return (size_ + cluster_size - 1) / cluster_size; }
+    /// Four places along each axis in turn.
+    const std::int32_t* cluster(std::int64_t c) const { return &places_[static_cast<std::size_t>(c * stride_)]; }
+
+ private:
+    std::vector<std::int32_t> places_, remembered_;
+    std::int64_t size_{0}, stride_{0};
+    FixedPoint fixed_, remembered_fixed_;
+};
+
+/// Boxes around clusters, around sixteen of those, and so on: a tree that needs no pointers, since clusters that follow
+/// each other lie near each other. Boxes are in float, relative to the corner of the domain.
+class BoxTree {
+ public:
+    static constexpr int branches = lane_count;
+
+    struct Box {
+        std::array<float, 3> centre, half;  ///< [m]
+    };
+
+    void build(std::span<const Vec3> position, const Domain& domain);
+    /// f(c) for every cluster whose box may come within `distance` [m] of the given box, ascending.
+    template <class F>
+    void for_each_near(const Box& box, float distance, const F& f) const {
+        if (!levels_.empty()) {
+            visit(levels_.size() - 1, 0, box, distance, f);
+        }
+    }
+    Box box(std::int64_t cluster) const;
+    /// Bound of what rounding to float can do to a distance between boxes [m].
+    float slack() const { return slack_; }
+
+ private:
+    /// centre and half size along each axis, sixteen boxes at a time
+    struct Level {
+        std::vector<FloatVector> centre, half;  ///< entry 3 block + axis
+    };
+
+    template <class F>
+    void visit(std::size_t level, std::int64_t block, const Box& box, float distance, const F& f) const {
+        std::uint32_t hits = near(levels_[level], block, box, distance);
+        while (hits != 0) {
+            const std::int64_t entry = block * branches + __builtin_ctz(hits);
+            hits &= hits - 1;
+            if (level == 0) {
+                f(entry);
+            } else {
+                visit(level - 1, entry, box, distance, f);
+            }
+        }
+    }
+    std::uint32_t near(const Level& level, std::int64_t block, const Box& box, float distance) const;
+
+    std::vector<Level> levels_;  ///< from the clusters up to one block
+    std::array<float, 3> period_{};
+    float slack_{0};
+};
+
+/// For every cluster of targets the clusters of candidates that may act on it, ascending. Complete as long as targets
+/// and candidates together have come no further than the skin.
+class ClusterList {
+ public:
+    /// Target clusters of which the lists are kept together, and which one thread sweeps in one go.
+    static constexpr std::int64_t chunk_size = 64;
+
+    /// Brings places and lists up to date with the positions.
+    void update(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
+
+    const ClusterPlaces& targets() const { return targets_; }
+    const ClusterPlaces& candidates() const { return is_same_ ? targets_ : candidates_; }
+    const FixedPoint& fixed() const { return fixed_; }
+    std::int64_t chunk_count() const { return (targets_.cluster_count() + chunk_size - 1) / chunk_size; }
+    std::span<const std::int32_t> near(std::int64_t target_cluster) const {
+        const Chunk& chunk = chunks_[static_cast<std::size_t>(target_cluster / chunk_size)];
+        const auto local = static_cast<std::size_t>(target_cluster % chunk_size);
+        return std::span(chunk.candidates)
+            .subspan(static_cast<std::size_t>(chunk.start[local]),
+                     static_cast<std::size_t>(chunk.start[local + 1] - chunk.start[local]));
+    }
+
+    /// For the record: how often lists were made, how many pairs of clusters they hold, memory [B].
+    std::int64_t builds() const { return builds_; }
+    std::int64_t cluster_pairs() const;
+    std::int64_t bytes() const;
+
+ private:
+    struct Chunk {
+        std::vector<std::int32_t> candidates;
+        std::array<std::int32_t, chunk_size + 1> start;
+    };
+
+    void build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
+    void choose_skin(double support_radius, double moved);
+
+    ClusterPlaces targets_, candidates_;
+    BoxTree target_boxes_, candidate_boxes_;
+    FixedPoint fixed_;
+    std::vector<Chunk> chunks_;
+    double skin_{0};                      ///< [m]
+    std::int64_t sweeps_{0}, builds_{0};  ///< sweeps since the last build; builds
+    bool is_same_{false}, is_complete_{false};
+};
+
+}  // namespace riprap::fluid
