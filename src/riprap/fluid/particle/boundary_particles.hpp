@@ -18,6 +18,8 @@ struct BoundaryParticles {
     std::vector<double> volume;             ///< [m^3]; in 2D [m^2]
     std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
 
+    std::vector<double> pressure;  ///< of the fluid there, found by the fluid [Pa]
+
     /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N].
     std::vector<Vec3> pressure_force, viscous_force;
 

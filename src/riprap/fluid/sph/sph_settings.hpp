@@ -28,7 +28,8 @@ struct SphSettings {
     double smagorinsky{0.12};          ///< C_s of the SPS model [-]
     double density_diffusion{0.1};     ///< delta [-]
     double shifting{2};                ///< A of the particle shifting [-]; 0 = off
-    double courant{0.4};               ///< share of h/(c_0 + v) that a step may last [-]
+    double courant{0.4};               ///< share of h/(c + v) that a step may last [-]
+    bool is_plain{false};              ///< pair sums in double, one pair at a time: the oracle of the fast ones
     std::int64_t sort_interval{50};    ///< steps between sorts of the State by place
     Domain domain;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "riprap/fluid/particle/boundary_particles.hpp"
@@ -27,22 +28,30 @@ class SphScratch {
 
 /// The longest steps that each limit allows [s].
 struct FluidTimeStep {
-    double acoustic;  ///< courant h / (c_0 + max speed)
+    double acoustic;  ///< courant h / (c + max speed), c at the highest density
     double force;     ///< 0.25 sqrt(h / max acceleration)
-    double viscous;   ///< 0.125 h^2 / nu
+    double viscous;   ///< 0.125 h^2 / nu, nu the viscosity or what the artificial one amounts to
     double limit;     ///< the least
     const char* reason;
 };
 
-/// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp).
+/// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
+///
+///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_diffusion + shifted
+///         + work_on_solids + wall_exchange - work_external)
+///
+/// stays the same (docs/theory/sph.md, 6).
 struct FluidReport {
-    double kinetic{0}, potential{0}, internal{0};
-    double dissipated_viscous{0};    ///< in this step
+    double kinetic{0};               ///< sum m v_n.v_(n+1)/2
+    double potential{0};             ///< -sum m g.x; gravity along periodic axes is in work_external
+    double internal{0};              ///< of compression
+    double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
     double dissipated_diffusion{0};  ///< in this step, by the diffusion of density
     double shifted{0};               ///< potential energy that shifting took away in this step
     double work_on_solids{0};        ///< in this step
-    double wall_exchange{0};  ///< in this step: work of mirrored wall pressure that no body sees (docs/theory/sph.md)
-    Vec3 momentum{}, impulse{};  ///< of the fluid [kg m/s]; of gravity and walls in this step [N s]
+    double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees
+    double work_external{0};         ///< in this step, by extra forces and by gravity along periodic axes
+    Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
     double mass{0};              ///< [kg]
     double max_speed{0}, max_acceleration{0};
     std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
@@ -51,18 +60,30 @@ struct FluidReport {
 
 // The step is symplectic for the acoustic system (position Verlet): density is known half a step behind.
 //
-//     rho_(n+1/2) = rho_(n-1/2) + (dt_(n-1) + dt_n)/2 R(x_n, v_n)     update_density, walls at t_n
-//     x_(n+1/2)   = x_n + dt/2 v_n                                    drift
-//     v_(n+1)     = v_n + dt a(x_(n+1/2), rho_(n+1/2), v_n)           accelerate, walls at t_n + dt/2
-//     x_(n+1)     = x_(n+1/2) + dt/2 v_(n+1) + shift                  drift
+//     rho_(n+1/2) = rho_(n-1/2) + (dt_(n-1) + dt_n)/2 R(x_n, v_n)            update_density, walls at t_n
+//     x_(n+1/2)   = x_n + dt/2 v_n                                           drift
+//     v_(n+1)     = v_n + dt a(x_(n+1/2), rho_(n+1/2), v_n), and shifting    accelerate, walls at t_n + dt/2
+//     x_(n+1)     = x_(n+1/2) + dt/2 v_(n+1)                                 drift
 //
-// so loads on solids are known at mid-step, where solids are kicked too.
+// so loads on solids are known at mid-step, where solids are kicked too. The four are called in this order in every
+// step; scratch may be lost between steps, not within one.
 
 FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const ParticleState& state);
+
+/// @param dt  from density to density: (dt_(n-1) + dt_n)/2, dt_0/2 in the first step [s]
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report);
+
+/// @param dt  half the step [s]
 void drift(const SphSettings& settings, ParticleState& state, double dt);
+
+/// Where a particle is no longer sound, at the start or after the kick, report.problem says so; at the start nothing
+/// is changed.
+/// @param dt           the whole step [s]
+/// @param time         t_n, for the report [s]
+/// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
 void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, SphScratch& scratch, FluidReport& report);
+                double dt, double time, SphScratch& scratch, FluidReport& report,
+                std::span<const Vec3> extra_force = {});
 
 }  // namespace riprap::fluid

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/delta_sph.hpp"
+
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/continuity.hpp"
+#include "riprap/fluid/sph/kick.hpp"
+#include "riprap/fluid/sph/momentum.hpp"
+#include "riprap/fluid/sph/pair_sums.hpp"
+#include "riprap/fluid/sph/shifting.hpp"
+#include "riprap/fluid/sph/sph_scratch.hpp"
+#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/sph/wall_pressure.hpp"
+
+namespace riprap::fluid::delta_sph {
+namespace {
+
+WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
+
+void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch) {
+    scratch.pressure.resize(state.density.size());
+    scratch.volume.resize(state.density.size());
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        scratch.pressure[i] = pressure_of(settings, state.density[i]);
+        scratch.volume[i] = settings.particle_mass / state.density[i];
+    });
+}
+
+/// sqrt(2 S:S) from the third sum of Continuity
+double strain_rate(const SphSettings& settings, double sum) {
+    return std::sqrt(std::max(0.0, (settings.domain.dimension + 2) * sum));
+}
+
+/// Molecular viscosity and that of eddies below the spacing, nu_t = (C_s dp)^2 |S| [Smagorinsky1963], [Gotoh2001]
+void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
+    const auto count = scratch.strain.size();
+    scratch.dynamic_viscosity.resize(count);
+    const double mixing = settings.smagorinsky * settings.spacing;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double eddies = mixing * mixing * strain_rate(settings, scratch.strain[i]);
+        scratch.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
+    }
+}
+
+template <class Law>
+void add_forces(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Law& law,
+                SphScratchData& s) {
+    const WendlandC2 kernel = kernel_of(settings);
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const SweepSide<5> targets{state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+    const SweepSide<6> fluid{state.position,
+                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
+    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient;
+    add_pair_sums(settings, Momentum<Law>{kernel, law}, targets, fluid,
+                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
+                   sink_component(c, 1), sink_component(c, 2), sink(s.completeness)},
+                  s.fluid_fluid);
+
+    const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
+    const SweepSide<9> wall{walls.position,
+                            {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
+                             component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
+    add_pair_sums(
+        settings, MomentumFromWalls<Law>{kernel, law}, targets, wall,
+        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat), sink_component(c, 0),
+         sink_component(c, 1), sink_component(c, 2), sink(s.completeness), sink_component(s.wall_hold, 0),
+         sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
+        s.fluid_walls);
+
+    std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
+    add_pair_sums(settings, MomentumOnWalls<Law>{kernel, law},
+                  {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
+                  {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),
+                   sink_component(t, 1), sink_component(t, 2)},
+                  s.walls_fluid);
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        p[w] *= walls.volume[w];
+        t[w] *= walls.volume[w];
+    });
+}
+
+void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& s) {
+    s.force.assign(particles, {});
+    s.concentration_gradient.assign(particles, {});
+    s.heat.assign(particles, 0);
+    s.wall_heat.assign(particles, 0);
+    s.wall_hold.assign(particles, {});
+    s.wall_hold_power.assign(particles, 0);
+    s.completeness.assign(particles, 0);
+    walls.pressure_force.assign(walls.position.size(), {});
+    walls.viscous_force.assign(walls.position.size(), {});
+}
+
+/// Forces in scratch are per volume of the particle; makes them forces on it [N], heat and what is held a power [W].
+void scale_by_volume(SphScratchData& s) {
+    parallel::for_each(static_cast<std::int64_t>(s.force.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.force[i] *= s.volume[i];
+        s.heat[i] = s.volume[i] * (0.5 * s.heat[i] + s.wall_heat[i]);
+        s.wall_hold[i] *= s.volume[i];
+        s.wall_hold_power[i] *= s.volume[i];
+    });
+}
+
+double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
+                       const SphScratchData& s) {
+    if (settings.shifting == 0) {
+        return 0;
+    }
+    const auto shift_one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.completeness[i],
+                                             strain_rate(settings, s.strain[i]), dt);
+        state.position[i] += shift;
+        return settings.particle_mass * dot(gravity, shift);
+    };
+    return parallel::reduce(state.size(), 0.0, shift_one, [](double a, double b) { return a + b; });
+}
+
+}  // namespace
+
+void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                    const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
+    find_pressure(settings, state, s);
+    s.compression.assign(state.density.size(), 0);
+    s.diffusion.assign(state.density.size(), 0);
+    s.strain.assign(state.density.size(), 0);
+    const WendlandC2 kernel = kernel_of(settings);
+    const Vec3 weight = settings.rest_density * gravity;
+    const double h = settings.smoothing_length();
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    add_pair_sums(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
+                  {state.position, {v(0), v(1), v(2), field(s.pressure)}},
+                  {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
+                  {sink(s.compression), sink(s.diffusion), sink(s.strain)}, s.fluid_fluid);
+    add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
+                  {walls.position,
+                   {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
+                    field(walls.volume)}},
+                  {sink(s.compression)}, s.fluid_walls);
+    const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
+    const auto advance_one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const double before = state.density[i], spread = dt * before * diffusivity * s.diffusion[i];
+        const double after = before + dt * before * s.compression[i] + spread, mean = 0.5 * (before + after);
+        state.density[i] = after;
+        // what diffusion takes out of compression: m p/rho^2 d rho
+        return -settings.particle_mass * pressure_of(settings, mean) / (mean * mean) * spread;
+    };
+    report.dissipated_diffusion =
+        parallel::reduce(state.size(), 0.0, advance_one, [](double a, double b) { return a + b; });
+}
+
+void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+    find_pressure(settings, state, s);
+    find_viscosity(settings, s);
+    extrapolate_to_walls(settings, state, walls, gravity, s);
+    clear_forces(state.position.size(), walls, s);
+    if (settings.viscosity == Viscosity::artificial) {
+        const double h = settings.smoothing_length();
+        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
+        add_forces(settings, state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
+    } else {
+        add_forces(settings, state, walls, LaminarViscosity{}, s);
+    }
+    scale_by_volume(s);
+    report.shifted = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
+    kick(settings, state, gravity, dt, s, extra_force, report);
+    book_walls(walls, dt, report);
+}
+
+}  // namespace riprap::fluid::delta_sph

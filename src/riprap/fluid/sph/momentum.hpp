@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/sph/viscosity.hpp"
+
+namespace riprap::fluid {
+
+/// Forces of neighbours in the fluid on particle i per V_i, and what shifting needs, in one sweep:
+///
+///     sums[0..2] = sum V_j (-(p_i + p_j) F d + viscous force)     [N/m^3]
+///     sums[3]    = -sum V_j (viscous force . v)                   twice the heat made at i [W/m^3]
+///     sums[4..6] = sum V_j F d                                    gradient of the concentration of particles [1/m]
+///     sums[7]    = -sum V_j F r^2                                 divergence of position: the dimension where full [-]
+///
+/// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores.
+template <class Viscosity>
+struct Momentum {
+    static constexpr int target_fields = 5;     ///< v, p, mu
+    static constexpr int candidate_fields = 6;  ///< v, p, V, mu
+    static constexpr int sums = 8;
+    WendlandC2 kernel;
+    Viscosity viscosity;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        Real v[3], viscous[3];
+        for (int axis = 0; axis < Dim; ++axis) {
+            v[axis] = target[axis] - candidate[axis];
+        }
+        viscosity.template add<Dim>(v, d, r2, slope, target[4] + candidate[5], viscous);
+        const Real push = (target[3] + candidate[3]) * slope;
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
+            sum[3] = sum[3] - viscous[axis] * v[axis];
+            sum[4 + axis] = sum[4 + axis] + slope * d[axis];
+        }
+        sum[7] = sum[7] - slope * r2;
+    }
+};
+
+/// The same from walls, whose viscous pull is that of a velocity mirrored in the wall, u_w, and whose motion is v_w:
+///
+///     sums[0..2], sums[4..7]  as Momentum with p_w, V_w, u_w
+///     sums[3] = -sum V_w (viscous force . (v_i - v_w))       heat made at the wall [W/m^3]
+///     sums[8..10] = sum V_w p_w F d                           for the wall exchange, which is
+///     sums[11]    = sum V_w p_w F d.v_w                       sums[8..10].v_i - sums[11] (docs/theory/sph.md, 6)
+template <class Viscosity>
+struct MomentumFromWalls {
+    static constexpr int target_fields = 5;     ///< v, p, mu
+    static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
+    static constexpr int sums = 12;
+    WendlandC2 kernel;
+    Viscosity viscosity;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        Real v[3], viscous[3];
+        for (int axis = 0; axis < Dim; ++axis) {
+            v[axis] = target[axis] - candidate[axis];
+        }
+        viscosity.template add<Dim>(v, d, r2, slope * candidate[5], target[4] + target[4], viscous);
+        const Real push = (target[3] + candidate[3]) * slope;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const Real hold = candidate[3] * slope * d[axis];
+            sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
+            sum[3] = sum[3] - viscous[axis] * (target[axis] - candidate[6 + axis]);
+            sum[4 + axis] = sum[4 + axis] + slope * d[axis];
+            sum[8 + axis] = sum[8 + axis] + hold;
+            sum[11] = sum[11] + hold * candidate[6 + axis];
+        }
+        sum[7] = sum[7] - slope * r2;
+    }
+};
+
+/// The same pairs seen from the wall, pressure and viscous part apart: the force on wall particle w per V_w is
+///
+///     sums[0..2] = -sum V_j (p_w + p_j) F d,   sums[3..5] = sum V_j viscous force,   d = x_w - x_j.
+template <class Viscosity>
+struct MomentumOnWalls {
+    static constexpr int target_fields = 5;     ///< u_w, p_w, grip
+    static constexpr int candidate_fields = 6;  ///< v, p, V, mu
+    static constexpr int sums = 6;
+    WendlandC2 kernel;
+    Viscosity viscosity;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        Real v[3], viscous[3];
+        for (int axis = 0; axis < Dim; ++axis) {
+            v[axis] = target[axis] - candidate[axis];
+        }
+        viscosity.template add<Dim>(v, d, r2, slope * target[4], candidate[5] + candidate[5], viscous);
+        const Real push = (target[3] + candidate[3]) * slope;
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[axis] = sum[axis] - push * d[axis];
+            sum[3 + axis] = sum[3 + axis] + viscous[axis];
+        }
+    }
+};
+
+}  // namespace riprap::fluid

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/core/vec3.hpp"
+#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/sph/sph_step.hpp"
+
+namespace riprap::fluid {
+
+/// Buffers of a step, one entry per particle; see the pair physics for what they hold.
+struct SphScratchData {
+    std::vector<double> pressure, volume;   ///< [Pa], [m^3]
+    std::vector<double> density;            ///< a second one, of schemes that sum it [kg/m^3]
+    std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
+
+    std::vector<double> compression, diffusion, strain;  ///< sums of Continuity
+    std::vector<Vec3> force, concentration_gradient;     ///< sums of Momentum
+    std::vector<double> heat, wall_heat, completeness;
+    std::vector<Vec3> wall_hold;          ///< part of the force that is due to p_w, and
+    std::vector<double> wall_hold_power;  ///< its power on the walls, both with a minus
+
+    std::vector<double> wall_weight, wall_pressure;  ///< sums of WallAverages
+    std::vector<Vec3> wall_moment, wall_velocity;
+    std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
+    std::vector<double> grip;             ///< 0 on slippery walls, else 1
+
+    SweepScratch fluid_fluid, fluid_walls, walls_fluid;
+};
+
+}  // namespace riprap::fluid

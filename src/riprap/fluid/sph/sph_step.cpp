@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/sph_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/error.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/delta_sph.hpp"
+#include "riprap/fluid/sph/kick.hpp"
+#include "riprap/fluid/sph/sph_scratch.hpp"
+#include "riprap/fluid/sph/state_equation.hpp"
+
+namespace riprap::fluid {
+namespace {
+
+Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
+
+/// nu of the fluid, or what the artificial one amounts to: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005]
+double kinematic_viscosity(const SphSettings& s) {
+    return s.viscosity == Viscosity::artificial
+               ? s.artificial_alpha * s.sound_speed * s.smoothing_length() / (2 * (s.domain.dimension + 2))
+               : s.kinematic_viscosity;
+}
+
+}  // namespace
+
+SphScratch::SphScratch() : data_(std::make_unique<SphScratchData>()) {}
+SphScratch::~SphScratch() = default;
+SphScratch::SphScratch(SphScratch&&) noexcept = default;
+SphScratch& SphScratch::operator=(SphScratch&&) noexcept = default;
+
+FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const ParticleState& state) {
+    struct Fastest {
+        double speed_squared{0}, density{0};
+    };
+    const auto one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        return Fastest{norm_squared(state.velocity[i]), state.density[i]};
+    };
+    const Fastest fastest =
+        parallel::reduce(state.size(), Fastest{0, settings.rest_density}, one, [](const Fastest& a, const Fastest& b) {
+            return Fastest{std::max(a.speed_squared, b.speed_squared), std::max(a.density, b.density)};
+        });
+    const double h = settings.smoothing_length(), none = std::numeric_limits<double>::infinity();
+    const double nu = kinematic_viscosity(settings);
+    FluidTimeStep step{};
+    step.acoustic =
+        settings.courant * h / (sound_speed_of(settings, fastest.density) + std::sqrt(fastest.speed_squared));
+    step.force = state.max_acceleration > 0 ? 0.25 * std::sqrt(h / state.max_acceleration) : none;
+    step.viscous = nu > 0 ? 0.125 * h * h / nu : none;
+    step.limit = std::min({step.acoustic, step.force, step.viscous});
+    step.reason = step.limit == step.acoustic ? "sound in water"
+                  : step.limit == step.force  ? "acceleration of water"
+                                              : "viscosity of water";
+    return step;
+}
+
+void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                    const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report) {
+    delta_sph::update_density(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report);
+}
+
+void drift(const SphSettings& settings, ParticleState& state, double dt) {
+    const Domain& domain = settings.domain;
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        Vec3& x = state.position[i];
+        x += dt * state.velocity[i];
+        for (int axis = 0; axis < domain.dimension; ++axis) {
+            if (domain.is_periodic[static_cast<std::size_t>(axis)] &&
+                (x[axis] < domain.low[axis] || x[axis] >= domain.high[axis])) {
+                const double period = domain.high[axis] - domain.low[axis];
+                x[axis] -= period * std::floor((x[axis] - domain.low[axis]) / period);
+            }
+        }
+    });
+}
+
+void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+    find_lost_particle(settings, state, time, report);
+    if (!report.problem.empty()) {
+        return;
+    }
+    delta_sph::accelerate(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report,
+                          extra_force);
+    find_wild_particle(settings, state, time, report);
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/state_equation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace riprap::fluid {
+namespace {
+
+/// x^exponent; whole exponents by products, which is the case of water (7) and the inner loop of a step
+double power(double x, double exponent) {
+    if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 16) {
+        double result = 1;
+        for (int k = static_cast<int>(exponent); k > 0; k /= 2) {
+            result *= k % 2 == 1 ? x : 1;
+            x *= x;
+        }
+        return result;
+    }
+    return std::pow(x, exponent);
+}
+
+}  // namespace
+
+double pressure_of(const SphSettings& s, double density) {
+    const double stiffness = s.rest_density * s.sound_speed * s.sound_speed;
+    if (s.state_equation == StateEquation::linear) {
+        return stiffness * (density / s.rest_density - 1);
+    }
+    return stiffness / s.tait_exponent * (power(density / s.rest_density, s.tait_exponent) - 1);
+}
+
+double density_of(const SphSettings& s, double pressure) {
+    const double strain = pressure / (s.rest_density * s.sound_speed * s.sound_speed);
+    if (s.state_equation == StateEquation::linear) {
+        return s.rest_density * std::max(0.0, 1 + strain);
+    }
+    return s.rest_density * std::pow(std::max(0.0, 1 + s.tait_exponent * strain), 1 / s.tait_exponent);
+}
+
+double internal_energy_of(const SphSettings& s, double density) {
+    const double x = density / s.rest_density, c2 = s.sound_speed * s.sound_speed;
+    const double n = s.tait_exponent - 1;
+    if (s.state_equation == StateEquation::linear || n == 0) {
+        return c2 * (std::log(x) + 1 / x - 1);
+    }
+    return c2 / s.tait_exponent * ((power(x, n) - 1) / n + 1 / x - 1);
+}
+
+double sound_speed_of(const SphSettings& s, double density) {
+    if (s.state_equation == StateEquation::linear) {
+        return s.sound_speed;
+    }
+    return s.sound_speed * std::pow(density / s.rest_density, (s.tait_exponent - 1) / 2);
+}
+
+SoundSpeed choose_sound_speed(double gravity, double depth, double max_speed) {
+    const double wave = std::sqrt(gravity * depth);
+    const char* const which = wave >= max_speed ? "sqrt(g depth)" : "the fastest motion";
+    const double value = 10 * std::max(wave, max_speed);
+    return {value, fmt::format("c_0 = 10 x {} = {:.4g} m/s (depth {:.4g} m, fastest motion {:.4g} m/s)", which, value,
+                               depth, max_speed)};
+}
+
+}  // namespace riprap::fluid

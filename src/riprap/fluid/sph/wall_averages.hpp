@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/particle/math.hpp"
+
+namespace riprap::fluid {
+
+/// Averages of the fluid at a wall particle, from which its pressure and mirrored velocity follow [Adami2012, eqs. 22,
+/// 23, 27], with d = x_w - x_j:
+///
+///     sums[0] = sum W,   sums[1] = sum p_j W,   sums[2..4] = sum rho_j d W,   sums[5..7] = sum v_j W.
+struct WallAverages {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 5;  ///< v, p, rho
+    static constexpr int sums = 8;
+    WendlandC2 kernel;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        const Real weight = kernel.value(sqrt(r2));
+        sum[0] = sum[0] + weight;
+        sum[1] = sum[1] + weight * candidate[3];
+        const Real moment = weight * candidate[4];
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[2 + axis] = sum[2 + axis] + moment * d[axis];
+            sum[5 + axis] = sum[5 + axis] + weight * candidate[axis];
+        }
+    }
+};
+
+}  // namespace riprap::fluid
