@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+
+namespace riprap::fluid {
+
+/// What an instrument in the water reads.
+enum class GaugeKind : std::uint8_t {
+    pressure,  ///< at a point, on a wall too [Pa]
+    velocity,  ///< at a point [m/s], 3 numbers
+    level,     ///< height of the water column above a point at the bed [m]
+    surface,   ///< along a line: distance from its start to the last crossing of the surface [m]
+    run_up,  ///< along a line that lies just above a slope: distance from its start to where water from there ends [m]
+    flow,    ///< through a rectangle, positive along its normal [m^3/s], in 2D [m^2/s]
+    volume,  ///< of water in a box [m^3], in 2D [m^2]; behind a crest: overtopping
+};
+
+/// One instrument: Model.
+struct Gauge {
+    std::string name;
+    GaugeKind kind{GaugeKind::pressure};
+    Vec3 point{};      ///< where; start of a line; lower corner of a box or rectangle [m]
+    Vec3 end{};        ///< end of a line; upper corner of a box or rectangle [m]
+    Vec3 up{0, 0, 1};  ///< unit vector against gravity, for `level` [-]
+};
+
+/// How a kind is written in a case, its unit and how many numbers it gives.
+struct GaugeInfo {
+    GaugeKind kind;
+    std::string_view name, unit;
+    int components;
+};
+const GaugeInfo& info_of(GaugeKind kind);
+/// nullptr when there is no such kind.
+const GaugeInfo* find_gauge_kind(std::string_view name);
+
+/// Reads one gauge from the particles, in the order of the State (same bits at any thread count). A dry place reads 0.
+///
+/// pressure, velocity: moving least squares of first order with the kernel as weight, exact for linear fields also on a
+/// wall, where one half of the support is empty; where too few particles lie near, their weighted mean [Liu2006].
+/// level: integral of the water fraction along the vertical, sum_j V_j W(r_j) with r_j the horizontal distance and W
+/// the kernel in one dimension less: it sees spray and voids as a capacitance gauge does. Within 2 h of a side wall it
+/// reads too little. surface, run_up: the fraction sum_j V_j W crosses one half. flow: sum_j V_j (v_j . n) W(s_j), s_j
+/// the distance from the plane and W the kernel in one dimension, over the particles beside the rectangle.
+std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state);
+
+}  // namespace riprap::fluid

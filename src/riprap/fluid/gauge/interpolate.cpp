@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/gauge/interpolate.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace riprap::fluid {
+
+namespace {
+
+/// A place with less water than this share counts as dry [-].
+constexpr double dry_fraction = 0.1;
+/// With less than this share of the support filled, as on a lip of spray, a slope would be a guess [-].
+constexpr double slope_fraction = 0.2;
+/// Smallest pivot, over the sum of weights, at which the particles determine a slope. A half-filled support has 0.02.
+constexpr double smallest_pivot = 1e-3;
+
+}  // namespace
+
+SideKernel::SideKernel(double smoothing_length, int dimension)
+    : smoothing_length_(smoothing_length),
+      peak_(dimension == 1 ? 0.75 / smoothing_length
+                           : 1.75 / (std::numbers::pi * smoothing_length * smoothing_length)) {}
+
+double SideKernel::value(double r) const {
+    const double rest = std::max(0.0, 1 - 0.5 * r / smoothing_length_);
+    return peak_ * rest * rest * rest * rest * (5 - 4 * rest);
+}
+
+std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
+                                             const ParticleState& state) {
+    const double reach = settings.support_radius();
+    const Vec3 way = b - a;
+    const double length_squared = norm_squared(way);
+    std::vector<std::size_t> near;
+    for (std::size_t j = 0; j < state.position.size(); ++j) {
+        const Vec3 d = state.position[j] - a;
+        const double share = length_squared > 0 ? std::clamp(dot(d, way) / length_squared, 0.0, 1.0) : 0.0;
+        if (norm_squared(d - share * way) < reach * reach) {
+            near.push_back(j);
+        }
+    }
+    return near;
+}
+
+double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
+                      const std::vector<std::size_t>& near) {
+    const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    double sum = 0;
+    for (const std::size_t j : near) {
+        sum += settings.particle_mass / state.density[j] * kernel.value(norm(state.position[j] - x));
+    }
+    return sum;
+}
+
+void LinearFit::add(double weight, const std::array<double, 4>& base, double value) {
+    for (std::size_t r = 0; r < 4; ++r) {
+        values[r] += weight * base[r] * value;
+        for (std::size_t c = 0; c < 4; ++c) {
+            moments[r][c] += weight * base[r] * base[c];
+        }
+    }
+}
+
+double LinearFit::value(int dimension) const {
+    const double fraction = moments[0][0];
+    if (fraction < dry_fraction) {
+        return 0;
+    }
+    const double mean = values[0] / fraction;
+    if (fraction < slope_fraction) {
+        return mean;
+    }
+    // Cholesky without roots, from the last base function to the first, so that the first unknown is the last pivot.
+    auto m = moments;
+    auto v = values;
+    for (auto k = static_cast<std::size_t>(dimension); k > 0; --k) {
+        if (m[k][k] < smallest_pivot * fraction) {
+            return mean;
+        }
+        for (std::size_t r = 0; r < k; ++r) {
+            const double factor = m[r][k] / m[k][k];
+            for (std::size_t c = 0; c <= r; ++c) {
+                m[r][c] -= factor * m[c][k];
+                m[c][r] = m[r][c];
+            }
+            v[r] -= factor * v[k];
+        }
+    }
+    return m[0][0] < smallest_pivot * fraction ? mean : v[0] / m[0][0];
+}
+
+}  // namespace riprap::fluid

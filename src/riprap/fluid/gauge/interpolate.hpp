@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+
+namespace riprap::fluid {
+
+/// Wendland's C2 polynomial (1 - q/2)^4 (1 + 2 q) normalised in one dimension, 3/(4 h), or two, 7/(4 pi h^2): weights
+/// across a line or a plane.
+class SideKernel {
+ public:
+    SideKernel(double smoothing_length, int dimension);
+    double value(double r) const;  ///< [1/m^dimension]
+
+ private:
+    double smoothing_length_, peak_;
+};
+
+/// Indices of the particles within a support of the line from a to b, ascending.
+std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
+                                             const ParticleState& state);
+
+/// sum_j V_j W(|x - x_j|) over the listed particles: 1 inside water, about one half at its surface and on a wall [-].
+double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
+                      const std::vector<std::size_t>& near);
+
+/// Sums of a first-order moving least-squares fit about one point: the moments of the weights and of weight times value
+/// against the base {1, dx/h, dy/h, dz/h}.
+struct LinearFit {
+    std::array<std::array<double, 4>, 4> moments{};
+    std::array<double, 4> values{};
+
+    void add(double weight, const std::array<double, 4>& base, double value);
+    /// The value of the fit at the point. The weighted mean where the particles do not determine a slope, 0 where the
+    /// place is dry.
+    double value(int dimension) const;
+};
+
+/// A field of the particles at x by moving least squares; `field(j)` is its value at particle j.
+template <class Field>
+double interpolate(const Vec3& x, const SphSettings& settings, const ParticleState& state, const Field& field) {
+    const double h = settings.smoothing_length();
+    const WendlandC2 kernel(h, settings.domain.dimension);
+    LinearFit fit;
+    for (const std::size_t j : particles_near_line(x, x, settings, state)) {
+        const Vec3 d = state.position[j] - x;
+        const double weight = settings.particle_mass / state.density[j] * kernel.value(norm(d));
+        fit.add(weight, {1, d.x / h, d.y / h, d.z / h}, field(j));
+    }
+    return fit.value(settings.domain.dimension);
+}
+
+}  // namespace riprap::fluid

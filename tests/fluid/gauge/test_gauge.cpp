@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/gauge/gauge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/fluid/sph/state_equation.hpp"
+
+namespace riprap::fluid {
+namespace {
+
+/// Water 1 x 0.5 (x 0.5 in 3D) on a lattice, lower corner at the origin, up is +y in 2D and +z in 3D.
+struct Tank {
+    SphSettings settings;
+    ParticleState state;
+
+    explicit Tank(int dimension, double spacing = 0.02) {
+        settings.spacing = spacing;
+        settings.sound_speed = 30;
+        settings.domain.dimension = dimension;
+        settings.particle_mass = settings.rest_density * std::pow(spacing, dimension);
+        const auto count = [&](double length) { return static_cast<int>(std::lround(length / spacing)); };
+        for (int k = 0; k < (dimension == 3 ? count(0.5) : 1); ++k) {
+            for (int j = 0; j < count(0.5); ++j) {
+                for (int i = 0; i < count(1); ++i) {
+                    const double z = dimension == 3 ? (k + 0.5) * spacing : 0.0;
+                    state.position.push_back({(i + 0.5) * spacing, (j + 0.5) * spacing, z});
+                    state.velocity.push_back({});
+                    state.density.push_back(settings.rest_density);
+                }
+            }
+        }
+    }
+    Vec3 up() const { return settings.domain.dimension == 2 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
+    double read(GaugeKind kind, const Vec3& point, const Vec3& end = {}) const {
+        return read_gauge({"gauge", kind, point, end, up()}, settings, state)[0];
+    }
+};
+
+TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corners) {
+    for (const int dimension : {2, 3}) {
+        Tank tank(dimension);
+        const auto field = [](const Vec3& x) { return Vec3{1 + 2 * x.x - x.y + 3 * x.z, x.y, -x.x}; };
+        for (std::size_t j = 0; j < tank.state.position.size(); ++j) {
+            tank.state.velocity[j] = field(tank.state.position[j]);
+        }
+        const double z = dimension == 3 ? 0.21 : 0.0;
+        for (const Vec3 x : {Vec3{0.5, 0.25, z}, Vec3{0.0, 0.25, z}, Vec3{1.0, 0.0, z}}) {
+            const auto v = read_gauge({"v", GaugeKind::velocity, x, {}, tank.up()}, tank.settings, tank.state);
+            EXPECT_NEAR(v[0], field(x).x, 1e-12);
+            EXPECT_NEAR(v[1], field(x).y, 1e-12);
+        }
+    }
+}
+
+TEST(Gauge, hydrostatic_pressure_is_read_on_the_bed_of_a_tank) {
+    Tank tank(2);
+    const double depth = 0.5;
+    for (std::size_t j = 0; j < tank.state.position.size(); ++j) {
+        const double p = 1000 * 9.81 * (depth - tank.state.position[j].y);
+        tank.state.density[j] = density_of(tank.settings, p);
+    }
+    EXPECT_NEAR(tank.read(GaugeKind::pressure, {0.5, 0, 0}), 1000 * 9.81 * depth, 1e-3);
+    EXPECT_NEAR(tank.read(GaugeKind::pressure, {0, 0.1, 0}), 1000 * 9.81 * 0.4, 1e-3);
+}
+
+TEST(Gauge, levels_integrate_the_water_and_surfaces_find_its_edge) {
+    const Tank tank(2);
+    EXPECT_NEAR(tank.read(GaugeKind::level, {0.5, 0, 0}), 0.5, 2e-3);
+    EXPECT_NEAR(tank.read(GaugeKind::surface, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(GaugeKind::run_up, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    const Tank deep(3);
+    EXPECT_NEAR(deep.read(GaugeKind::level, {0.5, 0.25, 0}), 0.5, 2e-3);
+}
+
+TEST(Gauge, a_void_lowers_the_level_but_not_the_surface) {
+    Tank tank(2);
+    ParticleState holed = tank.state;
+    holed.position.clear();
+    for (const Vec3& x : tank.state.position) {
+        if (x.y < 0.2 || x.y > 0.3) {
+            holed.position.push_back(x);
+        }
+    }
+    holed.density.resize(holed.position.size());
+    tank.state = holed;
+    EXPECT_NEAR(tank.read(GaugeKind::level, {0.5, 0, 0}), 0.4, 2e-3);
+    EXPECT_NEAR(tank.read(GaugeKind::surface, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(GaugeKind::run_up, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.1, 1e-3);
+}
+
+TEST(Gauge, a_uniform_stream_flows_through_a_section_at_speed_times_area) {
+    for (const int dimension : {2, 3}) {
+        Tank tank(dimension);
+        for (Vec3& v : tank.state.velocity) {
+            v = {1.5, 0.2, 0};
+        }
+        const double area = dimension == 2 ? 0.5 : 0.25;
+        EXPECT_NEAR(tank.read(GaugeKind::flow, {0.5, 0, 0}, {0.5, 0.5, 0.5}), 1.5 * area, 2e-3 * area);
+    }
+}
+
+TEST(Gauge, the_water_in_a_box_has_its_volume_and_a_dry_place_reads_nothing) {
+    const Tank tank(3);
+    EXPECT_NEAR(tank.read(GaugeKind::volume, {0.8, 0, 0}, {2, 1, 1}), 0.2 * 0.25, 1e-12);
+    for (const GaugeKind kind : {GaugeKind::pressure, GaugeKind::velocity, GaugeKind::level}) {
+        EXPECT_EQ(tank.read(kind, {3, 0.25, 0.25}), 0);
+    }
+    EXPECT_EQ(tank.read(GaugeKind::surface, {3, 0.25, 0}, {3, 0.25, 1}), 0);
+}
+
+TEST(Gauge, every_kind_is_found_by_its_name) {
+    for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume"}) {
+        const GaugeInfo* info = find_gauge_kind(name);
+        ASSERT_NE(info, nullptr) << name;
+        EXPECT_EQ(info_of(info->kind).name, name);
+    }
+    EXPECT_EQ(find_gauge_kind("temperature"), nullptr);
+}
+
+}  // namespace
+}  // namespace riprap::fluid
