@@ -22,16 +22,27 @@ constexpr std::array<GaugeInfo, 7> infos{{{GaugeKind::pressure, "pressure", "Pa"
 /// A line is looked at in steps of this share of the spacing.
 constexpr double line_step = 0.25;
 
+/// A unit vector normal to `up` and, in two dimensions, in the plane.
+Vec3 across(const Vec3& up, int dimension) {
+    if (dimension == 2) {
+        return {up.y, -up.x, 0};
+    }
+    const Vec3 least = std::abs(up.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    return normalized(least - dot(least, up) * up);
+}
+
 double level(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
-    const SideKernel kernel(settings.smoothing_length(), settings.domain.dimension - 1);
+    const bool is_planar = settings.domain.dimension == 2;
+    const Vec3 first = across(gauge.up, settings.domain.dimension);
+    const Vec3 second = cross(gauge.up, first);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
         const Vec3 d = state.position[j] - gauge.point;
-        const double height = dot(d, gauge.up);
-        if (height < 0) {
-            continue;
+        double weight = dot(d, gauge.up) < 0 ? 0.0 : spline_weight(dot(d, first), settings.spacing);
+        if (weight > 0 && !is_planar) {
+            weight *= spline_weight(dot(d, second), settings.spacing);
         }
-        sum += settings.particle_mass / state.density[j] * kernel.value(norm(d - height * gauge.up));
+        sum += weight > 0 ? settings.particle_mass / state.density[j] * weight : 0.0;
     }
     return sum;
 }
@@ -106,11 +117,10 @@ double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState
     const int axis = settings.domain.dimension == 2
                          ? (std::abs(gauge.end.x - gauge.point.x) < std::abs(gauge.end.y - gauge.point.y) ? 0 : 1)
                          : normal_axis(gauge);
-    const SideKernel kernel(settings.smoothing_length(), 1);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
         const Vec3& x = state.position[j];
-        const double weight = kernel.value(std::abs(x[axis] - gauge.point[axis]));
+        const double weight = spline_weight(x[axis] - gauge.point[axis], settings.spacing);
         if (weight > 0 && is_between(x, gauge.point, gauge.end, axis, settings.domain.dimension)) {
             sum += settings.particle_mass / state.density[j] * weight * state.velocity[j][axis];
         }

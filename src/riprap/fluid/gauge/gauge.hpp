@@ -45,10 +45,10 @@ const GaugeInfo* find_gauge_kind(std::string_view name);
 ///
 /// pressure, velocity: moving least squares of first order with the kernel as weight, exact for linear fields also on a
 /// wall, where one half of the support is empty; where too few particles lie near, their weighted mean [Liu2006].
-/// level: integral of the water fraction along the vertical, sum_j V_j W(r_j) with r_j the horizontal distance and W
-/// the kernel in one dimension less: it sees spray and voids as a capacitance gauge does. Within 2 h of a side wall it
-/// reads too little. surface, run_up: the fraction sum_j V_j W crosses one half. flow: sum_j V_j (v_j . n) W(s_j), s_j
-/// the distance from the plane and W the kernel in one dimension, over the particles beside the rectangle.
+/// level: integral of the water fraction along the vertical, sum_j V_j B(a_j) B(b_j) with a_j, b_j the horizontal
+/// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
+/// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.
+/// flow: sum_j V_j (v_j . n) B(s_j), s_j the distance from the plane, over the particles beside the rectangle.
 std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state);
 
 }  // namespace riprap::fluid

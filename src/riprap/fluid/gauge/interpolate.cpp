@@ -2,7 +2,6 @@
 #include "riprap/fluid/gauge/interpolate.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace riprap::fluid {
 
@@ -17,14 +16,13 @@ constexpr double smallest_pivot = 1e-3;
 
 }  // namespace
 
-SideKernel::SideKernel(double smoothing_length, int dimension)
-    : smoothing_length_(smoothing_length),
-      peak_(dimension == 1 ? 0.75 / smoothing_length
-                           : 1.75 / (std::numbers::pi * smoothing_length * smoothing_length)) {}
-
-double SideKernel::value(double r) const {
-    const double rest = std::max(0.0, 1 - 0.5 * r / smoothing_length_);
-    return peak_ * rest * rest * rest * rest * (5 - 4 * rest);
+double spline_weight(double distance, double width) {
+    const double u = std::abs(distance) / width;
+    if (u >= 2) {
+        return 0;
+    }
+    const double tail = (2 - u) * (2 - u) * (2 - u);
+    return (u < 1 ? 4 - 6 * u * u + 3 * u * u * u : tail) / (6 * width);
 }
 
 std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,

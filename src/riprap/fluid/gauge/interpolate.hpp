@@ -11,16 +11,9 @@
 
 namespace riprap::fluid {
 
-/// Wendland's C2 polynomial (1 - q/2)^4 (1 + 2 q) normalised in one dimension, 3/(4 h), or two, 7/(4 pi h^2): weights
-/// across a line or a plane.
-class SideKernel {
- public:
-    SideKernel(double smoothing_length, int dimension);
-    double value(double r) const;  ///< [1/m^dimension]
-
- private:
-    double smoothing_length_, peak_;
-};
+/// Cubic B-spline of width w: a weight across a line or plane that ends at 2 w. Its sum over points w apart is exactly
+/// 1/w wherever they begin, so rows of particles at their spacing count exactly.
+double spline_weight(double distance, double width);  ///< [1/m]
 
 /// Indices of the particles within a support of the line from a to b, ascending.
 std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
