@@ -12,6 +12,7 @@ struct ContactKinematics {
     Vec3 relative_spin;      ///< omega_A - omega_B [rad/s]
     double sliding_time;     ///< time between the last contact evaluation and this one [s]
     double effective_mass;   ///< 1/m_e = n.(1/m_A + 1/m_B)n + (r_A x n) J_A^-1 (r_A x n) + same of B [kg]
+    double tangential_mass;  ///< the same with a mean over all directions across n [kg]
 };
 
 }  // namespace riprap::contact

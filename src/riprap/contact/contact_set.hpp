@@ -87,10 +87,12 @@ struct ContactRow {
     Vec3 moment;            ///< couple on A besides (point - centre) x force [N m]
     double elastic_energy;  ///< stored in the overlap [J]
     double friction_loss;   ///< dissipated by sliding in this step [J]
-    double dashpot;         ///< part of the normal force that the dashpot adds, either sign [N]
-    double closing_speed;   ///< along the normal, before the kick [m/s]
-    float gershgorin_a;     ///< contribution to omega_max^2 of A's body [1/s^2]
-    float gershgorin_b;
+    Vec3 dashpot;           ///< part of `force` that dashpots add [N]
+    double dashpot_power;   ///< dashpot . (v_A - v_B) before the kick; what they take is negative [W]
+    float omega_squared_a;  ///< share in the highest omega^2 of A's body, see stability.hpp [1/s^2]
+    float omega_squared_b;
+    float damping_a;  ///< the same of the dashpots [1/s]
+    float damping_b;
     float normal_force;  ///< size of the normal force, damping included [N]
     float shear_force;   ///< size of the tangential force [N]
     float overlap;       ///< [m]

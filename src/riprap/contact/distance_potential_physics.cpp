@@ -3,6 +3,7 @@
 
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/contact/law/coulomb.hpp"
+#include "riprap/contact/stability.hpp"
 
 namespace riprap::contact {
 
@@ -16,15 +17,14 @@ void DistancePotentialPhysics::find_contacts(const Candidate& pair, SeparatingCa
     }
     const double force = norm(normal.force);
     const Vec3 n = force > 0 ? -normal.force / force : Vec3{0, 0, 1};
-    const double inverse_a = inverse_mass_at(a, normal.point, n), inverse_b = inverse_mass_at(b, normal.point, n);
+    const Mobility mobility_a = mobility_at(a, normal.point, n), mobility_b = mobility_at(b, normal.point, n);
 
     FoundContact& contact = found.add(feature_key(0, 0));
     const ShearState before = contact.springs;
-    coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, inverse_a + inverse_b),
-            contact.is_old() ? &before : nullptr, contact.springs, contact.row);
-    const double coupling = std::sqrt(inverse_a * inverse_b);
-    contact.row.gershgorin_a = static_cast<float>(normal.stiffness * (inverse_a + coupling));
-    contact.row.gershgorin_b = static_cast<float>(normal.stiffness * (inverse_b + coupling));
+    const LinearContact linear =
+        coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, mobility_a, mobility_b),
+                contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+    set_stability(linear, mobility_a, mobility_b, contact.row);
 }
 
 template double ContactPipeline::find_contacts(const DistancePotentialPhysics& physics, const ContactScene& scene,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include "riprap/contact/pipeline.hpp"
+#include "riprap/contact/stability.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
@@ -50,8 +52,7 @@ void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodySt
 }
 
 double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::BodyState& state,
-                                     const body::BodyKinematics& kinematics, const ContactHistory& history,
-                                     double dt) const {
+                                     const body::BodyKinematics& kinematics, double dt) const {
     const auto velocity_at = [&](std::int32_t part, const Vec3& point) {
         const std::size_t body = at(scene.bodies.parts[at(part)].body.value);
         const Vec3 spin = kinematics.inverse_mass[body] > 0
@@ -63,27 +64,28 @@ double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::Body
         static_cast<std::int64_t>(rows_.size()), 0.0,
         [&](std::int64_t i) {
             const ContactRow& row = rows_[at(i)];
-            if (row.dashpot == 0) {
+            if (row.dashpot == Vec3{}) {
                 return 0.0;
             }
             const Vec3 relative = velocity_at(row.parts.a, row.point) - velocity_at(row.parts.b, row.point);
-            return 0.5 * (row.closing_speed + dot(relative, history.normal[at(i)])) * row.dashpot * dt;
+            return -0.5 * (row.dashpot_power + dot(relative, row.dashpot)) * dt;
         },
         [](double a, double b) { return a + b; });
 }
 
-double ContactPipeline::gershgorin_bound(const ContactScene& scene) const {
-    constexpr std::int64_t block = 256;  // a maximum does not depend on it
+double ContactPipeline::stable_step(const ContactScene& scene) const {
+    constexpr std::int64_t block = 256;  // a minimum does not depend on it
     return parallel::reduce(
-        scene.bodies.size(), 0.0,
+        scene.bodies.size(), std::numeric_limits<double>::infinity(),
         [&](std::int64_t body) {
-            double sum = 0;
-            visit_contacts_of(at(body), scene.bodies, [&sum](const ContactRow& row, std::int32_t part) {
-                sum += row.parts.a == part ? row.gershgorin_a : row.gershgorin_b;
+            double omega_squared = 0, damping = 0;
+            visit_contacts_of(at(body), scene.bodies, [&](const ContactRow& row, std::int32_t part) {
+                omega_squared += row.parts.a == part ? row.omega_squared_a : row.omega_squared_b;
+                damping += row.parts.a == part ? row.damping_a : row.damping_b;
             });
-            return sum;
+            return contact::stable_step(omega_squared, damping);
         },
-        [](double a, double b) { return std::max(a, b); }, block);
+        [](double a, double b) { return std::min(a, b); }, block);
 }
 
 }  // namespace riprap::contact

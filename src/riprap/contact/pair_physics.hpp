@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "riprap/body/body_kinematics.hpp"
-#include "riprap/contact/contact_kinematics.hpp"
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/frame.hpp"
 #include "riprap/contact/narrowphase/separating_cache.hpp"
@@ -35,23 +34,6 @@ struct Candidate {
     const material::PairProperties& surfaces;
     double sliding_time;  ///< since the last evaluation [s]
 };
-
-/// 1/m + (r x n) . J^-1 (r x n): how easily a push along n at a point moves a body there [1/kg].
-inline double inverse_mass_at(const PairSide& side, const Vec3& point, const Vec3& n) {
-    const Vec3 turn = cross(point - side.center, n);
-    return side.inverse_mass + dot(turn, side.inverse_inertia * turn);
-}
-
-/// How the two bodies of a candidate move at a point, where `inverse` is the sum of their inverse_mass_at it [1/kg].
-inline ContactKinematics kinematics_at(const Candidate& pair, const Vec3& point, double inverse) {
-    const PairSide &a = pair.a, &b = pair.b;
-    return {.relative_velocity =
-                a.velocity + cross(a.spin, point - a.center) - b.velocity - cross(b.spin, point - b.center),
-            .mean_spin = 0.5 * (a.spin + b.spin),
-            .relative_spin = a.spin - b.spin,
-            .sliding_time = pair.sliding_time,
-            .effective_mass = inverse > 0 ? 1 / inverse : 0};
-}
 
 /// A contact that the physics of a pair reports.
 struct FoundContact {

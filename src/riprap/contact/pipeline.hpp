@@ -44,12 +44,13 @@ class ContactPipeline {
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
     void gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const;
-    /// Energy the dashpots take in a step of length dt: force times the mean of the closing speeds before and after the
+    /// Energy the dashpots take in a step of length dt: force times the mean of the velocities before and after the
     /// kick, which is what the kick did to the kinetic energy [J]. Call after the kick, `kinematics` still that before.
     double dashpot_loss(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,
-                        const ContactHistory& history, double dt) const;
-    /// Largest sum of Gershgorin terms over the contacts of one body, an upper bound of omega^2 [1/s^2].
-    double gershgorin_bound(const ContactScene& scene) const;
+                        double dt) const;
+    /// The step that the contacts as they are allow, by Gershgorin's theorem (docs/theory/time-step.md) [s]; infinity
+    /// without contacts.
+    double stable_step(const ContactScene& scene) const;
 
     const std::vector<ContactRow>& rows() const { return rows_; }
     std::int64_t pair_count() const { return static_cast<std::int64_t>(cache_.pairs().size()); }

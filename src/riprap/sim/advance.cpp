@@ -150,7 +150,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
         kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads,
                            data.point_loads.add(model.loads, state.bodies, kick_time, loads), gravity,
                            {kick_time, previous_kick, dt}, state.bodies);
-        dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, state.contacts, dt);
+        dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, dt);
         solid::drift(model.bodies, state.bodies, state.time + dt, 0.5 * dt);
     }
     const ScopedTimer timer(data.times.measure);
@@ -169,8 +169,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     state.previous_dt = dt;
 
     report.dt = dt;
-    const double omega_squared = contacts.gershgorin_bound(scene);
-    report.dt_bound = omega_squared > 0 ? 2 / std::sqrt(omega_squared) : std::numeric_limits<double>::infinity();
+    report.dt_bound = contacts.stable_step(scene);
     report.max_speed = kick.max_speed;
     report.max_potential = sums.potential;
     report.max_depth = sums.overlap;

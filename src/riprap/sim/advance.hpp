@@ -50,10 +50,9 @@ struct StepStatus {
 /// What one step reports.
 struct StepReport {
     StepStatus status;
-    Ledger ledger;       ///< complete where Measure asks for it
-    double dt{0};        ///< [s]
-    double dt_bound{0};  ///< 2/omega_max of the contacts as they are now [s]; infinity without contacts or where energy
-                         ///< is not measured
+    Ledger ledger;            ///< complete where Measure asks for it
+    double dt{0};             ///< [s]
+    double dt_bound{0};       ///< step that the contacts as they are now allow [s]; infinity without contacts
     double max_speed{0};      ///< [m/s]
     double max_potential{0};  ///< deepest normalised overlap [-]
     double max_depth{0};      ///< [m]

@@ -37,40 +37,51 @@ struct Stiffness {
     double literal;   ///< tangential springs given in N/m, one on every face [N/m]
     double gradient;  ///< k_n/r of its softest part: pressure per depth [Pa/m]
     double mass;      ///< [kg]
+    int face_count{0};
 };
 
 Stiffness stiffness_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                        const material::MaterialSet& materials, std::int32_t body, const LargestShear& shear) {
     Mat3 covered{};
-    double literal = 0;
+    int face_count = 0;
     double radius = std::numeric_limits<double>::infinity();
     for (std::int32_t p = bodies.part_begin[at(body)]; p < bodies.part_begin[at(body) + 1]; ++p) {
         const body::Part& part = bodies.parts[at(p)];
         const Mat3 turn = to_matrix(part.local.orientation);
         const Mat3 tensor = turn * shapes.area_tensor(part.shape) * transpose(turn);
         covered = covered + (1 - shear.ratio) * tensor + (shear.ratio * trace(tensor)) * Mat3::identity();
-        literal += shear.stiffness * shapes.view(part.shape).face_count;
+        face_count += shapes.view(part.shape).face_count;
         radius = std::min(radius, shapes.view(part.shape).inscribed_radius);
     }
     const Vec3 eigenvalues = symmetric_eigen(covered).values;
+    const double literal = shear.stiffness * face_count;
     return {std::max({eigenvalues.x, eigenvalues.y, eigenvalues.z}), literal,
-            materials[bodies.material[at(body)]].normal_stiffness / radius, bodies.mass[at(body)]};
+            materials[bodies.material[at(body)]].normal_stiffness / radius, bodies.mass[at(body)], face_count};
 }
 
-/// The largest damping ratio of any pair of materials [-].
-double largest_damping(const material::MaterialSet& materials) {
-    double ratio = 0;
+/// The largest damping ratios of any pair of materials [-].
+struct LargestDamping {
+    double ratio{0};           ///< of all pairs
+    double ratio_of_rough{0};  ///< of those with friction or cohesion, damped tangentially as well
+};
+
+LargestDamping largest_damping(const material::MaterialSet& materials) {
+    LargestDamping largest;
     for (const material::PairProperties& pair : materials.pairs) {
-        ratio = std::max(ratio, pair.damping_ratio);
+        largest.ratio = std::max(largest.ratio, pair.damping_ratio);
+        if (pair.friction > 0 || pair.cohesion > 0) {
+            largest.ratio_of_rough = std::max(largest.ratio_of_rough, pair.damping_ratio);
+        }
     }
-    return ratio;
+    return largest;
 }
 
 /// What the dashpots leave of the limit 2/omega: sqrt(1 + z^2) - z for a dashpot that uses the velocity before the
-/// kick, z the modal damping ratio. The stiffest mode of a body between two neighbours has omega^2 twice that of one
-/// contact, so z = sqrt(2) xi.
-double damped_share(double damping_ratio) {
-    const double modal = std::sqrt(2.0) * damping_ratio;
+/// kick, z the modal damping ratio. N equal contacts that work on one mode give z = sqrt(N) xi: two for a body between
+/// two neighbours, all its faces where contacts are damped tangentially as well.
+double damped_share(const LargestDamping& damping, int face_count) {
+    const double modal =
+        std::max(std::sqrt(2.0) * damping.ratio, std::sqrt(static_cast<double>(face_count)) * damping.ratio_of_rough);
     return std::sqrt(1 + modal * modal) - modal;
 }
 
@@ -105,13 +116,14 @@ DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSe
         }
     }
     DemTimeStep bound{std::numeric_limits<double>::infinity(), BodyId{}, "no free body"};
-    const double share = damped_share(largest_damping(materials));
+    const LargestDamping damping = largest_damping(materials);
     const Stiffness support{0, 0, steepest_support, std::numeric_limits<double>::infinity()};
     for (std::int32_t body = 0; body < bodies.size(); ++body) {
         if (!can_move(bodies, body)) {
             continue;
         }
         const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);
+        const double share = damped_share(damping, own.face_count);
         struct Neighbour {
             const Stiffness* stiffness;
             const char* name;

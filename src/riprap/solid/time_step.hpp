@@ -23,8 +23,9 @@ struct DemTimeStep {
 ///
 /// lambda the largest eigenvalue of sum_faces A_f [n n^T + s (I - n n^T)], s the largest k_s/k_n. The neighbour j is
 /// tried as the body itself, the lightest free body, the stiffest free body (largest k/r) and the stiffest immovable
-/// one. Dashpots, which use the velocity before the kick, leave sqrt(1 + z^2) - z of 2/omega_max, z = sqrt(2) xi. Two
-/// cubes of side a and modulus k_n in an undamped frictionless lattice give dt = (a/2) sqrt(rho/k_n).
+/// one. Dashpots, which use the velocity before the kick, leave sqrt(1 + z^2) - z of 2/omega_max, z = sqrt(N) xi with N
+/// the number of faces where contacts are damped tangentially too, else 2. Two cubes of side a and modulus k_n in an
+/// undamped frictionless lattice give dt = (a/2) sqrt(rho/k_n).
 DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                             const material::MaterialSet& materials);
 

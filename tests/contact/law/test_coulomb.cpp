@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace riprap::contact {
 namespace {
 
@@ -17,8 +19,12 @@ NormalContact pressed(double force) {
 }
 
 ContactKinematics sliding(const Vec3& velocity, double dt = 1e-3) {
-    return {
-        .relative_velocity = velocity, .mean_spin = {}, .relative_spin = {}, .sliding_time = dt, .effective_mass = 4};
+    return {.relative_velocity = velocity,
+            .mean_spin = {},
+            .relative_spin = {},
+            .sliding_time = dt,
+            .effective_mass = 4,
+            .tangential_mass = 3};
 }
 
 const material::PairProperties rough{.shear_ratio = 0.5, .friction = 0.4};
@@ -132,10 +138,65 @@ TEST(Coulomb, TheDashpotOpposesApproachAndNeverPulls) {
     // A moves down onto B: 2 xi sqrt(m K) v = 0.2 * sqrt(4e6) * 0.5 = 200 N.
     coulomb(pressed(1000), damped, sliding({0, 0, -0.5}), nullptr, after, row);
     EXPECT_NEAR(row.force.z, 1200, 1e-3);
-    EXPECT_GT(row.dashpot * row.closing_speed, 0);
+    EXPECT_NEAR(row.dashpot_power, -200 * 0.5, 1e-3);
     coulomb(pressed(1000), damped, sliding({0, 0, 50}), nullptr, after, row);
     EXPECT_EQ(row.force.z, 0);
-    EXPECT_GT(row.dashpot * row.closing_speed, 0);
+    EXPECT_LT(row.dashpot_power, 0);
+}
+
+TEST(Coulomb, AStuckSpringRingsDownAtTheDampingRatioOfThePair) {
+    const material::PairProperties damped{.shear_ratio = 0.5, .friction = 1, .damping_ratio = 0.05};
+    const double mass = 3, omega = std::sqrt(0.5e6 / mass), dt = 0.002 / omega;
+    ShearState springs{}, after{};
+    ContactRow row;
+    double velocity = 1e-2, first_peak = 0, last_peak = 0, peak = 0;
+    int zero_count = 0;
+    for (int step = 0; zero_count < 9; ++step) {
+        const double force_before = springs.shear_force.x;
+        coulomb(pressed(1000), damped, sliding({velocity, 0, 0}, dt), step == 0 ? nullptr : &springs, after, row);
+        velocity += dt / mass * row.force.x;
+        springs = after;
+        ASSERT_EQ(row.is_sliding, 0);
+        peak = std::max(peak, std::abs(springs.shear_force.x));
+        if (force_before * springs.shear_force.x < 0) {
+            (zero_count == 0 ? first_peak : last_peak) = peak;
+            peak = 0;
+            ++zero_count;
+        }
+    }
+    // Eight half cycles from the first peak to the last, each exp(-pi xi / sqrt(1 - xi^2)).
+    const double expected = std::exp(-8 * std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
+    EXPECT_NEAR(last_peak / first_peak, expected, 2e-3 * expected);
+}
+
+TEST(Coulomb, SpringAndDashpotTogetherStayWithinTheFrictionLimit) {
+    const material::PairProperties damped{.shear_ratio = 0.5, .friction = 0.4, .damping_ratio = 0.3};
+    ShearState after;
+    ContactRow row;
+    for (const double angle : {0.0, 1.0, 2.0, 3.0}) {
+        for (const double speed : {0.01, 0.3, 0.7}) {
+            const ShearState before{{0, 0, -1}, {350, 0, 0}, 0, 0.1};
+            const Vec3 velocity{speed * std::cos(angle), speed * std::sin(angle), 0};
+            coulomb(pressed(1000), damped, sliding(velocity, 1e-5), &before, after, row);
+            EXPECT_LE(std::hypot(row.force.x, row.force.y), 400 * (1 + 1e-12)) << angle << " " << speed;
+            EXPECT_LE(row.dashpot_power, 0);
+            // 2 xi sqrt(3 * 0.5e6) = 735 N s/m: the slowest is not cut off.
+            if (speed == 0.01) {
+                EXPECT_NEAR(row.dashpot_power, -734.8469 * 1e-4, 1e-6);
+            }
+        }
+    }
+}
+
+TEST(Coulomb, ASlidingContactHasNoTangentialDashpot) {
+    material::PairProperties damped = rough;
+    damped.damping_ratio = 0.3;
+    ShearState after;
+    ContactRow row;
+    coulomb(pressed(1000), damped, sliding({3, 4, 0}), nullptr, after, row);
+    EXPECT_EQ(row.is_sliding, 1);
+    EXPECT_EQ(norm(row.dashpot), 0);
+    EXPECT_NEAR(std::hypot(row.force.x, row.force.y), 400, 1e-10);
 }
 
 TEST(Coulomb, TorsionOpposesRelativeSpinUpToTheSpinMomentOfThePressure) {

@@ -38,69 +38,112 @@ struct SpringResult {
     bool is_sliding;
 };
 
-SpringResult advance_springs(const NormalContact& normal, const material::PairProperties& pair,
-                             const ContactKinematics& kinematics, double closing, double normal_force,
-                             const ShearState* before, ShearState& after) {
+/// How stiff and how strong a contact is across its normal in this step.
+struct Tangential {
+    double stiffness;  ///< K_s [N/m]
+    double strength;   ///< largest force [N]
+    double torsion_stiffness;
+};
+
+Tangential tangential(const NormalContact& normal, const material::PairProperties& pair, double normal_force) {
     const double stiffness = pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * normal.stiffness;
     const double strength = normal_force * pair.friction + pair.cohesion * normal.area;
-    double friction_loss = before != nullptr ? before->shear_energy : 0;
     if (strength <= 0 || stiffness <= 0) {
+        return {};
+    }
+    return {stiffness, strength, pair.has_torsion ? stiffness * normal.area / (2 * std::numbers::pi) : 0};
+}
+
+SpringResult advance_springs(const NormalContact& normal, const Tangential& shear, double friction,
+                             const ContactKinematics& kinematics, const Vec3& sliding, const ShearState* before,
+                             ShearState& after) {
+    double friction_loss = before != nullptr ? before->shear_energy : 0;
+    if (shear.strength <= 0) {
         return {friction_loss, false};
     }
     const Vec3& n = after.normal;
-    const double dt = kinematics.sliding_time;
+    const double dt = kinematics.sliding_time, stiffness = shear.stiffness;
     const double mean_turn = dot(kinematics.mean_spin, n) * dt;
     const Vec3 old_force =
         before != nullptr ? turn_with_contact(before->shear_force, before->normal, n, mean_turn) : Vec3{};
-    const Vec3 trial = old_force - (stiffness * dt) * (kinematics.relative_velocity - closing * n);
-    const double share = cut_off(norm(trial), strength);
+    const Vec3 trial = old_force - (stiffness * dt) * sliding;
+    const double share = cut_off(norm(trial), shear.strength);
     after.shear_force = share * trial;
     after.shear_energy = norm_squared(after.shear_force) / (2 * stiffness);
     friction_loss += dot(old_force + after.shear_force, trial - old_force) / (2 * stiffness) - after.shear_energy;
 
-    const double torsion_stiffness = stiffness * normal.area / (2 * std::numbers::pi);
-    if (pair.has_torsion && torsion_stiffness > 0) {
+    if (shear.torsion_stiffness > 0) {
         const double old_torsion = before != nullptr ? before->torsion : 0;
-        const double trial_torsion = old_torsion - torsion_stiffness * dot(kinematics.relative_spin, n) * dt;
-        const double limit = pair.friction * normal.spin_moment;
+        const double trial_torsion = old_torsion - shear.torsion_stiffness * dot(kinematics.relative_spin, n) * dt;
+        const double limit = friction * normal.spin_moment;
         after.torsion = cut_off(std::abs(trial_torsion), limit) * trial_torsion;
-        const double energy = after.torsion * after.torsion / (2 * torsion_stiffness);
+        const double energy = after.torsion * after.torsion / (2 * shear.torsion_stiffness);
         after.shear_energy += energy;
         friction_loss +=
-            (old_torsion + after.torsion) * (trial_torsion - old_torsion) / (2 * torsion_stiffness) - energy;
+            (old_torsion + after.torsion) * (trial_torsion - old_torsion) / (2 * shear.torsion_stiffness) - energy;
     }
     return {friction_loss, share < 1};
 }
 
+/// The share of `drag` that a spring force within its limit can bear: the largest s <= 1 with |spring + s drag| <=
+/// strength.
+double share_within(const Vec3& spring, const Vec3& drag, double strength) {
+    const double a = norm_squared(drag), b = dot(spring, drag);
+    const double room = std::max(0.0, strength * strength - norm_squared(spring));
+    if (a + 2 * b <= room) {
+        return 1;
+    }
+    // The root of a s^2 + 2 b s = room in the form that loses no digits for either sign of b.
+    const double root = std::sqrt(b * b + a * room);
+    return std::min(1.0, b > 0 ? room / (b + root) : (root - b) / a);
+}
+
 }  // namespace
 
-void coulomb(const NormalContact& normal, const material::PairProperties& pair, const ContactKinematics& kinematics,
-             const ShearState* before, ShearState& after, ContactRow& row) {
+LinearContact coulomb(const NormalContact& normal, const material::PairProperties& pair,
+                      const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
+                      ContactRow& row) {
     const double elastic = norm(normal.force);
     const Vec3 n = elastic > 0 ? -normal.force / elastic : Vec3{0, 0, 1};
     const double closing = dot(kinematics.relative_velocity, n);
+    const Vec3 sliding = kinematics.relative_velocity - closing * n;
+    LinearContact linear{.normal_stiffness = normal.stiffness};
 
     double normal_force = elastic;
     if (pair.damping_ratio > 0) {
-        const double dashpot = 2 * pair.damping_ratio * std::sqrt(kinematics.effective_mass * normal.stiffness);
-        normal_force = std::max(0.0, elastic + dashpot * closing);
+        linear.normal_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.effective_mass * normal.stiffness);
+        normal_force = std::max(0.0, elastic + linear.normal_damping * closing);
     }
+    const Tangential shear = tangential(normal, pair, normal_force);
+    linear.shear_stiffness = shear.stiffness;
+    linear.torsion_stiffness = shear.torsion_stiffness;
     after = {n, {}, 0, 0};
-    const SpringResult springs = advance_springs(normal, pair, kinematics, closing, normal_force, before, after);
+    const SpringResult springs = advance_springs(normal, shear, pair.friction, kinematics, sliding, before, after);
+
+    Vec3 drag{};
+    if (pair.damping_ratio > 0 && shear.stiffness > 0) {
+        linear.shear_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.tangential_mass * shear.stiffness);
+        if (!springs.is_sliding) {
+            drag = -linear.shear_damping * sliding;
+            drag = share_within(after.shear_force, drag, shear.strength) * drag;
+        }
+    }
+    const Vec3 tangential_force = after.shear_force + drag;
 
     row.point = normal.point;
-    row.force = after.shear_force - normal_force * n;
+    row.force = tangential_force - normal_force * n;
     row.moment = normal.moment + after.torsion * n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
-    row.dashpot = normal_force - elastic;
-    row.closing_speed = closing;
+    row.dashpot = drag - (normal_force - elastic) * n;
+    row.dashpot_power = dot(row.dashpot, kinematics.relative_velocity);
     row.normal_force = static_cast<float>(normal_force);
-    row.shear_force = static_cast<float>(norm(after.shear_force));
+    row.shear_force = static_cast<float>(norm(tangential_force));
     row.overlap = static_cast<float>(normal.depth);
     row.potential = static_cast<float>(normal.potential);
     row.area = static_cast<float>(normal.area);
     row.is_sliding = springs.is_sliding ? 1 : 0;
+    return linear;
 }
 
 }  // namespace riprap::contact

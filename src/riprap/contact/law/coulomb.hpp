@@ -3,6 +3,7 @@
 
 #include "riprap/contact/contact_kinematics.hpp"
 #include "riprap/contact/contact_set.hpp"
+#include "riprap/contact/stability.hpp"
 #include "riprap/material/material_set.hpp"
 
 namespace riprap::contact {
@@ -18,14 +19,19 @@ namespace riprap::contact {
 ///
 ///     f_n = max(0, |F| + 2 xi sqrt(m_e K_n) v.n),   n from A to B.
 ///
+/// A contact that sticks is damped along its tangential spring by the same ratio, -2 xi sqrt(m_t K_s) [v - (v.n) n], as
+/// far as spring and dashpot together stay within the limit; one that slides has friction for that.
+///
 /// Torsion (optional): a spring K_s S_c/(2 pi) against relative spin about n, limited by mu times the spin moment of
 /// the pressure. Differs from the source: c is a stress (the source's "2.14 Pa"), so the cohesive force is c S_c.
 ///
 /// @param normal  elastic normal contact, force on A
 /// @param before  springs of the last step, nullptr for a new contact
 /// @param after   springs after this step
-/// @param row     filled but for the parts and the Gershgorin terms
-void coulomb(const NormalContact& normal, const material::PairProperties& pair, const ContactKinematics& kinematics,
-             const ShearState* before, ShearState& after, ContactRow& row);
+/// @param row     filled but for the parts and the stability
+/// @returns the springs and dashpots that act
+LinearContact coulomb(const NormalContact& normal, const material::PairProperties& pair,
+                      const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
+                      ContactRow& row);
 
 }  // namespace riprap::contact
