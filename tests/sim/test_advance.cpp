@@ -137,7 +137,7 @@ TEST(Advance, StateHasTheSameBitsAtAnyThreadCount) {
     for (const int threads : {1, 2, 3, 4}) {
         parallel::set_thread_count(threads);
         SmallScene scene = tumbling_pile();
-        const StepReport report = scene.run(1000, scene.automatic_step());
+        const StepReport report = scene.run(1200, scene.automatic_step());
         ASSERT_TRUE(report.status.ok()) << report.status.text;
         ASSERT_GT(report.contact_count, 20);
         if (threads == 1) {
