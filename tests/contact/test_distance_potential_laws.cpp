@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <numbers>
 #include <random>
@@ -115,6 +116,40 @@ TEST_F(ContactLaws, TheVectorAreasOfBothPatchesCancel) {
         integrate_surface({va, a_in_b, vb, Potential::distance, {}, 1e-14, false, work}, on_a);
         integrate_surface({vb, b_in_a, va, Potential::distance, {}, 1e-14, false, work}, on_b);
         EXPECT_NEAR(norm(fb.axes * on_a.area + fa.axes * on_b.area), 0, 1e-13) << "pair " << i;
+    }
+}
+
+TEST_F(ContactLaws, AnUprightCornerOnAFaceGivesTheClosedFormForce) {
+    // The tip is a tetrahedron of height d and volume c d^3. Over it the depth below the slab's face has the mean d/4,
+    // that below the nearest of the other three faces 1/12 of their altitude: sqrt(3) d for a cube, d for a regular
+    // tetrahedron.
+    struct Corner {
+        geometry::Polyhedron shape;
+        Vec3 tip;           ///< the corner that points down
+        double radius;      ///< inscribed
+        double volume;      ///< c
+        double face_depth;  ///< mean depth below the nearest face of the corner, over d
+    };
+    const double sqrt3 = std::sqrt(3.0), slab_radius = 0.5;
+    const std::array<Corner, 2> corners{{{geometry::cube(1), {0.5, 0.5, 0.5}, 0.5, sqrt3 / 2, sqrt3 / 12},
+                                         {geometry::regular_tetrahedron(1),
+                                          {1, 1, 1},
+                                          1 / std::sqrt(24.0),
+                                          std::pow(1.5, 1.5) / (6 * std::sqrt(2.0)),
+                                          1.0 / 12}}};
+    for (const Corner& corner : corners) {
+        const Vec3 up{0, 0, 1}, axis = cross(normalized(corner.tip), -up);
+        const Quat upright = from_rotation_vector(std::acos(dot(normalized(corner.tip), -up)) * normalized(axis));
+        const double reach = corner.shape.vertices.empty() ? 0 : std::sqrt(norm_squared(corner.shape.vertices[0]));
+        const double depth = 0.05;
+        const Block slab = add(geometry::box({4, 4, 1}), {{0, 0, -0.5}, {}});
+        const Block block = add(corner.shape, {{0, 0, reach - depth}, upright});
+        const NormalContact contact = pairs.fast(block, slab);
+        const double energy =
+            corner.volume * std::pow(depth, 4) * (0.25 / slab_radius + corner.face_depth / corner.radius);
+        EXPECT_NEAR(contact.energy, energy, 1e-12 * energy);
+        EXPECT_NEAR(contact.force.z, 4 * energy / depth, 1e-10 * energy / depth);
+        EXPECT_NEAR(contact.potential, depth / slab_radius, 1e-12);
     }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/bench/broadphase.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -47,20 +50,6 @@ Spheres scatter(std::int32_t count) {
     return spheres;
 }
 
-/// Slope of log t against log n by least squares.
-double log_log_slope(const std::vector<double>& n, const std::vector<double>& t) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < n.size(); ++i) {
-        const double x = std::log(n[i]), y = std::log(t[i]);
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-    }
-    const auto m = static_cast<double>(n.size());
-    return (m * sxy - sx * sy) / (m * sxx - sx * sx);
-}
-
 void require_equal(std::size_t found, std::size_t expected, const char* method) {
     if (found != expected) {
         throw InternalError(fmt::format("{} finds {} pairs instead of {}", method, found, expected));
@@ -86,21 +75,48 @@ void compare_searches(std::int32_t count, std::vector<Result>& results) {
 
 }  // namespace
 
+std::vector<double> search_times(Search search, std::span<const std::int32_t> counts) {
+    std::vector<double> times;
+    for (const std::int32_t count : counts) {
+        const Spheres spheres = scatter(count);
+        std::vector<contact::PartPair> pairs;
+        contact::MultilevelGrid levels;
+        contact::SingleGrid single;
+        const auto find = [&] {
+            if (search == Search::multilevel_grid) {
+                levels.find_pairs(spheres.bounds(), {}, skin, 2, pairs);
+            } else {
+                single.find_pairs(spheres.bounds(), skin, pairs);
+            }
+        };
+        times.push_back(time_calls(find).median);
+    }
+    return times;
+}
+
+double log_log_slope(std::span<const std::int32_t> counts, std::span<const double> times) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double x = std::log(counts[i]), y = std::log(times[i]);
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    const auto m = static_cast<double>(counts.size());
+    return (m * sxy - sx * sy) / (m * sxx - sx * sx);
+}
+
 void broadphase_slope(const Setting& setting, std::vector<Result>& results) {
     for (const int threads : setting.thread_counts) {
         const ThreadScope scope(threads);
-        std::vector<double> n, t;
+        constexpr std::array counts{1000, 2000, 5000, 10'000, 20'000, 50'000, 100'000};
+        const std::vector<double> times = search_times(Search::multilevel_grid, counts);
         std::string each;
-        for (const std::int32_t count : {1000, 2000, 5000, 10'000, 20'000, 50'000, 100'000}) {
-            const Spheres spheres = scatter(count);
-            std::vector<contact::PartPair> pairs;
-            contact::MultilevelGrid levels;
-            const Timing timing = time_calls([&] { levels.find_pairs(spheres.bounds(), {}, skin, 2, pairs); });
-            n.push_back(count);
-            t.push_back(timing.median);
-            each += fmt::format("{}{}: {:.0f}", each.empty() ? "" : ", ", count, 1e9 * timing.median / count);
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            each += fmt::format("{}{}: {:.0f}", each.empty() ? "" : ", ", counts[i], 1e9 * times[i] / counts[i]);
         }
-        results.push_back({"broadphase.slope", threads, log_log_slope(n, t), "-",
+        results.push_back({"broadphase.slope", threads, log_log_slope(counts, times), "-",
                            "log of time against log of bodies, a tenth of them ten times the size of the others, "
                            "constant density; ns a body at " +
                                each});

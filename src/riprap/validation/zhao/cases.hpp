@@ -17,6 +17,10 @@ void slope_2(const CaseSetting& setting, CaseReport& report);
 void slope_3(const CaseSetting& setting, CaseReport& report);
 void slope_4(const CaseSetting& setting, CaseReport& report);
 void slope_5(const CaseSetting& setting, CaseReport& report);
+void mixed_pile(const CaseSetting& setting, CaseReport& report);
+void cubes_in_box(const CaseSetting& setting, CaseReport& report);
+void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report);
+void detection(const CaseSetting& setting, CaseReport& report);
 void wedge_static(const CaseSetting& setting, CaseReport& report);
 void wedge_dynamic(const CaseSetting& setting, CaseReport& report);
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/zhao/pile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/validation/side_view.hpp"
+
+namespace riprap::validation::zhao {
+
+namespace {
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Sum of m z over the sum of m of the free bodies [m].
+double center_height(const Trial& trial) {
+    const body::BodySet& bodies = trial.model().bodies;
+    double mass = 0, moment = 0;
+    for (std::int32_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.drive[at(i)] == body::Drive::free) {
+            mass += bodies.mass[at(i)];
+            moment += bodies.mass[at(i)] * trial.state().bodies.position[at(i)].z;
+        }
+    }
+    return moment / mass;
+}
+
+/// Upward force of the fixed bodies on the others in the last step [N].
+double support_force(const Trial& trial) {
+    const body::BodySet& bodies = trial.model().bodies;
+    double force = 0;
+    for (std::int32_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.drive[at(i)] == body::Drive::fixed) {
+            force -= trial.scratch().contact_force()[at(i)].z;
+        }
+    }
+    return force;
+}
+
+int count_escaped(const Trial& trial, double width) {
+    const body::BodySet& bodies = trial.model().bodies;
+    int count = 0;
+    for (std::int32_t i = 0; i < bodies.size(); ++i) {
+        const Vec3& x = trial.state().bodies.position[at(i)];
+        const bool is_inside = x.x > 0 && x.x < width && x.y > 0 && x.y < width && x.z > 0;
+        count += bodies.drive[at(i)] == body::Drive::free && !is_inside ? 1 : 0;
+    }
+    return count;
+}
+
+void draw(const Trial& trial, const CaseSetting& setting, const std::string& name, double time, PileRun& run) {
+    run.snapshots.push_back(fmt::format("{}_{:.2f}s", name, time));
+    write_plot(setting, run.snapshots.back(),
+               side_view_plot(trial.model(), trial.state(), {}, fmt::format("{} at t = {:.2f} s", name, time)));
+}
+
+/// One window: means of kinetic energy [J] and support [N]; the bound of the contacts is looked at now and then.
+struct WindowMeans {
+    double kinetic, support;
+};
+WindowMeans pass_window(Trial& trial, double& largest_kinetic, PileRun& run) {
+    const int steps = std::max(1, static_cast<int>(std::lround(rest_window / trial.dt())));
+    WindowMeans means{0, 0};
+    for (int i = 0; i < steps; ++i) {
+        const bool looks = i % 20 == 0 || i + 1 == steps;
+        trial.follow_energy(looks);
+        const sim::StepReport& report = trial.step();
+        if (looks && std::isfinite(report.dt_bound)) {
+            run.share_of_bound = std::max(run.share_of_bound, trial.dt() / report.dt_bound);
+        }
+        means.kinetic += report.ledger.kinetic / steps;
+        means.support += support_force(trial) / steps;
+        largest_kinetic = std::max(largest_kinetic, report.ledger.kinetic);
+    }
+    return means;
+}
+
+}  // namespace
+
+PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, const std::string& name) {
+    PileRun run;
+    const double start_height = center_height(trial);
+    std::vector<double> moments{0.5, 1, 2, 3, 4};
+    double largest_kinetic = 0;
+    draw(trial, setting, name, 0, run);
+    while (run.kinetic_share >= 1e-6 && trial.time() < trial.model().time.end - 0.5 * rest_window) {
+        const WindowMeans means = pass_window(trial, largest_kinetic, run);
+        run.kinetic_share = means.kinetic / largest_kinetic;
+        run.support = means.support / (norm(trial.model().gravity.value) * trial.report().ledger.mass);
+        run.times.push_back(trial.time());
+        run.kinetic.push_back(run.kinetic_share);
+        if (!moments.empty() && trial.time() >= moments.front() - 0.5 * rest_window) {
+            draw(trial, setting, name, moments.front(), run);
+            moments.erase(moments.begin());
+        }
+    }
+    draw(trial, setting, name, trial.time(), run);
+    const sim::StepReport& last = trial.report();
+    run.time = trial.time();
+    run.energy_error = std::abs(last.ledger.residual) / last.ledger.turnover;
+    run.max_potential = last.max_potential;
+    for (const contact::ContactRow& row : trial.scratch().contacts()) {
+        run.largest_force = std::max(run.largest_force, static_cast<double>(row.normal_force));
+    }
+    run.mean_height = center_height(trial);
+    run.fall = start_height - run.mean_height;
+    run.escaped = count_escaped(trial, width);
+    return run;
+}
+
+void judge_pile(const PileRun& run, const std::function<double(double)>& demanded, const std::string& why,
+                const std::string& prefix, CaseReport& report) {
+    const auto of = [&prefix](const char* what) { return prefix + what; };
+    report.judge({of("kinetic energy over its largest"), "-", std::string("reaches rest"), 0.0,
+                  fmt::format("mean over {} s, at t = {:.2f} s", rest_window, run.time)},
+                 run.kinetic_share, 0, 1e-6);
+    report.judge({of("force of floor and walls over the weight"), "-", {}, 1.0, {}}, run.support, Absolute{1e-3});
+    report.judge({of("largest potential at rest"),
+                  "-",
+                  std::string("< 0.01"),
+                  {},
+                  fmt::format("at most what the largest force, {:.3g} N, demands: {}; below 0.01 it would take k_n = "
+                              "{:.2g} Pa",
+                              run.largest_force, why, 1e6 * std::pow(run.max_potential / 0.01, 3))},
+                 run.max_potential, 0, demanded(run.largest_force));
+    report.judge({of("energy that the ledger does not close by, over the turnover"), "-", {}, 0.0, {}},
+                 run.energy_error, 0, 0.01);
+    report.judge({of("blocks outside the box"), "-", {}, 0.0, {}}, run.escaped, 0, 0);
+    report.judge({of("largest step over the bound for the contacts of the moment"), "-", {}, {}, {}},
+                 run.share_of_bound, 0, 0.2);
+}
+
+}  // namespace riprap::validation::zhao
