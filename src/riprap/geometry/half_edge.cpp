@@ -8,11 +8,11 @@
 #include <numeric>
 #include <utility>
 
+#include "riprap/core/index.hpp"
+
 namespace riprap::geometry {
 
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// A list of problems that stops growing but keeps counting.
 class ProblemList {

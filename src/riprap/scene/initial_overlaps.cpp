@@ -6,9 +6,10 @@
 #include <limits>
 #include <tuple>
 
-#include "riprap/contact/broadphase/giants.hpp"
 #include "riprap/contact/broadphase/multilevel_grid.hpp"
 #include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/contact/placed_parts.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::scene {
@@ -17,33 +18,6 @@ using contact::Frame;
 using geometry::ConvexView;
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-/// Every part where its body is, as the contact search sees it.
-struct PlacedParts {
-    std::vector<Frame> frames;
-    std::vector<Vec3> centers;
-    std::vector<double> radii;
-    std::vector<std::int32_t> body;
-    std::vector<std::uint8_t> is_mobile;
-};
-
-PlacedParts place_parts(const sim::Model& model, const body::BodyState& state) {
-    PlacedParts placed;
-    for (const body::Part& part : model.bodies.parts) {
-        const auto body = at(part.body.value);
-        const Pose pose{state.position[body], state.orientation[body]};
-        placed.frames.push_back(
-            contact::to_frame({to_world(pose, part.local.position), pose.orientation * part.local.orientation}));
-        placed.centers.push_back(placed.frames.back().origin);
-        placed.radii.push_back(model.shapes.view(part.shape).circumradius);
-        placed.body.push_back(part.body.value);
-        placed.is_mobile.push_back(
-            model.bodies.drive[body] == body::Drive::free || model.bodies.release_time[body] < 1e300 ? 1 : 0);
-    }
-    return placed;
-}
 
 /// How deep a point lies inside a part, below the nearest face that carries a field; negative outside [m].
 double depth_of_point(const ConvexView& shape, const Frame& frame, const Vec3& point) {
@@ -85,15 +59,11 @@ double overlap_depth(const ConvexView& a, const Frame& frame_a, const ConvexView
 }  // namespace
 
 std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
-    const PlacedParts placed = place_parts(model, state.bodies);
+    contact::PlacedParts placed;
+    contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     const auto view = [&model](std::int64_t part) { return model.shapes.view(model.bodies.parts[at(part)].shape); };
-    std::vector<contact::Giant> giants;
-    for (const std::int32_t part : contact::choose_giants(placed.radii)) {
-        giants.push_back({part, view(part), placed.frames[at(part)]});
-    }
     std::vector<contact::PartPair> pairs;
-    contact::MultilevelGrid().find_pairs({placed.centers, placed.radii, placed.body, placed.is_mobile}, giants, 0,
-                                         model.solid.grid_factor, pairs);
+    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, model.solid.grid_factor, pairs);
 
     std::vector<InitialOverlap> of_pair(pairs.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {

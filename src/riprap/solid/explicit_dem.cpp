@@ -4,13 +4,12 @@
 #include <algorithm>
 
 #include "riprap/body/free_rotation.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::solid {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// -alpha |f| sign(v), component by component.
 Vec3 local_damping(double alpha, const Vec3& f, const Vec3& v) {

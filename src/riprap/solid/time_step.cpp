@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "riprap/core/index.hpp"
+
 namespace riprap::solid {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// The stiffest tangential spring any pair of materials can have: as a share of K_n, or literal [N/m].
 struct LargestShear {

@@ -82,6 +82,7 @@ bool PairCache::is_same_scene(const PartBounds& bounds, std::span<const Giant> g
 }
 
 bool PairCache::have_parts_moved_too_far(const PartBounds& bounds, std::span<const Giant> giants) {
+    constexpr std::int64_t block = 512;  // maxima do not depend on it
     const Displacements squared = parallel::reduce(
         static_cast<std::int64_t>(bounds.size()), Displacements{},
         [&](std::int64_t part) {
@@ -94,7 +95,8 @@ bool PairCache::have_parts_moved_too_far(const PartBounds& bounds, std::span<con
             a.add_mobile(b.second_mobile);
             a.immobile = std::max(a.immobile, b.immobile);
             return a;
-        });
+        },
+        block);
     Displacements moved{std::sqrt(squared.mobile), std::sqrt(squared.second_mobile), std::sqrt(squared.immobile)};
 
     planes_now_.assign(bounds, giants);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/contact/narrowphase/polygon_plain.hpp"
+#include "riprap/core/index.hpp"
 
 namespace riprap::contact {
 
@@ -15,8 +16,6 @@ using plain::Cut, plain::Plane;
 constexpr double shared_corner = 1e-13;
 /// Corners of a wall polygon: hardly ever more than a few; no shape of this program needs more than the large room.
 constexpr int usual_capacity = 32, large_capacity = 4096;
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 struct Cell {
     std::int32_t face;

@@ -19,6 +19,7 @@ struct CellSum {
 /// Room for one side of a pair. Grows to the largest shapes met and stays.
 struct SurfaceWorkspace {
     std::vector<Lanes> rows;            ///< per corner: `groups` vectors of w_j h_j, then (x, y, z, unused)
+    std::vector<Lanes> fields;          ///< per face: infinity where it carries no field; then the least w_j h_j
     std::vector<std::int32_t> loops;    ///< corner lists of polygons being cut
     std::vector<double> gaps;           ///< of the corners of a loop from the plane that cuts it
     std::vector<std::int32_t> kept;     ///< candidate cells of a patch
