@@ -10,28 +10,42 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-/// x of the strip at the limit [m], for a block on this slope [rad]
-double strip(const StandingBlock& block, double slope) {
-    const double load = block.density * block.width * block.height * gravity * std::cos(slope);
+double weight(const StandingBlock& block) { return block.density * block.width * block.height * gravity; }
+
+/// x of the strip at the limit [m]
+/// @param load  N [N]
+/// @param lean  tan(slope) or acceleration over gravity [-]
+double strip(const StandingBlock& block, double load, double lean) {
     const double stiffness = block.stiffness / (0.5 * std::min({block.width, block.height, 1.0}));
-    const double arm = block.height * (1 + std::tan(slope) * std::tan(slope));
-    return std::cbrt(2 * arm * load / (9 * stiffness));
+    return std::cbrt(2 * block.height * (1 + lean * lean) * load / (9 * stiffness));
 }
+
+/// Solves b - h lean = 3 x(lean). The strip hardly depends on the lean: each turn gains two digits or more.
+template <class Load>
+double tipping_lean(const StandingBlock& block, Load load) {
+    double lean = block.width / block.height;
+    for (int i = 0; i < 50; ++i) {
+        lean = (block.width - 3 * strip(block, load(lean), lean)) / block.height;
+    }
+    return lean;
+}
+
+double load_on_slope(const StandingBlock& block, double lean) { return weight(block) / std::sqrt(1 + lean * lean); }
 
 }  // namespace
 
 double tipping_slope(const StandingBlock& block) {
-    double slope = std::atan(block.width / block.height);
-    for (int i = 0; i < 50; ++i) {  // the strip hardly depends on the slope: each turn gains two digits or more
-        slope = std::atan((block.width - 3 * strip(block, slope)) / block.height);
-    }
-    return slope;
+    return std::atan(tipping_lean(block, [&](double lean) { return load_on_slope(block, lean); }));
+}
+
+double tipping_acceleration(const StandingBlock& block) {
+    return tipping_lean(block, [&](double) { return weight(block); });
 }
 
 double tipping_tilt(const StandingBlock& block) {
-    // N/(9 K x^2) = x/(2 H)
-    const double slope = tipping_slope(block);
-    return strip(block, slope) / (block.height * (1 + std::tan(slope) * std::tan(slope)));
+    const double lean = std::tan(tipping_slope(block));
+    // 2 N/(9 K x^2) = x/H
+    return strip(block, load_on_slope(block, lean), lean) / (block.height * (1 + lean * lean));
 }
 
 }  // namespace riprap::validation::rigid

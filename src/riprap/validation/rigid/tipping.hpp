@@ -24,7 +24,11 @@ struct StandingBlock {
 /// numerically over the tilted base changes the slope by 0.004 degrees at most for the blocks tested here.
 double tipping_slope(const StandingBlock& block);
 
-/// Tilt of the block against its base at that moment, 2 N/(9 K x^2) [rad].
+/// Horizontal acceleration of a level base, over gravity, at which it tips [-]: the same with N = m g, and with the
+/// acceleration over gravity for tan(slope).
+double tipping_acceleration(const StandingBlock& block);
+
+/// Tilt of the block against its base on the slope at that moment, 2 N/(9 K x^2) [rad].
 double tipping_tilt(const StandingBlock& block);
 
 }  // namespace riprap::validation::rigid
