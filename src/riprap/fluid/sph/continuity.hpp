@@ -11,13 +11,15 @@ namespace riprap::fluid {
 ///     sums[0] = sum V_j F v.d                         (1/rho) drho/dt: compression as the particles carry it
 ///     sums[1] = -sum V_j F (p_j - p_i + rho_0 g.d)    diffusion of the part of the pressure that is not hydrostatic
 ///     sums[2] = -sum V_j F (v.d)^2/r^2                times (dimension + 2): 2 S:S + (tr S)^2, S the strain rate
+///     sums[3] = -sum V_j F r^2                        divergence of position: the dimension where full, less near
+///                                                     the surface
 ///
 /// sums[1] is the diffusion of [Fourtakas2019], of pressure instead of density: exactly nothing in still water under
 /// any state equation, and no volume made or lost by a pair (docs/theory/sph.md, 4). sums[2] is derived there, 7.
 struct Continuity {
     static constexpr int target_fields = 4;     ///< v, p
     static constexpr int candidate_fields = 5;  ///< v, p, V
-    static constexpr int sums = 3;
+    static constexpr int sums = 4;
     WendlandC2 kernel;
     double weight[3];  ///< rho_0 g [N/m^3]
     double soft;       ///< small against h^2, keeps (v.d)^2/r^2 finite where a particle meets itself [m^2]
@@ -33,14 +35,16 @@ struct Continuity {
         sum[0] = sum[0] + slope * closing;
         sum[1] = sum[1] - slope * (candidate[3] - target[3] + head);
         sum[2] = sum[2] - slope * closing * closing * reciprocal(r2 + Real(soft));
+        sum[3] = sum[3] - slope * r2;
     }
 };
 
-/// What walls do to it: sums[0] as above with the wall's own velocity and volume. No diffusion into walls.
+/// What walls do to it: sums[0] and sums[3] as above, here sums[0] and sums[1], with the wall's own velocity and
+/// volume. No diffusion into walls.
 struct ContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 4;  ///< v, V
-    static constexpr int sums = 1;
+    static constexpr int sums = 2;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
@@ -49,7 +53,9 @@ struct ContinuityAtWalls {
         for (int axis = 0; axis < Dim; ++axis) {
             closing = closing + (target[axis] - candidate[axis]) * d[axis];
         }
-        sum[0] = sum[0] + candidate[3] * kernel.slope_over_r(sqrt(r2)) * closing;
+        const Real slope = candidate[3] * kernel.slope_over_r(sqrt(r2));
+        sum[0] = sum[0] + slope * closing;
+        sum[1] = sum[1] - slope * r2;
     }
 };
 

@@ -50,24 +50,27 @@ void add_forces(const SphSettings& settings, const ParticleState& state, Boundar
     const WendlandC2 kernel = kernel_of(settings);
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const SweepSide<5> targets{state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+    const SweepSide<7> fluid_with_surface{
+        state.position,
+        {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
     const SweepSide<6> fluid{state.position,
                              {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
-    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient;
-    add_pair_sums(settings, Momentum<Law>{kernel, law}, targets, fluid,
-                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
-                   sink_component(c, 1), sink_component(c, 2), sink(s.completeness)},
-                  s.fluid_fluid);
+    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
+    add_pair_sums(
+        settings, Momentum<Law>{kernel, law}, targets, fluid_with_surface,
+        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
+         sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
+        s.fluid_fluid);
 
     const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
     const SweepSide<9> wall{walls.position,
                             {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
-    add_pair_sums(
-        settings, MomentumFromWalls<Law>{kernel, law}, targets, wall,
-        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat), sink_component(c, 0),
-         sink_component(c, 1), sink_component(c, 2), sink(s.completeness), sink_component(s.wall_hold, 0),
-         sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
-        s.fluid_walls);
+    add_pair_sums(settings, MomentumFromWalls<Law>{kernel, law}, targets, wall,
+                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
+                   sink_component(c, 0), sink_component(c, 1), sink_component(c, 2), sink_component(s.wall_hold, 0),
+                   sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
+                  s.fluid_walls);
 
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
     add_pair_sums(settings, MomentumOnWalls<Law>{kernel, law},
@@ -89,7 +92,7 @@ void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchDat
     s.wall_heat.assign(particles, 0);
     s.wall_hold.assign(particles, {});
     s.wall_hold_power.assign(particles, 0);
-    s.completeness.assign(particles, 0);
+    s.surface_direction.assign(particles, {});
     walls.pressure_force.assign(walls.position.size(), {});
     walls.viscous_force.assign(walls.position.size(), {});
 }
@@ -112,8 +115,8 @@ double shift_particles(const SphSettings& settings, ParticleState& state, const 
     }
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.completeness[i],
-                                             strain_rate(settings, s.strain[i]), dt);
+        const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.surface_direction[i],
+                                             s.bareness[i], strain_rate(settings, s.strain[i]), dt);
         state.position[i] += shift;
         return settings.particle_mass * dot(gravity, shift);
     };
@@ -128,6 +131,8 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     s.compression.assign(state.density.size(), 0);
     s.diffusion.assign(state.density.size(), 0);
     s.strain.assign(state.density.size(), 0);
+    s.divergence.assign(state.density.size(), 0);
+    s.bareness.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
@@ -135,18 +140,19 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     add_pair_sums(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
                   {state.position, {v(0), v(1), v(2), field(s.pressure)}},
                   {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
-                  {sink(s.compression), sink(s.diffusion), sink(s.strain)}, s.fluid_fluid);
+                  {sink(s.compression), sink(s.diffusion), sink(s.strain), sink(s.divergence)}, s.fluid_fluid);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
                     field(walls.volume)}},
-                  {sink(s.compression)}, s.fluid_walls);
+                  {sink(s.compression), sink(s.divergence)}, s.fluid_walls);
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const double before = state.density[i], spread = dt * before * diffusivity * s.diffusion[i];
         const double after = before + dt * before * s.compression[i] + spread, mean = 0.5 * (before + after);
         state.density[i] = after;
+        s.bareness[i] = bareness_of_particle(settings.domain.dimension, s.divergence[i]);
         // what diffusion takes out of compression: m p/rho^2 d rho
         return -settings.particle_mass * pressure_of(settings, mean) / (mean * mean) * spread;
     };

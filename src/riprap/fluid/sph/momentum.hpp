@@ -12,14 +12,14 @@ namespace riprap::fluid {
 ///     sums[0..2] = sum V_j (-(p_i + p_j) F d + viscous force)     [N/m^3]
 ///     sums[3]    = -sum V_j (viscous force . v)                   twice the heat made at i [W/m^3]
 ///     sums[4..6] = sum V_j F d                                    gradient of the concentration of particles [1/m]
-///     sums[7]    = -sum V_j F r^2                                 divergence of position: the dimension where full [-]
+///     sums[7..9] = sum V_j F d b_j                                towards particles of the surface, b_j = 1 [1/m]
 ///
 /// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores.
 template <class Viscosity>
 struct Momentum {
     static constexpr int target_fields = 5;     ///< v, p, mu
-    static constexpr int candidate_fields = 6;  ///< v, p, V, mu
-    static constexpr int sums = 8;
+    static constexpr int candidate_fields = 7;  ///< v, p, V, mu, b
+    static constexpr int sums = 10;
     WendlandC2 kernel;
     Viscosity viscosity;
 
@@ -35,23 +35,24 @@ struct Momentum {
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
             sum[3] = sum[3] - viscous[axis] * v[axis];
-            sum[4 + axis] = sum[4 + axis] + slope * d[axis];
+            const Real gradient = slope * d[axis];
+            sum[4 + axis] = sum[4 + axis] + gradient;
+            sum[7 + axis] = sum[7 + axis] + gradient * candidate[6];
         }
-        sum[7] = sum[7] - slope * r2;
     }
 };
 
 /// The same from walls, whose viscous pull is that of a velocity mirrored in the wall, u_w, and whose motion is v_w:
 ///
-///     sums[0..2], sums[4..7]  as Momentum with p_w, V_w, u_w
+///     sums[0..2], sums[4..6]  as Momentum with p_w, V_w, u_w
 ///     sums[3] = -sum V_w (viscous force . (v_i - v_w))       heat made at the wall [W/m^3]
-///     sums[8..10] = sum V_w p_w F d                           for the wall exchange, which is
-///     sums[11]    = sum V_w p_w F d.v_w                       sums[8..10].v_i - sums[11] (docs/theory/sph.md, 6)
+///     sums[7..9] = sum V_w p_w F d                           for the wall exchange, which is
+///     sums[10]   = sum V_w p_w F d.v_w                       sums[7..9].v_i - sums[10] (docs/theory/sph.md, 6)
 template <class Viscosity>
 struct MomentumFromWalls {
     static constexpr int target_fields = 5;     ///< v, p, mu
     static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
-    static constexpr int sums = 12;
+    static constexpr int sums = 11;
     WendlandC2 kernel;
     Viscosity viscosity;
 
@@ -69,10 +70,9 @@ struct MomentumFromWalls {
             sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
             sum[3] = sum[3] - viscous[axis] * (target[axis] - candidate[6 + axis]);
             sum[4 + axis] = sum[4 + axis] + slope * d[axis];
-            sum[8 + axis] = sum[8 + axis] + hold;
-            sum[11] = sum[11] + hold * candidate[6 + axis];
+            sum[7 + axis] = sum[7 + axis] + hold;
+            sum[10] = sum[10] + hold * candidate[6 + axis];
         }
-        sum[7] = sum[7] - slope * r2;
     }
 };
 

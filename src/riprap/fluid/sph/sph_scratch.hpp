@@ -15,9 +15,10 @@ struct SphScratchData {
     std::vector<double> density;            ///< a second one, of schemes that sum it [kg/m^3]
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
 
-    std::vector<double> compression, diffusion, strain;  ///< sums of Continuity
-    std::vector<Vec3> force, concentration_gradient;     ///< sums of Momentum
-    std::vector<double> heat, wall_heat, completeness;
+    std::vector<double> compression, diffusion, strain, divergence;      ///< sums of Continuity
+    std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-]
+    std::vector<Vec3> force, concentration_gradient, surface_direction;  ///< sums of Momentum
+    std::vector<double> heat, wall_heat;
     std::vector<Vec3> wall_hold;          ///< part of the force that is due to p_w, and
     std::vector<double> wall_hold_power;  ///< its power on the walls, both with a minus
 
