@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/contact/broadphase/multilevel_grid.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::contact {
@@ -56,7 +57,8 @@ bool PairCache::update(const PartBounds& bounds, std::span<const Giant> giants, 
     if (!needs_rebuild(bounds, giants, settings)) {
         return false;
     }
-    grid_.find_pairs(bounds, giants, settings.skin, settings.grid_factor, pairs_);
+    // Its buffers are a tenth of the memory of a pile, and many steps pass before the next search.
+    MultilevelGrid().find_pairs(bounds, giants, settings.skin, settings.grid_factor, pairs_);
     link_parts_to_pairs(bounds.size());
     remember(bounds, giants, settings);
     ++rebuild_count_;
@@ -157,7 +159,7 @@ void PairCache::link_parts_to_pairs(std::int32_t part_count) {
 
 std::size_t PairCache::bytes() const {
     const auto held = [](const auto&... buffers) { return (0 + ... + (buffers.capacity() * sizeof(buffers[0]))); };
-    return grid_.bytes() + held(pairs_, incident_begin_, incident_, center_, radius_, body_, is_mobile_, is_giant_);
+    return held(pairs_, incident_begin_, incident_, center_, radius_, body_, is_mobile_, is_giant_);
 }
 
 double median_radius(std::span<const double> radius) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "riprap/contact/broadphase/broadphase.hpp"
-#include "riprap/contact/broadphase/multilevel_grid.hpp"
+#include "riprap/contact/broadphase/giants.hpp"
 
 namespace riprap::contact {
 
@@ -56,7 +56,6 @@ class PairCache {
     void remember(const PartBounds& bounds, std::span<const Giant> giants, const Settings& settings);
     void link_parts_to_pairs(std::int32_t part_count);
 
-    MultilevelGrid grid_;
     std::vector<PartPair> pairs_;
     std::vector<std::uint32_t> incident_begin_{0};  ///< part count + 1 entries into incident_
     std::vector<std::int32_t> incident_;
