@@ -14,7 +14,7 @@ namespace {
 using test::Scene;
 
 constexpr double dp = 0.05;
-const Vec3 gravity{0, 0, -9.81};
+const Vec3 up{0, 0, 1};
 
 fluid::SphSettings settings_of(const Vec3& low, const Vec3& high, int dimension = 3) {
     fluid::SphSettings settings;
@@ -30,7 +30,7 @@ geometry::Polyhedron box(const Vec3& low, const Vec3& high) {
 
 Filling fill(const Scene& scene, const fluid::SphSettings& settings, const std::vector<FillRegion>& regions,
              std::int64_t limit = 1'000'000) {
-    return fill(scene.shapes, scene.bodies, scene.state, settings, gravity, regions, limit);
+    return fill(scene.shapes, scene.bodies, scene.state, settings, up, regions, limit);
 }
 
 TEST(Fill, a_box_that_the_lattice_fits_is_filled_to_its_volume) {
@@ -75,7 +75,8 @@ TEST(Fill, density_at_rest_gives_hydrostatic_pressure_through_the_state_equation
     for (const auto equation : {fluid::StateEquation::tait, fluid::StateEquation::linear}) {
         fluid::SphSettings settings = settings_of({0, 0, 0}, {1, 1, 1});
         settings.state_equation = equation;
-        const Filling filling = fill({}, settings, {{{}, 0.6}});
+        Filling filling = fill({}, settings, {{{}, 0.6}});
+        set_hydrostatic_density(filling, settings, {0, 0, -9.81});
         for (std::size_t i = 0; i < filling.particles.density.size(); ++i) {
             const double ratio = filling.particles.density[i] / 1000;
             const double c2 = 40.0 * 40.0;
@@ -90,8 +91,8 @@ TEST(Fill, a_planar_tank_is_filled_per_metre_of_width) {
     Scene scene;
     scene.bodies.is_planar = true;
     const fluid::SphSettings settings = settings_of({0, 0, 0}, {1, 1, 0}, 2);
-    const Filling filling = fill(scene.shapes, scene.bodies, scene.state, settings, {0, -9.81, 0},
-                                 std::vector<FillRegion>{{{}, 0.5}}, 1000);
+    const Filling filling =
+        fill(scene.shapes, scene.bodies, scene.state, settings, {0, 1, 0}, std::vector<FillRegion>{{{}, 0.5}}, 1000);
     EXPECT_EQ(filling.particles.size(), 20 * 10);
     EXPECT_NEAR(filling.regions[0].region_volume, 0.5, 1e-12);
     EXPECT_EQ(filling.particles.position[0].z, 0);

@@ -2,6 +2,7 @@
 #include "riprap/coupling/face_layers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -213,7 +214,14 @@ class Layer {
             for (const std::int32_t owner : owners) {
                 at.push_back(sections_[f].project(sites_.points[LayerSites::index(owner)].position));
             }
-            const auto cells = voronoi_cells(at, sections_[f].reach(), settings_.spacing);
+            const std::array<PlanePolygon, 3> levels{sections_[f].section(top, 0),
+                                                     sections_[f].section(0.5 * (top + bottom), 0),
+                                                     sections_[f].section(bottom, 0)};
+            const PlaneBox box = bounds(levels);
+            if (!(box.low.u < box.high.u && box.low.v < box.high.v)) {
+                continue;
+            }
+            const auto cells = voronoi_cells(at, box, settings_.spacing);
             for (std::size_t i = 0; i < owners.size(); ++i) {
                 sites_.points[LayerSites::index(owners[i])].volume += volume_of(sections_[f], cells[i], top, bottom);
             }

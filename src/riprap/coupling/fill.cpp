@@ -9,7 +9,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
@@ -178,23 +178,11 @@ class Solids {
 
 }  // namespace
 
-double density_at_pressure(const fluid::SphSettings& settings, double pressure) {
-    const double c2 = settings.sound_speed * settings.sound_speed, rho = settings.rest_density;
-    if (settings.state_equation == fluid::StateEquation::linear) {
-        return rho + pressure / c2;
-    }
-    return rho * std::pow(1 + settings.tait_exponent * pressure / (rho * c2), 1 / settings.tait_exponent);
-}
-
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-             const fluid::SphSettings& settings, const Vec3& gravity, std::span<const FillRegion> regions,
+             const fluid::SphSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
              std::int64_t limit) {
     Filling filling;
     filling.regions.resize(regions.size());
-    const double strength = norm(gravity);
-    const Vec3 up =
-        strength > 0 ? -1.0 * gravity / strength
-                     : Vec3{0, settings.domain.dimension == 2 ? 1.0 : 0.0, settings.domain.dimension == 2 ? 0.0 : 1.0};
     std::vector<RegionPlanes> cut;
     for (std::size_t r = 0; r < regions.size(); ++r) {
         cut.push_back(planes_of(regions[r], settings, up, filling.regions[r]));
@@ -238,15 +226,24 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         }
         const std::int64_t line = place / row;
         const Vec3 x = lattice.place(place % row, line % lattice.counts[1], line / lattice.counts[1]);
-        const double depth = cut[at(r)].surface - dot(up, x);
         particles.id.push_back(static_cast<std::int32_t>(particles.position.size()));
         particles.position.push_back(x);
         particles.velocity.push_back(regions[at(r)].velocity);
-        particles.density.push_back(density_at_pressure(settings, settings.rest_density * strength * depth));
+        particles.density.push_back(settings.rest_density);
+        filling.region.push_back(r);
         filling.regions[at(r)].count += 1;
         filling.regions[at(r)].volume += cell;
     }
     return filling;
+}
+
+void set_hydrostatic_density(Filling& filling, const fluid::SphSettings& settings, const Vec3& gravity) {
+    const double strength = norm(gravity);
+    for (std::size_t i = 0; i < filling.region.size() && strength > 0; ++i) {
+        const double height = -dot(gravity, filling.particles.position[i]) / strength;
+        const double depth = filling.regions[at(filling.region[i])].surface - height;
+        filling.particles.density[i] = fluid::density_of(settings, settings.rest_density * strength * depth);
+    }
 }
 
 }  // namespace riprap::coupling

@@ -32,6 +32,7 @@ struct FillReport {
 /// Water at the start.
 struct Filling {
     fluid::ParticleState particles;
+    std::vector<std::int8_t> region;  ///< of each particle
     std::vector<FillReport> regions;  ///< one per region
 };
 
@@ -41,18 +42,17 @@ struct Filling {
 /// outside every solid and no nearer than half a spacing to its faces: water never starts inside a solid. Dry bodies
 /// count too. Particles get the ids 0, 1, ... along the lattice, x fastest.
 ///
-/// Density at the start is that of rest under gravity g: p = rho_0 |g| d at depth d below the surface of the region,
-/// its level or else its highest point, through the state equation of `settings`.
-///
+/// Density is that of rest without pressure: see set_hydrostatic_density.
+/// @param up     unit vector against gravity, along which levels count
+/// @param limit  at most 127 regions and so many particles
 /// @throws CaseError  with the cause when more than `limit` particles would be made, or when a period of the domain is
 /// not a whole number of spacings
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-             const fluid::SphSettings& settings, const Vec3& gravity, std::span<const FillRegion> regions,
+             const fluid::SphSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
              std::int64_t limit);
 
-/// The density at which the state equation gives the pressure p [kg/m^3]:
-///
-///     tait:   rho_0 (1 + gamma p / (rho_0 c_0^2))^(1/gamma),        linear: rho_0 + p/c_0^2.
-double density_at_pressure(const fluid::SphSettings& settings, double pressure);
+/// Gives every particle the density of rest under gravity g: p = rho_0 |g| d at depth d below the surface of its
+/// region (its level or else its highest point), through the state equation of `settings`.
+void set_hydrostatic_density(Filling& filling, const fluid::SphSettings& settings, const Vec3& gravity);
 
 }  // namespace riprap::coupling

@@ -48,12 +48,14 @@ namespace {
 /// Points sorted into square boxes.
 class Boxes {
  public:
-    Boxes(std::span<const PlanePoint> points, double reach, double spacing)
-        : low_(-reach), size_(std::max(spacing, reach / 2048)) {
-        count_ = static_cast<std::int64_t>(2 * reach / size_) + 1;
-        start_.assign(static_cast<std::size_t>(count_ * count_ + 1), 0);
+    Boxes(std::span<const PlanePoint> points, const PlaneBox& box, double spacing) : low_(box.low) {
+        const double width = box.high.u - box.low.u, height = box.high.v - box.low.v;
+        size_ = std::max(spacing, std::max(width, height) / 4096);
+        count_u_ = static_cast<std::int64_t>(width / size_) + 1;
+        count_v_ = static_cast<std::int64_t>(height / size_) + 1;
+        start_.assign(static_cast<std::size_t>(count_u_ * count_v_ + 1), 0);
         const auto box_of = [this](const PlanePoint& p) {
-            return static_cast<std::size_t>(index(p.v) * count_ + index(p.u));
+            return static_cast<std::size_t>(row(p) * count_u_ + column(p));
         };
         for (const PlanePoint& p : points) {
             ++start_[box_of(p) + 1];
@@ -67,20 +69,24 @@ class Boxes {
             members_[static_cast<std::size_t>(next[box_of(points[i])]++)] = static_cast<std::int32_t>(i);
         }
     }
-    std::int64_t index(double x) const {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>((x - low_) / size_), 0, count_ - 1);
-    }
+    std::int64_t column(const PlanePoint& p) const { return index(p.u - low_.u, count_u_); }
+    std::int64_t row(const PlanePoint& p) const { return index(p.v - low_.v, count_v_); }
     double size() const { return size_; }
-    std::int64_t count() const { return count_; }
+    std::int64_t columns() const { return count_u_; }
+    std::int64_t rows() const { return count_v_; }
     std::span<const std::int32_t> members(std::int64_t iu, std::int64_t iv) const {
-        const auto box = static_cast<std::size_t>(iv * count_ + iu);
+        const auto box = static_cast<std::size_t>(iv * count_u_ + iu);
         return std::span(members_).subspan(static_cast<std::size_t>(start_[box]),
                                            static_cast<std::size_t>(start_[box + 1] - start_[box]));
     }
 
  private:
-    double low_, size_;
-    std::int64_t count_{0};
+    std::int64_t index(double along, std::int64_t count) const {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(along / size_), 0, count - 1);
+    }
+    PlanePoint low_;
+    double size_{0};
+    std::int64_t count_u_{0}, count_v_{0};
     std::vector<std::int32_t> start_, members_;
 };
 
@@ -96,8 +102,8 @@ double farthest_squared(const PlanePolygon& cell, const PlanePoint& from) {
 void cut_by_ring(std::span<const PlanePoint> points, std::size_t i, const Boxes& boxes, std::int64_t ring,
                  PlanePolygon& cell, PlanePolygon& buffer) {
     const PlanePoint p = points[i];
-    const std::int64_t iu = boxes.index(p.u), iv = boxes.index(p.v), last = boxes.count() - 1;
-    for (std::int64_t jv = std::max<std::int64_t>(0, iv - ring); jv <= std::min(last, iv + ring); ++jv) {
+    const std::int64_t iu = boxes.column(p), iv = boxes.row(p), last = boxes.columns() - 1;
+    for (std::int64_t jv = std::max<std::int64_t>(0, iv - ring); jv <= std::min(boxes.rows() - 1, iv + ring); ++jv) {
         const bool is_end_row = std::abs(jv - iv) == ring;
         for (std::int64_t ju = iu - ring; ju <= iu + ring; ju += is_end_row || ring == 0 ? 1 : 2 * ring) {
             if (ju < 0 || ju > last) {
@@ -116,16 +122,29 @@ void cut_by_ring(std::span<const PlanePoint> points, std::size_t i, const Boxes&
 
 }  // namespace
 
-std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, double reach, double spacing) {
-    const Boxes boxes(points, reach, spacing);
+PlaneBox bounds(std::span<const PlanePolygon> polygons) {
+    PlaneBox box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const PlanePolygon& polygon : polygons) {
+        for (const PlanePoint& p : polygon) {
+            box.low = {std::min(box.low.u, p.u), std::min(box.low.v, p.v)};
+            box.high = {std::max(box.high.u, p.u), std::max(box.high.v, p.v)};
+        }
+    }
+    return box;
+}
+
+std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, const PlaneBox& box, double spacing) {
+    const Boxes boxes(points, box, spacing);
+    const PlanePolygon whole{box.low, {box.high.u, box.low.v}, box.high, {box.low.u, box.high.v}};
     std::vector<PlanePolygon> cells(points.size());
     parallel::for_ranges(static_cast<std::int64_t>(points.size()), 256, [&](std::int64_t begin, std::int64_t end) {
         PlanePolygon buffer;
         for (std::int64_t index = begin; index < end; ++index) {
             const auto i = static_cast<std::size_t>(index);
-            PlanePolygon cell = square(reach);
-            for (std::int64_t ring = 0; ring <= boxes.count(); ++ring) {
-                // A point of this ring lies beyond (ring - 1) boxes; its bisector, beyond half of that.
+            PlanePolygon cell = whole;
+            for (std::int64_t ring = 0; ring <= std::max(boxes.columns(), boxes.rows()); ++ring) {
+                // A point of this ring lies beyond (ring - 1) boxes (or outside, where the last boxes hold it); its
+                // bisector, beyond half of that.
                 const double nearest = static_cast<double>(std::max<std::int64_t>(0, ring - 1)) * boxes.size();
                 if (0.25 * nearest * nearest > farthest_squared(cell, points[i])) {
                     break;

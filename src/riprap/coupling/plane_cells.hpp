@@ -28,8 +28,15 @@ double area(const PlanePolygon& polygon);
 /// A square about (0, 0) that reaches `reach` to every side.
 PlanePolygon square(double reach);
 
-/// The Voronoi cells of points inside a square about (0, 0): the part of it that is nearer to one point than to any
-/// other. Exact; about 50 cuts a point when the points lie about `spacing` apart. Deterministic, in parallel.
-std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, double reach, double spacing);
+/// A rectangle.
+struct PlaneBox {
+    PlanePoint low, high;
+};
+/// The rectangle about all corners; turned inside out where there are none.
+PlaneBox bounds(std::span<const PlanePolygon> polygons);
+
+/// The Voronoi cells of points in a rectangle: the part of it that is nearer to one point than to any other. Points
+/// may lie outside. Exact; about 50 cuts a point when the points lie about `spacing` apart. Deterministic, in parallel.
+std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, const PlaneBox& box, double spacing);
 
 }  // namespace riprap::coupling

@@ -29,7 +29,8 @@ constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this 
 constexpr double same_plane = 1e-9;  ///< of the domain: a face on a plane that cuts is the cut
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The box that fixed bodies are sampled in: the domain, grown by at least the reach and by whole spacings.
+/// The box that fixed bodies are sampled in: the domain, grown by at least the reach and by whole spacings where it
+/// does not repeat.
 struct Box {
     Vec3 low, high;
 };
@@ -38,6 +39,9 @@ Box grown_domain(const SampleSettings& settings) {
     const double margin = (std::ceil(settings.reach / settings.spacing - same_depth) + 1) * settings.spacing;
     Box box{settings.domain.low, settings.domain.high};
     for (int axis = 0; axis < 3; ++axis) {
+        if (settings.domain.is_periodic[at(axis)]) {
+            continue;  // the images of what is inside stand outside
+        }
         const bool is_flat = axis == 2 && settings.domain.dimension == 2;
         const double length = box.high[axis] - box.low[axis];
         const double intervals = std::ceil(length / settings.spacing - same_depth);

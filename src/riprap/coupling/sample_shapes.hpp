@@ -25,9 +25,9 @@ struct SampleSettings {
 ///
 /// Parts of one body share faces; layers follow those too, and only points within `reach` of the surface that carries
 /// a field are kept, so a re-entrant corner is as full as a plane wall. Bodies that never move, half-spaces among them,
-/// are cut to the domain grown by `reach` and the rest of a spacing. Where two of these overlap, as the walls of a
-/// tank do in its corners, a point stays with the body in which it lies deeper, or with the first if equally deep.
-/// A half-space that moves keeps the samples of its start.
+/// are cut to the domain, grown by `reach` and the rest of a spacing where it is not periodic. Where two of these
+/// overlap, as the walls of a tank do in its corners, a point stays with the body in which it lies deeper, or with the
+/// first if equally deep. A half-space that moves keeps the samples of its start.
 /// @throws CaseError  when about more than `limit` samples would be made
 SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
                         const SampleSettings& settings);

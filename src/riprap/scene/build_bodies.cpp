@@ -136,12 +136,18 @@ void build_body(CaseBuild& build, const Value& table) {
         return;
     }
     body.parts = *parts;
+    const auto first = static_cast<std::size_t>(build.model.bodies.size());
     body.density = get_number_or(table, "density", build.model.materials[body.material].density);
     if (repeat != nullptr) {
         add_copies(build, table, body, *repeat);
     } else {
         add_with_loads(build, table, body);
     }
+    const auto count = static_cast<std::size_t>(build.model.bodies.size());
+    build.is_dry.resize(first, 0);
+    build.is_dry.resize(count, get_boolean(table, "wet") ? 0 : 1);
+    build.sticks.resize(first, 0);
+    build.sticks.resize(count, get_boolean(table, "slip") ? 0 : 1);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct CaseBuild {
     std::map<std::string, MaterialId> materials{};
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<std::int32_t> used_materials{};
+    std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
         problems.push_back({place, std::move(message), std::move(allowed)});
@@ -47,6 +48,7 @@ void build_settings(CaseBuild& build);
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
+void build_fluid(CaseBuild& build);   ///< after all bodies: water fills what they leave
 void build_output(CaseBuild& build);  ///< last: probes and expects look bodies up
 
 /// Point `i` of the lattice with the counts of `table` (2 or 3 of them) and its pitch, x fastest, from its first point.

@@ -338,6 +338,12 @@ const Table& body_table() {
           {}},
          {"motion", {form::table(motion_table)}, "A prescribed motion.", {}},
          {"load", {table_list(load_table)}, "Forces on points of it.", {}},
+         {"slip",
+          {boolean()},
+          "Water slides along the body freely; false: it sticks to it, which needs a boundary layer of several "
+          "spacings to mean anything.",
+          Value::of(true)},
+         {"wet", {boolean()}, "Feels water and is felt by it; false: water passes through.", Value::of(true)},
          {"repeat", {form::table(repeat_table)}, "Many copies.", {}}}};
     return table;
 }

@@ -40,6 +40,7 @@ const Table& case_table() {
          {"material", {named_tables(material_table, limits::materials)}, "Materials by name.", {}, true},
          {"contact", {form::table(contact_table)}, "How two materials meet.", Value::table()},
          {"solid", {form::table(solid_table)}, "How solids move.", Value::table()},
+         {"fluid", {form::table(fluid_table)}, "Water, when there is any.", {}},
          {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
          {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
          {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},

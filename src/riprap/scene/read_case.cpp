@@ -103,8 +103,12 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_packs(build);
     build_rock_masses(build);
     build_contact(build);
-    if (loaded.model.bodies.size() == 0 && problems.empty()) {
-        build.problem(resolved.place, "the case has no bodies", "at least one [[body]], [[pack]] or [[rock_mass]]");
+    if (problems.empty()) {
+        build_fluid(build);
+    }
+    if (loaded.model.bodies.size() == 0 && !loaded.model.fluid && problems.empty()) {
+        build.problem(resolved.place, "the case has no bodies and no water",
+                      "at least one [[body]], [[pack]], [[rock_mass]] or [fluid]");
     }
     build_output(build);
     if (problems.empty()) {

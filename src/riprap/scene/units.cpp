@@ -76,6 +76,7 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::frequency, "a rate", "1/s"},
     NamedDimension{dimension::angle, "an angle", "rad"},
     NamedDimension{dimension::velocity, "a velocity", "m/s"},
+    NamedDimension{dimension::kinematic_viscosity, "a kinematic viscosity", "m^2/s"},
     NamedDimension{dimension::acceleration, "an acceleration", "m/s^2"},
     NamedDimension{dimension::angular_velocity, "an angular velocity", "rad/s"},
     NamedDimension{dimension::density, "a density", "kg/m^3"},

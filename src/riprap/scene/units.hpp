@@ -28,6 +28,7 @@ inline constexpr Dimension angular_velocity{0, 0, -1, 1};
 inline constexpr Dimension density{-3, 1, 0, 0};
 inline constexpr Dimension force{1, 1, -2, 0};
 inline constexpr Dimension pressure{-1, 1, -2, 0};
+inline constexpr Dimension kinematic_viscosity{2, 0, -1, 0};
 inline constexpr Dimension stiffness{0, 1, -2, 0};
 }  // namespace dimension
 

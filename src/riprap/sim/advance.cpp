@@ -7,8 +7,10 @@
 #include <limits>
 
 #include "riprap/contact/distance_potential_physics.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/fluid/particle/sort.hpp"
 #include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/scratch_data.hpp"
 #include "riprap/solid/explicit_dem.hpp"
@@ -22,6 +24,8 @@ Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 const std::vector<contact::ContactRow>& Scratch::contacts() const { return data_->pipeline.rows(); }
 const std::vector<Vec3>& Scratch::contact_force() const { return data_->loads.force; }
 const std::vector<Vec3>& Scratch::contact_torque() const { return data_->loads.torque; }
+
+const coupling::FluidLoads& Scratch::water_loads() const { return data_->water.loads; }
 
 void Scratch::forget() {
     const StageTimes times = data_->times;
@@ -110,17 +114,15 @@ StepStatus judge(const Model& model, const State& state, const solid::KickReport
     return {};
 }
 
-}  // namespace
-
-StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
-                   const solid::ExternalLoads& loads) {
-    ScratchData& data = scratch.data();
+/// One step of the solids from `time`.
+StepReport advance_solids(const Model& model, State& state, ScratchData& data, double time, double dt, bool is_first,
+                          Measure measure, const solid::ExternalLoads& loads) {
     contact::ContactPipeline& contacts = data.pipeline;
-    const bool with_energy = measure == Measure::energy || state.step == 0;
+    const bool with_energy = measure == Measure::energy || is_first;
     const contact::ContactScene scene = contact_scene(model);
-    const double kick_time = state.time + 0.5 * dt;
+    const double kick_time = time + 0.5 * dt;
     const double sliding_time = 0.5 * (state.previous_dt + dt);
-    const double previous_kick = state.step > 0 ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
+    const double previous_kick = !is_first ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
     StepReport report;
     double lost_springs = 0;
     {
@@ -151,7 +153,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
                            data.point_loads.add(model.loads, state.bodies, kick_time, loads), gravity,
                            {kick_time, previous_kick, dt}, state.bodies);
         dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, dt);
-        solid::drift(model.bodies, state.bodies, state.time + dt, 0.5 * dt);
+        solid::drift(model.bodies, state.bodies, time + dt, 0.5 * dt);
     }
     const ScopedTimer timer(data.times.measure);
     const ContactSums sums = sum_contacts(contacts.rows(), state.contacts);
@@ -164,8 +166,6 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
                              .friction_loss = sums.friction_loss + lost_springs,
                              .damping_loss = dashpot_loss},
                             state.ledger);
-    add_compensated(state.time, state.time_rest, dt);
-    state.step += 1;
     state.previous_dt = dt;
 
     report.dt = dt;
@@ -176,6 +176,79 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
     report.pair_count = contacts.pair_count();
     report.status = judge(model, state, kick, sums, contacts.rows(), kick_time);
+    return report;
+}
+
+/// What several steps of the solids report together.
+void join(StepReport& all, const StepReport& step) {
+    const StepReport before = all;
+    all = step;
+    all.dt_bound = std::min(before.dt_bound, step.dt_bound);
+    all.max_speed = std::max(before.max_speed, step.max_speed);
+    all.max_potential = std::max(before.max_potential, step.max_potential);
+    all.max_depth = std::max(before.max_depth, step.max_depth);
+    all.pairs_rebuilt = before.pairs_rebuilt || step.pairs_rebuilt;
+}
+
+/// One step of the water with the solids within it.
+StepReport advance_with_water(const Model& model, State& state, ScratchData& data, double dt, Measure measure) {
+    StepReport report;
+    WaterReport water;
+    {
+        const ScopedTimer timer(data.times.water);
+        if (state.step % model.fluid->sph.sort_interval == 0) {
+            sort_by_place(state.fluid, model.fluid->sph.domain, model.fluid->sph.spacing);
+        }
+        water = kick_water(model, state, data.water, dt);
+        report.status.text = water.fluid.problem;
+        if (!report.status.ok()) {
+            return report;
+        }
+    }
+    data.before = state.bodies;
+    const std::int64_t count = solid_substeps(model, state, data, dt);
+    const double solid_dt = dt / static_cast<double>(count);
+    const bool is_first = state.step == 0;
+    for (std::int64_t k = 0; k < count; ++k) {
+        const double time = state.time + solid_dt * static_cast<double>(k);
+        const bool is_last = k + 1 == count;
+        const StepReport step =
+            advance_solids(model, state, data, time, solid_dt, is_first && k == 0, is_last ? measure : Measure::flow,
+                           {data.water.force, data.water.torque});
+        if (k == 0) {
+            report = step;
+        } else {
+            join(report, step);
+        }
+        if (!report.status.ok()) {
+            return report;
+        }
+    }
+    const ScopedTimer timer(data.times.water);
+    const double work_given = work_done(model, data.before, state, data.water);
+    note_accelerations(model, data.before, state, data.water, dt);
+    fluid::drift(model.fluid->sph, state.fluid, 0.5 * dt);
+    account_water(water.fluid, water.work_on_free, work_given, state.ledger, report.ledger);
+    report.dt = dt;
+    report.dt_bound *= static_cast<double>(count);
+    report.substeps = count;
+    report.water_passes = water.passes;
+    report.water_residual = water.residual;
+    report.max_water_speed = water.fluid.max_speed;
+    return report;
+}
+
+}  // namespace
+
+StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
+                   const solid::ExternalLoads& loads) {
+    ScratchData& data = scratch.data();
+    RIPRAP_ASSERT(!model.fluid || loads.force.empty(), "water brings its own loads");
+    const StepReport report = model.fluid
+                                  ? advance_with_water(model, state, data, dt, measure)
+                                  : advance_solids(model, state, data, state.time, dt, state.step == 0, measure, loads);
+    add_compensated(state.time, state.time_rest, dt);
+    state.step += 1;
     if (report.status.ok()) {
         accept_step(state.stepping);
     }
@@ -184,6 +257,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 
 void initialise(const Model& model, State& state) {
     reset(state.ledger);
+    reset(model, state.coupling);
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;

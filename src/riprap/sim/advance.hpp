@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "riprap/coupling/rigid_map.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -29,6 +30,9 @@ class Scratch {
     /// Sum of contact forces and of their moments about the centre of mass on every body in the last step [N, N m].
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;
+    /// Forces of the water on every body in the last step, and its moments about the centre of mass, pressure and
+    /// viscosity apart; empty without water.
+    const coupling::FluidLoads& water_loads() const;
     /// Drops everything but the stage times: for after a step that was refused.
     void forget();
 
@@ -38,7 +42,7 @@ class Scratch {
 
 /// Seconds spent in each stage since the Scratch was made.
 struct StageTimes {
-    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, measure{0};
+    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, water{0}, measure{0};
 };
 
 /// Why a step could not be accepted; `text` empty = all is well.
@@ -59,6 +63,10 @@ struct StepReport {
     std::int64_t contact_count{0};
     std::int64_t pair_count{0};  ///< candidates in the pair cache
     bool pairs_rebuilt{false};
+    std::int64_t substeps{1};      ///< steps of the solids within this one of the water
+    std::int64_t water_passes{0};  ///< force passes of the water: more than one where light bodies need it
+    double water_residual{0};      ///< of the accelerations of light bodies, over |a| + |g| [-]
+    double max_water_speed{0};     ///< [m/s]
 };
 
 /// How much of the ledger a step works out. The elastic energy of an overlap is a function of the pose and costs more
@@ -68,12 +76,13 @@ enum class Measure {
     flow,    ///< all but the elastic energy and the residual
 };
 
-/// One step. On failure State may be non-finite: the driver keeps the last good one. The first step of a run measures
-/// the energy whatever is asked.
+/// One step. With water, its step: bodies then take as many steps of their own within it as their bound asks for, with
+/// the loads of the water held. On failure State may be non-finite: the driver keeps the last good one. The first step
+/// of a run measures the energy whatever is asked.
 ///
 /// @param dt     of choose_time_step, or any other [s]
-/// @param loads  what acts on the bodies besides contacts, gravity and Model::loads, held over the step: a fluid's
-///               pressure, say
+/// @param loads  what acts on the bodies besides contacts, gravity and Model::loads, held over the step; none
+///               where there is water
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
                    const solid::ExternalLoads& loads = {});
 

@@ -5,6 +5,23 @@
 
 namespace riprap::sim {
 
+/// The water's part of the ledger; zero without water. Its sum kinetic + potential + internal + dissipated_viscous +
+/// dissipated_diffusion + shifted + work_on_solids + wall_exchange - work_external stays what it was (fluid/sph).
+struct WaterLedger {
+    double kinetic{0}, potential{0}, internal{0};  ///< [J]
+    double dissipated_viscous{0};                  ///< [J], accumulated like all below
+    double dissipated_diffusion{0};                ///< by the diffusion of density [J]
+    double shifted{0};                             ///< potential energy that shifting took away [J]
+    double work_on_solids{0};                      ///< [J]
+    double wall_exchange{0};                       ///< of mirrored wall pressure that no body sees [J]
+    double work_external{0};                       ///< by gravity along periodic axes and penalty walls [J]
+    double coupling_gap{0};    ///< what free bodies were given beyond what water says it gave them [J]
+    double residual{0};        ///< the sum above less its first value [J]
+    Vec3 momentum{};           ///< after the step [kg m/s]
+    Vec3 momentum_residual{};  ///< momentum less the impulses of gravity and solids and less its first value [kg m/s]
+    double mass{0};            ///< [kg]
+};
+
 /// Energy and momentum by term, always on. The integrator is drift-kick-drift, so everything is measured at the
 /// kick, at mid-step: `time` lies half a step behind the State it came with. Closure: kinetic + potential +
 /// elastic + shear + dissipated - work = its value at the first kick [J].
@@ -22,7 +39,7 @@ struct Ledger {
     double work_external{0};        ///< done by loads that are not contacts, a fluid's say [J]
     double work_gravity_change{0};  ///< by a gravity that changes with time [J]
     double work_released{0};        ///< kinetic + potential that released bodies brought along [J]
-    double residual{0};             ///< closure minus its first value [J]
+    double residual{0};             ///< closure minus its first value, with water that of both sides and the gap [J]
     double turnover{0};             ///< largest of kinetic range, stored, dissipated, work: the scale of residual [J]
     Vec3 momentum{};                ///< of free bodies [kg m/s]
     Vec3 impulse{};                 ///< of gravity, supports, damping, external loads, releases since the start [N s]
@@ -31,6 +48,7 @@ struct Ledger {
     Vec3 angular_impulse{};         ///< like impulse, about the origin [N m s]
     Vec3 angular_momentum_residual{};  ///< [kg m^2/s]
     double mass{0};                    ///< of free bodies [kg]
+    WaterLedger water;
 };
 
 }  // namespace riprap::sim

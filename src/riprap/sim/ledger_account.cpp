@@ -27,6 +27,19 @@ enum Total : std::size_t {
     reference_angular_momentum = reference_momentum + 3,
     kinetic_low = reference_angular_momentum + 3,
     kinetic_high,
+    water_is_started,
+    water_viscous,
+    water_diffusion,
+    water_shifted,
+    water_on_solids,
+    water_exchange,
+    water_external,
+    water_gap,
+    water_impulse,
+    water_reference_energy = water_impulse + 3,
+    water_reference_momentum,
+    water_kinetic_low = water_reference_momentum + 3,
+    water_kinetic_high,
     total_count
 };
 
@@ -116,6 +129,44 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
     ledger.angular_momentum_residual =
         ledger.angular_momentum - ledger.angular_impulse - get(totals, reference_angular_momentum);
     return ledger;
+}
+
+void account_water(const fluid::FluidReport& step, double work_seen, double work_given, LedgerState& state,
+                   Ledger& ledger) {
+    std::vector<double>& totals = state.totals;
+    const bool is_first = totals[water_is_started] == 0;
+    WaterLedger& water = ledger.water;
+    water.kinetic = step.kinetic;
+    water.potential = step.potential;
+    water.internal = step.internal;
+    // Density diffuses before the kick, so its loss counts whole; what happens at the kick counts half on either side.
+    water.dissipated_diffusion = totals[water_diffusion] += is_first ? 0 : step.dissipated_diffusion;
+    water.dissipated_viscous = add_across(totals[water_viscous], step.dissipated_viscous);
+    water.shifted = totals[water_shifted];
+    totals[water_shifted] += step.shifted;
+    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids);
+    water.wall_exchange = add_across(totals[water_exchange], step.wall_exchange);
+    water.work_external = add_across(totals[water_external], step.work_external);
+    water.coupling_gap = add_across(totals[water_gap], work_given - work_seen);
+    put(totals, water_impulse, get(totals, water_impulse) + step.impulse);
+    water.momentum = step.momentum;
+    water.mass = step.mass;
+    const double lost = water.dissipated_viscous + water.dissipated_diffusion + water.shifted + water.wall_exchange;
+    const double sum =
+        water.kinetic + water.potential + water.internal + lost + water.work_on_solids - water.work_external;
+    if (is_first) {
+        totals[water_is_started] = 1;
+        totals[water_reference_energy] = sum;
+        put(totals, water_reference_momentum, step.momentum - step.impulse);
+        totals[water_kinetic_low] = totals[water_kinetic_high] = water.kinetic;
+    }
+    totals[water_kinetic_low] = std::min(totals[water_kinetic_low], water.kinetic);
+    totals[water_kinetic_high] = std::max(totals[water_kinetic_high], water.kinetic);
+    water.residual = sum - totals[water_reference_energy];
+    water.momentum_residual = water.momentum - get(totals, water_impulse) - get(totals, water_reference_momentum);
+    ledger.residual += ledger.has_energy ? water.residual + water.coupling_gap : 0;
+    ledger.turnover = std::max({ledger.turnover, totals[water_kinetic_high] - totals[water_kinetic_low], std::abs(lost),
+                                std::abs(water.work_on_solids)});
 }
 
 }  // namespace riprap::sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/state.hpp"
 #include "riprap/solid/explicit_dem.hpp"
@@ -22,6 +23,12 @@ struct LedgerStep {
 /// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.
 Ledger account(const LedgerStep& step, LedgerState& state);
+
+/// Adds one step of water to the totals and its part to the ledger of the same kick.
+/// @param work_seen   on free bodies in this step, as the water says [J]
+/// @param work_given  as the bodies say [J]
+void account_water(const fluid::FluidReport& step, double work_seen, double work_given, LedgerState& state,
+                   Ledger& ledger);
 
 /// Empties the ledger: the next kick becomes its reference.
 void reset(LedgerState& state);

@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/coupling/sample_set.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/solid/dem_settings.hpp"
@@ -40,6 +43,24 @@ struct PointLoad {
 
 /// How solids move; today explicit DEM with the distance potential.
 using SolidSettings = solid::DemSettings;
+
+/// How solids hold water back.
+enum class WallTreatment : std::uint8_t {
+    boundary_particles,  ///< samples inside the kernel sums
+    penalty,             ///< faces that push particles away
+};
+
+/// What the case says of its water.
+struct FluidModel {
+    fluid::SphSettings sph;
+    WallTreatment wall{WallTreatment::boundary_particles};
+    coupling::SampleSet samples;       ///< of all wet bodies; empty with penalty walls
+    std::vector<std::uint8_t> is_dry;  ///< per body
+    std::string sound_speed_reason;    ///< where sph.sound_speed comes from
+    double depth{0};                   ///< of the water at the start [m]
+    double filled_volume{0};           ///< [m^3]; in 2D [m^2]
+    double region_volume{0};           ///< that its regions have, solids not taken out [m^3]; in 2D [m^2]
+};
 
 /// Time axis.
 struct TimeSettings {
@@ -94,6 +115,7 @@ struct Model {
     Gravity gravity;
     std::vector<PointLoad> loads;
     SolidSettings solid;
+    std::optional<FluidModel> fluid;
     TimeSettings time;
     OutputSettings output;
     std::vector<Expect> expects;

@@ -83,6 +83,35 @@ Vec3 max_displacement(const Moment& m) {
         parallel::reduce(m.model.bodies.size(), 0.0, moved, [](double a, double b) { return std::max(a, b); }));
 }
 
+/// A load of the water on one body; NaN where there is none yet.
+template <std::vector<Vec3> coupling::FluidLoads::*pressure, std::vector<Vec3> coupling::FluidLoads::*viscous>
+Vec3 water_load(const Moment& m, BodyId id) {
+    constexpr Vec3 unknown{missing, missing, missing};
+    if (m.scratch == nullptr || m.scratch->water_loads().pressure_force.empty()) {
+        return unknown;
+    }
+    const auto b = static_cast<std::size_t>(id.value);
+    Vec3 load{};
+    if constexpr (pressure != nullptr) {
+        load += (m.scratch->water_loads().*pressure)[b];
+    }
+    if constexpr (viscous != nullptr) {
+        load += (m.scratch->water_loads().*viscous)[b];
+    }
+    return load;
+}
+using Loads = coupling::FluidLoads;
+constexpr std::vector<Vec3> Loads::*no_load = nullptr;
+
+template <double WaterLedger::*member>
+Vec3 of_water(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.water.*member);
+}
+template <Vec3 WaterLedger::*member>
+Vec3 vector_of_water(const Moment& m) {
+    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.water.*member;
+}
+
 // Kept as two lists by owner, in the order in which the manual prints them.
 const std::array body_table{
     Quantity{{"position", "m", 3, true, "centre of mass"}, position, nullptr},
@@ -97,6 +126,18 @@ const std::array body_table{
     Quantity{{"contact_force", "N", 3, true, "sum of the contact forces of the last step"}, contact_force, nullptr},
     Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
     Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
+    Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},
+             water_load<&Loads::pressure_force, &Loads::viscous_force>,
+             nullptr},
+    Quantity{{"fluid_pressure_force", "N", 3, true, "the part of it by pressure"},
+             water_load<&Loads::pressure_force, no_load>,
+             nullptr},
+    Quantity{{"fluid_viscous_force", "N", 3, true, "the part of it by viscosity"},
+             water_load<no_load, &Loads::viscous_force>,
+             nullptr},
+    Quantity{{"fluid_torque", "N m", 3, true, "of water about the centre of mass"},
+             water_load<&Loads::pressure_torque, &Loads::viscous_torque>,
+             nullptr},
 };
 
 const std::array scene_table{
@@ -161,6 +202,46 @@ const std::array scene_table{
              nullptr,
              booked_vector<&Ledger::angular_momentum_residual>},
     Quantity{{"mass", "kg", 1, false, "of free bodies"}, nullptr, booked<&Ledger::mass>},
+    Quantity{
+        {"water_kinetic_energy", "J", 1, false, "of water; like all below"}, nullptr, of_water<&WaterLedger::kinetic>},
+    Quantity{{"water_potential_energy", "J", 1, false, "in gravity"}, nullptr, of_water<&WaterLedger::potential>},
+    Quantity{{"water_internal_energy", "J", 1, false, "of compression"}, nullptr, of_water<&WaterLedger::internal>},
+    Quantity{{"water_dissipated_viscous", "J", 1, false, "since time 0"},
+             nullptr,
+             of_water<&WaterLedger::dissipated_viscous>},
+    Quantity{{"water_dissipated_diffusion", "J", 1, false, "by the diffusion of density since time 0"},
+             nullptr,
+             of_water<&WaterLedger::dissipated_diffusion>},
+    Quantity{{"water_shifted", "J", 1, false, "potential energy that shifting took away since time 0"},
+             nullptr,
+             of_water<&WaterLedger::shifted>},
+    Quantity{{"water_work_on_solids", "J", 1, false, "since time 0"}, nullptr, of_water<&WaterLedger::work_on_solids>},
+    Quantity{{"water_wall_exchange", "J", 1, false, "of mirrored wall pressure, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::wall_exchange>},
+    Quantity{{"water_work_external", "J", 1, false, "by gravity along periodic axes and penalty walls, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::work_external>},
+    Quantity{{"coupling_gap", "J", 1, false, "what bodies got beyond what water says it gave, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::coupling_gap>},
+    Quantity{{"water_energy_residual", "J", 1, false, "what the water's energy does not close by"},
+             nullptr,
+             of_water<&WaterLedger::residual>},
+    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_water<&WaterLedger::momentum>},
+    Quantity{{"water_momentum_residual", "kg m/s", 3, false, "what the water's momentum does not close by"},
+             nullptr,
+             vector_of_water<&WaterLedger::momentum_residual>},
+    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_water<&WaterLedger::mass>},
+    Quantity{{"max_water_speed", "m/s", 1, false, "of the fastest particle"},
+             nullptr,
+             reported<&StepReport::max_water_speed>},
+    Quantity{{"water_passes", "-", 1, false, "force passes of the step, more than one where light bodies need it"},
+             nullptr,
+             reported<&StepReport::water_passes>},
+    Quantity{{"solid_substeps", "-", 1, false, "steps of the bodies within the step"},
+             nullptr,
+             reported<&StepReport::substeps>},
 };
 
 constexpr std::size_t table_size = body_table.size() + scene_table.size();

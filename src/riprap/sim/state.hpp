@@ -3,6 +3,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/contact_set.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
 
 namespace riprap::sim {
 
@@ -26,6 +27,24 @@ struct StepControl {
     }
 };
 
+/// What the coupling of water and bodies remembers; one entry per body, none without water.
+struct CouplingState {
+    double previous_dt{0};                       ///< of the water; 0 at the start [s]
+    std::vector<Vec3> acceleration;              ///< mean over the last step: the first guess of the next [m/s^2]
+    std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
+    std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to water [m/s^2]
+    std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("coupling.previous_dt", self.previous_dt);
+        visit("coupling.acceleration", self.acceleration);
+        visit("coupling.angular_acceleration", self.angular_acceleration);
+        visit("coupling.dry_acceleration", self.dry_acceleration);
+        visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
+    }
+};
+
 /// Everything that changes and must be saved to continue. Restart = write State, read State.
 struct State {
     double time{0};       ///< [s]
@@ -36,6 +55,8 @@ struct State {
     body::BodyState bodies;
     contact::ContactHistory contacts;
     LedgerState ledger;
+    fluid::ParticleState fluid;  ///< empty without water
+    CouplingState coupling;
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
@@ -47,6 +68,8 @@ struct State {
         body::BodyState::visit_fields(self.bodies, visit);
         contact::ContactHistory::visit_fields(self.contacts, visit);
         LedgerState::visit_fields(self.ledger, visit);
+        fluid::ParticleState::visit_fields(self.fluid, visit);
+        CouplingState::visit_fields(self.coupling, visit);
     }
 };
 

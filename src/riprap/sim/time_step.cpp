@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
+#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/sim/scratch_data.hpp"
 #include "riprap/solid/time_step.hpp"
 
@@ -19,7 +20,7 @@ TimeStepBound time_step_bound(const Model& model) {
 
 double largest_time_step(const Model& model, const TimeStepBound& bound) {
     const TimeSettings& time = model.time;
-    if (time.is_automatic()) {
+    if (time.is_automatic() || model.fluid) {
         return std::isfinite(bound.limit) ? time.factor * bound.limit : 1e-3 * time.end;
     }
     if (time.time_step > bound.limit && !time.force_time_step) {
@@ -45,11 +46,21 @@ TimeStep choose_time_step(const Model& model, const State& state, Scratch& scrat
     }
     const double span = (model.time.end - state.time) + state.time_rest;
     if (!model.time.is_automatic()) {
-        return {*largest, steps_across(span, *largest)};
+        const double fixed = model.fluid ? model.time.time_step : *largest;
+        return {fixed, steps_across(span, fixed)};
     }
-    const double allowed = std::ldexp(*largest, -static_cast<int>(state.stepping.halvings));
+    const double limit = model.fluid ? choose_fluid_time_step(model.fluid->sph, state.fluid).limit : *largest;
+    const double allowed = std::ldexp(limit, -static_cast<int>(state.stepping.halvings));
     const std::int64_t steps = steps_across(span, allowed);
     return {steps > 0 ? span / static_cast<double>(steps) : allowed, steps};
+}
+
+std::int64_t solid_substeps(const Model& model, const State& state, ScratchData& scratch, double dt) {
+    if (!scratch.largest_time_step) {
+        scratch.largest_time_step = largest_time_step(model, time_step_bound(model));
+    }
+    const double allowed = std::ldexp(*scratch.largest_time_step, -static_cast<int>(state.stepping.halvings));
+    return std::max<std::int64_t>(1, steps_across(dt, allowed));
 }
 
 bool halve_time_step(const Model& model, State& state) {

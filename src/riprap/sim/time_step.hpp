@@ -22,8 +22,8 @@ struct TimeStepBound {
 };
 TimeStepBound time_step_bound(const Model& model);
 
-/// The longest step that solids take: model.time.time_step, or factor * bound where that is automatic [s]. @throws
-/// CaseError for a time_step above the bound, unless forced.
+/// The longest step that solids take: model.time.time_step, or factor * bound where that is automatic or where there is
+/// water, whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
 double largest_time_step(const Model& model, const TimeStepBound& bound);
 
 /// The step to take from a State.
@@ -33,7 +33,8 @@ struct TimeStep {
 };
 
 /// Chooses the next step. A fixed time_step stays what it is, so that the last step may pass the end by up to one dt.
-/// An automatic one is what every method allows (today largest_time_step alone), halved State::stepping.halvings
+/// An automatic one is that of the water where there is any, which solids then cut into steps of their own, and
+/// largest_time_step otherwise; halved State::stepping.halvings
 /// times, then shortened so that equal steps meet the end exactly:
 ///
 ///     n = ceil((end - time) / allowed),   dt = (end - time) / n.

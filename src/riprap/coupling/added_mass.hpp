@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/core/vec3.hpp"
+
+namespace riprap::coupling {
+
+/// How one body speeds up.
+struct Acceleration {
+    Vec3 linear{};   ///< of the centre of mass [m/s^2]
+    Vec3 angular{};  ///< [rad/s^2]
+};
+
+/// Finds the accelerations a of bodies for which the loads that water gives at a are those that cause it, a = G(a),
+/// where G follows from a force pass of the fluid. A light body feeds back strongly: G'(a) is about -kappa, kappa its
+/// added mass over its mass as far as the wall treatment sees it, and plain repetition diverges for kappa > 1.
+/// Fixed-point iteration with Aitken's relaxation, each body by itself, with r = G(a) - a:
+///
+///     a <- a + w r,   w <- -w (r_old . (r - r_old)) / |r - r_old|^2,   w_0 = 1/(1 + kappa),
+///
+/// with m a . b + I alpha . beta as the product [KuettlerWall2008].
+class AddedMassIteration {
+ public:
+    /// @param mass, inertia  of every body [kg], [kg m^2]
+    /// @param kappa          estimate of every body; bodies below `iterates_above` take G(a) as it is
+    AddedMassIteration(std::span<const double> mass, std::span<const double> inertia, std::span<const double> kappa);
+
+    static constexpr double iterates_above = 0.1;  ///< lagged feedback then still decays tenfold a step
+    static constexpr double tolerance = 1e-2;      ///< of |r| over |a| + |g|
+    static constexpr int most = 20;                ///< force passes in one step
+
+    /// Puts the next guess into `guess`, given what came out of it. True when nothing needs to change: the loads of
+    /// this pass are those to use.
+    /// @param scale  of accelerations in the scene: that of gravity [m/s^2]
+    bool accept(std::vector<Acceleration>& guess, std::span<const Acceleration> found, double scale);
+
+    int passes() const { return passes_; }
+    double residual() const { return residual_; }  ///< largest |r| over |a| + |g| of the last pass [-]
+
+ private:
+    std::span<const double> mass_, inertia_, kappa_;
+    std::vector<Acceleration> last_;
+    std::vector<double> relaxation_;
+    int passes_{0};
+    double residual_{0};
+};
+
+}  // namespace riprap::coupling

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/geometry/shapes.hpp"
+#include "riprap/scene/build_case.hpp"
+#include "riprap/scene/limits.hpp"
+#include "riprap/scene/shape_library.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {
+    domain.dimension = build.is_planar ? 2 : 3;
+    domain.low = get_vector(table, "low");
+    domain.high = get_vector(table, "high");
+    bool is_good = true;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        if (!(domain.low[axis] < domain.high[axis])) {
+            build.problem(table.place,
+                          fmt::format("the domain reaches from {} m to {} m along {}", domain.low[axis],
+                                      domain.high[axis], "xyz"[axis]),
+                          "low below high");
+            is_good = false;
+        }
+    }
+    if (const Value* periodic = table.find("periodic")) {
+        for (std::size_t axis = 0; axis < periodic->items.size(); ++axis) {
+            domain.is_periodic[axis] = periodic->items[axis].boolean && (axis < 2 || !build.is_planar);
+        }
+    }
+    return is_good;
+}
+
+fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
+    fluid::SphSettings sph;
+    sph.spacing = get_number(table, "spacing");
+    sph.smoothing_ratio = get_number(table, "smoothing_ratio");
+    sph.rest_density = get_number(table, "density");
+    sph.particle_mass = sph.rest_density * std::pow(sph.spacing, build.is_planar ? 2 : 3);
+    sph.state_equation =
+        get_text(table, "state_equation") == "linear" ? fluid::StateEquation::linear : fluid::StateEquation::tait;
+    sph.tait_exponent = get_number(table, "tait_exponent");
+    sph.viscosity =
+        get_text(table, "viscosity") == "artificial" ? fluid::Viscosity::artificial : fluid::Viscosity::laminar_sps;
+    sph.artificial_alpha = get_number(table, "artificial_alpha");
+    sph.kinematic_viscosity = get_number(table, "kinematic_viscosity");
+    sph.smagorinsky = get_number(table, "smagorinsky");
+    sph.density_diffusion = get_number(table, "density_diffusion");
+    sph.shifting = get_number(table, "shifting");
+    sph.courant = get_number(table, "courant");
+    sph.sort_interval = get_integer(table, "sort_interval");
+    return sph;
+}
+
+/// The region of one table. Nothing with a problem.
+std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& table) {
+    coupling::FillRegion region;
+    region.velocity = get_vector(table, "velocity");
+    region.level = get_number_or(table, "level", region.level);
+    if (const Value* box = table.find("box")) {
+        Vec3 low = get_vector(*box, "low"), high = get_vector(*box, "high");
+        if (build.is_planar) {
+            low.z = -0.5;
+            high.z = 0.5;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(low[axis] < high[axis])) {
+                build.problem(
+                    box->place,
+                    fmt::format("the box reaches from {} m to {} m along {}", low[axis], high[axis], "xyz"[axis]),
+                    "low below high");
+                return std::nullopt;
+            }
+        }
+        region.pieces.push_back(geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}}));
+    } else if (const Value* shape = table.find("shape")) {
+        if (ShapeLibrary::is_half_space(*shape)) {
+            build.problem(shape->place, "a region of water cannot be a half-space", "a level, or another shape");
+            return std::nullopt;
+        }
+        const auto pieces = build.shapes.pieces(*shape);
+        if (!pieces) {
+            return std::nullopt;
+        }
+        const Pose pose{get_vector(table, "position"), orientation_of(table.find("orientation"))};
+        for (const geometry::Polyhedron& piece : *pieces) {
+            region.pieces.push_back(geometry::moved(piece, pose));
+        }
+    }
+    return region;
+}
+
+/// The fastest that the case itself makes something move [m/s].
+double fastest_start(const CaseBuild& build, const std::vector<coupling::FillRegion>& regions) {
+    double fastest = 0;
+    for (const coupling::FillRegion& region : regions) {
+        fastest = std::max(fastest, norm(region.velocity));
+    }
+    const body::BodySet& bodies = build.model.bodies;
+    constexpr int looks = 200;  // times at which a driven body is looked at
+    for (std::size_t b = 0; b < bodies.mass.size(); ++b) {
+        fastest = std::max(fastest, norm(build.state.bodies.velocity[b]));
+        for (int k = 0; bodies.motion[b] >= 0 && k <= looks; ++k) {
+            const auto state = evaluate(bodies.motions[static_cast<std::size_t>(bodies.motion[b])],
+                                        bodies.initial_pose[b], build.model.time.end * k / looks);
+            fastest = std::max(fastest, norm(state.velocity));
+        }
+    }
+    return fastest;
+}
+
+/// c_0 from the depth of the water that is there; filling does not need it yet.
+void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
+                        const fluid::ParticleState& particles, sim::FluidModel& fluid) {
+    const Vec3 gravity = build.model.gravity.value;
+    const double strength = norm(gravity);
+    double low = 1e300, high = -1e300;
+    for (const Vec3& x : particles.position) {
+        const double height = strength > 0 ? -dot(gravity, x) / strength : 0;
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    fluid.depth = particles.size() > 0 && strength > 0 ? high - low + fluid.sph.spacing : 0;
+    const Value& given = get(table, "sound_speed");
+    if (!given.is_text()) {
+        fluid.sph.sound_speed = given.as_number();
+        fluid.sound_speed_reason = "as given";
+        return;
+    }
+    const Value& expected = get(table, "expected_speed");
+    const double tip = 2 * std::sqrt(strength * fluid.depth);
+    const fluid::SoundSpeed chosen = fluid::choose_sound_speed(
+        strength, fluid.depth,
+        std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, regions)));
+    fluid.sph.sound_speed = chosen.value;
+    fluid.sound_speed_reason = chosen.reason;
+    if (!(chosen.value > 0)) {
+        build.problem(given.place, "nothing moves and nothing weighs: no sound speed follows from the case",
+                      "a sound_speed");
+    }
+}
+
+/// Problems of the coupling know no place in the case: they get that of `table`.
+template <class Work>
+bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
+    try {
+        work();
+    } catch (const CaseError& error) {
+        for (const Diagnostic& found : error.problems()) {
+            build.problem(table.place, found.message, found.allowed);
+        }
+        return false;
+    }
+    return true;
+}
+
+void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
+    constexpr double least = 4;  // spacings: two layers under each of two opposite faces
+    const body::BodySet& bodies = build.model.bodies;
+    for (const body::Part& part : bodies.parts) {
+        const auto body = static_cast<std::size_t>(part.body.value);
+        const double thickness = 2 * build.model.shapes.view(part.shape).inscribed_radius;
+        if (fluid.is_dry[body] == 0 && thickness < (least - 1e-6) * fluid.sph.spacing) {
+            build.warnings.push_back(
+                fmt::format("'{}' is {:.3g} spacings thick: water on its two sides feels each other through it below "
+                            "{:.3g}",
+                            bodies.name(part.body), thickness / fluid.sph.spacing, least));
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+void build_fluid(CaseBuild& build) {
+    const Value* table = build.root.find("fluid");
+    if (table == nullptr) {
+        return;
+    }
+    sim::FluidModel fluid;
+    fluid.sph = read_settings(build, *table);
+    bool is_good = read_domain(build, get(*table, "domain"), fluid.sph.domain);
+    fluid.wall =
+        get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
+    std::vector<coupling::FillRegion> regions;
+    const Value& list = get(*table, "region");
+    if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
+        build.problem(list.place, fmt::format("{} regions of water", list.items.size()),
+                      fmt::format("at most {}", limits::fluid_regions));
+        return;
+    }
+    for (const Value& entry : list.items) {
+        if (auto region = read_region(build, entry)) {
+            regions.push_back(std::move(*region));
+        } else {
+            is_good = false;
+        }
+    }
+    if (!is_good) {
+        return;
+    }
+    const body::BodySet& bodies = build.model.bodies;
+    fluid.is_dry = build.is_dry;
+    fluid.is_dry.resize(static_cast<std::size_t>(bodies.size()), 0);
+    std::vector<std::uint8_t> is_slippery(fluid.is_dry.size(), 1);
+    for (std::size_t b = 0; b < build.sticks.size(); ++b) {
+        is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
+    }
+    coupling::Filling filling;
+    const Vec3 gravity = build.model.gravity.value;
+    const Vec3 up = norm(gravity) > 0 ? -1.0 * normalized(gravity) : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    is_good = place_problems(build, list, [&] {
+        filling =
+            coupling::fill(build.model.shapes, bodies, build.state.bodies, fluid.sph, up, regions, limits::particles);
+    });
+    if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
+        is_good = place_problems(build, *table, [&] {
+            fluid.samples = coupling::sample_shapes(build.model.shapes, bodies, build.state.bodies,
+                                                    {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
+                                                     limits::particles, fluid.is_dry, is_slippery});
+        });
+    }
+    if (!is_good) {
+        return;
+    }
+    for (std::size_t r = 0; r < filling.regions.size(); ++r) {
+        const coupling::FillReport& report = filling.regions[r];
+        fluid.filled_volume += report.volume;
+        fluid.region_volume += report.region_volume;
+        if (report.count == 0) {
+            build.problem(list.items[r].place, "no particle of water fits into this region",
+                          "a region larger than the spacing, in the domain, outside of solids and earlier regions");
+        }
+    }
+    if (filling.particles.size() == 0) {
+        return;
+    }
+    choose_sound_speed(build, *table, regions, filling.particles, fluid);
+    coupling::set_hydrostatic_density(filling, fluid.sph, build.model.gravity.at(0));
+    warn_of_thin_bodies(build, fluid);
+    build.state.fluid = std::move(filling.particles);
+    build.model.fluid = std::move(fluid);
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: water.
+#include "riprap/scene/key_table.hpp"
+#include "riprap/scene/limits.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+namespace {
+
+const Table& fluid_domain_table() {
+    static const Table table{
+        "fluid.domain",
+        "domain = { ... }",
+        "The box that water may be in. A particle that leaves it through a side that is not periodic ends the run: "
+        "give it room above walls that water may splash over.",
+        {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
+         {"high", {vector(dimension::length)}, "High corner.", {}, true},
+         {"periodic",
+          {list(boolean(), 2, 3)},
+          "Whether what leaves through one side enters through the other, along x, y and z; not when not given.",
+          {}}}};
+    return table;
+}
+
+const Table& fluid_box_table() {
+    static const Table table{"fluid.region.box",
+                             "box = { ... }",
+                             "A box along the axes.",
+                             {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
+                              {"high", {vector(dimension::length)}, "High corner.", {}, true}}};
+    return table;
+}
+
+const Table& fluid_region_table() {
+    static const Table table{
+        "fluid.region",
+        "[[fluid.region]]",
+        "Water at the start: what lies in the region, below its level and outside every solid. The whole domain when "
+        "neither box nor shape is given. All regions share one lattice; where they overlap the first one counts.",
+        {{"box", {form::table(fluid_box_table)}, "The region as a box.", {}},
+         {"shape", {form::table(shape_table)}, "The region as a shape; not a half-space.", {}},
+         {"position", {vector(dimension::length)}, "Of the origin of the shape.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "How the shape is turned.", {}},
+         {"level",
+          {number(dimension::length)},
+          "Height of the surface at the start, against gravity from the origin: z where gravity points down z. The "
+          "top of the region when not given.",
+          {}},
+         {"velocity", {vector(dimension::velocity)}, "At the start.", Value::of(Vec3{})}},
+        {{GroupRule::at_most_one, {"box", "shape"}}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& fluid_table() {
+    static const Table table{
+        "fluid",
+        "[fluid]",
+        "Water as particles. The defaults serve every case; spacing, domain and regions say what is special.",
+        {{"method",
+          {choice({"sph"}, {"wcmps", "mps", "finite_volume", "hydrostatic"})},
+          "How water moves.",
+          Value::of("sph")},
+         {"scheme",
+          {choice({"delta_sph"}, {"muller"})},
+          "Form of SPH: with diffusion of density and shifting of particles.",
+          Value::of("delta_sph")},
+         {"spacing", {number(dimension::length, positive())}, "Distance of particles at the start.", {}, true},
+         {"smoothing_ratio",
+          {number(dimension::plain, between(1, 3))},
+          "Smoothing length over spacing; the kernel ends at twice that.",
+          Value::of(1.5)},
+         {"density", {number(dimension::density, positive())}, "At rest, without pressure.", Value::of(1000.0)},
+         {"sound_speed",
+          {choice({"auto"}), number(dimension::velocity, positive())},
+          "Of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that the case "
+          "gives water and moving bodies, H the depth of the water at the start. Density then varies by about 1 %.",
+          Value::of("auto")},
+         {"expected_speed",
+          {choice({"auto"}), number(dimension::velocity, non_negative())},
+          "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam break, "
+          "2 sqrt(g H).",
+          Value::of("auto")},
+         {"state_equation", {choice({"tait", "linear"})}, "How pressure follows from density.", Value::of("tait")},
+         {"tait_exponent", {number(dimension::plain, between(1, 10))}, "Of the Tait equation.", Value::of(7.0)},
+         {"viscosity",
+          {choice({"artificial", "laminar_sps"})},
+          "Artificial viscosity, or that of water with a model of what turbulence the particles do not resolve.",
+          Value::of("artificial")},
+         {"artificial_alpha",
+          {number(dimension::plain, between(0, 1))},
+          "Strength of the artificial viscosity.",
+          Value::of(0.02)},
+         {"kinematic_viscosity",
+          {number(dimension::kinematic_viscosity, non_negative())},
+          "Of the fluid, for laminar_sps.",
+          Value::of(1e-6)},
+         {"smagorinsky",
+          {number(dimension::plain, between(0, 1))},
+          "Constant of the turbulence model of laminar_sps.",
+          Value::of(0.12)},
+         {"density_diffusion",
+          {number(dimension::plain, between(0, 1))},
+          "Strength of the diffusion of density.",
+          Value::of(0.1)},
+         {"shifting",
+          {number(dimension::plain, between(0, 10))},
+          "Strength of the shifting of particles; 0 = off.",
+          Value::of(2.0)},
+         {"courant",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Share of the time that sound needs through a smoothing length that a step may last.",
+          Value::of(0.4)},
+         {"sort_interval",
+          {integer(1, 1e6)},
+          "Steps between sorts of the particles by place: part of the result, as sums follow the order.",
+          Value::of(50)},
+         {"wall",
+          {choice({"boundary_particles", "penalty"})},
+          "How solids hold water back: particles in layers under their faces that take part in all sums, or faces "
+          "that push particles away (for comparison).",
+          Value::of("boundary_particles")},
+         {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
+         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true}}};
+    return table;
+}
+
+}  // namespace riprap::scene

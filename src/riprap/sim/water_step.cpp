@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/water_step.hpp"
+
+#include <algorithm>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::sim {
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// How a driven body speeds up, from velocities a moment apart: short, so that a jump of the velocity is rarely in it.
+coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::size_t b, double time, double dt) {
+    const auto& motion = bodies.motions[at(bodies.motion[b])];
+    const double moment = 1e-3 * dt;
+    const body::DrivenState before = evaluate(motion, bodies.initial_pose[b], time - moment);
+    const body::DrivenState after = evaluate(motion, bodies.initial_pose[b], time + moment);
+    return {(after.velocity - before.velocity) / (2 * moment),
+            (after.angular_velocity - before.angular_velocity) / (2 * moment)};
+}
+
+/// The motion of all bodies with poses and velocities of `bodies`, `ahead` seconds of acceleration later.
+void fill_motion(const Model& model, const body::BodyState& bodies, const body::BodyKinematics& kinematics,
+                 const std::vector<coupling::Acceleration>& acceleration, double time, double ahead, double dt,
+                 coupling::BodyMotion& motion) {
+    const auto count = at(model.bodies.size());
+    motion.pose.resize(count);
+    motion.velocity.resize(count);
+    motion.angular_velocity.resize(count);
+    motion.acceleration.resize(count);
+    motion.angular_acceleration.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        coupling::Acceleration a;
+        const bool is_free = kinematics.inverse_mass[b] > 0;
+        if (is_free) {
+            a = acceleration[b];
+        } else if (model.bodies.drive[b] == body::Drive::driven) {
+            a = driven_acceleration(model.bodies, b, time, dt);
+        }
+        const double later = is_free ? ahead : 0;
+        motion.pose[b] = {bodies.position[b], bodies.orientation[b]};
+        motion.velocity[b] = bodies.velocity[b] + later * a.linear;
+        motion.angular_velocity[b] = kinematics.angular_velocity[b] + later * a.angular;
+        motion.acceleration[b] = a.linear;
+        motion.angular_acceleration[b] = a.angular;
+    }
+}
+
+/// The share of a body's mass that its wall treatment feeds back: twice the water that its first layer would hold,
+/// as pressure is carried over about two spacings into the wall.
+void estimate_feedback(const Model& model, WaterScratch& scratch) {
+    const body::BodySet& bodies = model.bodies;
+    const fluid::SphSettings& sph = model.fluid->sph;
+    scratch.kappa.assign(at(bodies.size()), 0);
+    scratch.inertia.resize(at(bodies.size()));
+    const coupling::SampleSet& samples = model.fluid->samples;
+    for (std::size_t i = 0; i < samples.body.size(); ++i) {
+        const auto b = at(samples.body[i].value);
+        if (samples.depth[i] < sph.spacing && bodies.mass[b] > 0) {
+            scratch.kappa[b] += 2 * sph.rest_density * samples.volume[i] / bodies.mass[b];
+        }
+    }
+    for (std::size_t b = 0; b < scratch.inertia.size(); ++b) {
+        const Vec3& moments = bodies.principal_moments[b];
+        scratch.inertia[b] = bodies.is_planar ? moments.z : (moments.x + moments.y + moments.z) / 3;
+    }
+}
+
+/// What bodies do under the loads found: those of the water plus what else made them speed up in the last step.
+coupling::Acceleration response(const State& state, const WaterScratch& scratch, std::size_t b) {
+    return {scratch.kinematics.inverse_mass[b] * scratch.force[b] + state.coupling.dry_acceleration[b],
+            scratch.kinematics.inverse_inertia[b] * scratch.torque[b] + state.coupling.dry_angular_acceleration[b]};
+}
+
+Vec3 in_plane_force(const Model& model, const Vec3& f) { return model.bodies.is_planar ? Vec3{f.x, f.y, 0} : f; }
+
+/// One force pass with bodies that speed up as `guess` says.
+void force_pass(const Model& model, State& state, WaterScratch& scratch,
+                const std::vector<coupling::Acceleration>& guess, double dt, fluid::FluidReport& report) {
+    const double middle = state.time + 0.5 * dt;
+    fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
+    place_samples(model.fluid->samples, scratch.motion, scratch.walls);
+    accelerate(model.fluid->sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, state.time, scratch.sph,
+               report);
+    if (!report.problem.empty()) {
+        return;
+    }
+    gather_loads(model.fluid->samples, scratch.motion, scratch.walls, scratch.loads);
+    const auto count = at(model.bodies.size());
+    scratch.force.resize(count);
+    scratch.torque.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        scratch.force[b] = in_plane_force(model, scratch.loads.pressure_force[b] + scratch.loads.viscous_force[b]);
+        scratch.torque[b] = scratch.loads.pressure_torque[b] + scratch.loads.viscous_torque[b];
+    }
+}
+
+}  // namespace
+
+WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, double dt) {
+    const FluidModel& water = *model.fluid;
+    const double time = state.time;
+    WaterReport report;
+    if (scratch.inertia.size() != at(model.bodies.size())) {
+        estimate_feedback(model, scratch);
+    }
+    std::vector<coupling::Acceleration> guess(at(model.bodies.size()));
+    for (std::size_t b = 0; b < guess.size(); ++b) {
+        guess[b] = {state.coupling.acceleration[b], state.coupling.angular_acceleration[b]};
+    }
+
+    update_kinematics(model.bodies, state.bodies, time, scratch.kinematics);
+    fill_motion(model, state.bodies, scratch.kinematics, guess, time, 0, dt, scratch.motion);
+    place_samples(water.samples, scratch.motion, scratch.walls);
+    const double since_density = 0.5 * (state.coupling.previous_dt + dt);  // the first density is half a step old
+    update_density(water.sph, state.fluid, scratch.walls, model.gravity.at(time), since_density, scratch.sph,
+                   report.fluid);
+    fluid::drift(water.sph, state.fluid, 0.5 * dt);
+
+    scratch.middle = state.bodies;
+    solid::drift(model.bodies, scratch.middle, time + 0.5 * dt, 0.5 * dt);
+    update_kinematics(model.bodies, scratch.middle, time + 0.5 * dt, scratch.kinematics);
+    std::vector<double> kappa = scratch.kappa;
+    for (std::size_t b = 0; b < kappa.size(); ++b) {
+        kappa[b] = scratch.kinematics.inverse_mass[b] > 0 ? kappa[b] : 0;
+    }
+    coupling::AddedMassIteration iteration(model.bodies.mass, scratch.inertia, kappa);
+    const bool may_repeat = std::any_of(kappa.begin(), kappa.end(),
+                                        [](double k) { return k > coupling::AddedMassIteration::iterates_above; });
+    if (may_repeat) {
+        scratch.old_position = state.fluid.position;
+        scratch.old_velocity = state.fluid.velocity;
+    }
+    const double old_max_acceleration = state.fluid.max_acceleration;
+    std::vector<coupling::Acceleration> found(guess.size());
+    for (bool is_settled = false; !is_settled;) {
+        if (iteration.passes() > 0) {
+            state.fluid.position = scratch.old_position;
+            state.fluid.velocity = scratch.old_velocity;
+            state.fluid.max_acceleration = old_max_acceleration;
+        }
+        force_pass(model, state, scratch, guess, dt, report.fluid);
+        if (!report.ok()) {
+            return report;
+        }
+        for (std::size_t b = 0; b < found.size(); ++b) {
+            found[b] = response(state, scratch, b);
+        }
+        is_settled = iteration.accept(guess, found, norm(model.gravity.value));
+    }
+    report.passes = iteration.passes();
+    report.residual = iteration.residual();
+    for (std::size_t b = 0; b < found.size(); ++b) {
+        if (scratch.kinematics.inverse_mass[b] > 0) {
+            report.work_on_free += dt * (dot(scratch.force[b], scratch.motion.velocity[b]) +
+                                         dot(scratch.torque[b], scratch.motion.angular_velocity[b]));
+        }
+    }
+    return report;
+}
+
+void note_accelerations(const Model& model, const body::BodyState& before, State& state, const WaterScratch& scratch,
+                        double dt) {
+    CouplingState& coupling = state.coupling;
+    for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
+        const auto b = at(i);
+        if (scratch.kinematics.inverse_mass[b] == 0) {
+            coupling.acceleration[b] = coupling.angular_acceleration[b] = {};
+            coupling.dry_acceleration[b] = model.gravity.at(state.time + dt);  // should it be released next
+            coupling.dry_angular_acceleration[b] = {};
+            continue;
+        }
+        coupling.acceleration[b] = (state.bodies.velocity[b] - before.velocity[b]) / dt;
+        coupling.angular_acceleration[b] = (angular_velocity(model.bodies, state.bodies, BodyId{i}) -
+                                            angular_velocity(model.bodies, before, BodyId{i})) /
+                                           dt;
+        coupling.dry_acceleration[b] = coupling.acceleration[b] - scratch.kinematics.inverse_mass[b] * scratch.force[b];
+        coupling.dry_angular_acceleration[b] =
+            coupling.angular_acceleration[b] - scratch.kinematics.inverse_inertia[b] * scratch.torque[b];
+    }
+    coupling.previous_dt = dt;
+}
+
+double work_done(const Model& model, const body::BodyState& before, const State& state, const WaterScratch& scratch) {
+    double work = 0;
+    for (std::size_t b = 0; b < at(model.bodies.size()); ++b) {
+        if (scratch.kinematics.inverse_mass[b] > 0) {
+            const Vec3 turn = to_rotation_vector(state.bodies.orientation[b] * conjugate(before.orientation[b]));
+            work += dot(scratch.force[b], state.bodies.position[b] - before.position[b]) + dot(scratch.torque[b], turn);
+        }
+    }
+    return work;
+}
+
+void reset(const Model& model, CouplingState& coupling) {
+    const auto count = model.fluid ? at(model.bodies.size()) : 0;
+    coupling.previous_dt = 0;
+    coupling.acceleration.assign(count, {});
+    coupling.angular_acceleration.assign(count, {});
+    coupling.dry_acceleration.assign(count, model.gravity.at(0));
+    coupling.dry_angular_acceleration.assign(count, {});
+}
+
+}  // namespace riprap::sim

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The fluid's side of one step: for the sources of this folder only.
+
+#include <vector>
+
+#include "riprap/coupling/added_mass.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+#include "riprap/solid/explicit_dem.hpp"
+
+namespace riprap::sim {
+
+/// Buffers of the water: Scratch.
+struct WaterScratch {
+    fluid::SphScratch sph;
+    fluid::BoundaryParticles walls;
+    coupling::BodyMotion motion;                   ///< of all bodies, where the samples were placed last
+    coupling::FluidLoads loads;                    ///< at the last kick
+    std::vector<Vec3> force, torque;               ///< pressure and viscosity together
+    std::vector<Vec3> extra_force;                 ///< of penalty walls on particles [N]
+    body::BodyState middle;                        ///< bodies at mid-step, as predicted
+    body::BodyKinematics kinematics;               ///< ... there
+    std::vector<double> kappa, inertia;            ///< of bodies, for the added-mass iteration
+    std::vector<Vec3> old_position, old_velocity;  ///< of particles before a force pass
+};
+
+/// What the water's step brings.
+struct WaterReport {
+    fluid::FluidReport fluid;
+    double work_on_free{0};  ///< on free bodies, as the water sees it, in this step [J]
+    int passes{0};           ///< force passes, more than one where light bodies feed back
+    double residual{0};      ///< of the added-mass iteration, over |a| + |g| [-]
+    bool ok() const { return fluid.problem.empty(); }
+};
+
+/// Water from t_n to the kick and over it: density, half a drift, forces with bodies where they will be at mid-step.
+/// Bodies are not moved. `scratch.loads`, `force` and `torque` are then what the solids feel over the step. After it,
+/// the second half of the drift is due (fluid::drift).
+WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, double dt);
+
+/// Notes how bodies sped up over the step that took them from `before` to where they are: the first guess of the next.
+void note_accelerations(const Model& model, const body::BodyState& before, State& state, const WaterScratch& scratch,
+                        double dt);
+
+/// The work that loads held over a step did on free bodies that went from `before` to where they are [J].
+double work_done(const Model& model, const body::BodyState& before, const State& state, const WaterScratch& scratch);
+
+/// Empties what a fresh State keeps for the coupling.
+void reset(const Model& model, CouplingState& coupling);
+
+}  // namespace riprap::sim

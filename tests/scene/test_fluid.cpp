@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/case_fixture.hpp"
+
+namespace riprap::scene {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A tank one metre wide, half full, with a block afloat.
+const std::string tank = R"(dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[material.wood]
+density = 500.0
+normal_stiffness = 1.0e6
+[[body]]
+name = "bottom"
+material = "wood"
+shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }
+fixed = true
+[[body]]
+name = "block"
+material = "wood"
+shape = { box = [0.2, 0.2] }
+position = [0.5, 0.5]
+[fluid]
+spacing = "2 cm"
+domain = { low = [0.0, -0.1], high = [1.0, 1.0], periodic = [true, false] }
+[[fluid.region]]
+level = "50 cm"
+)";
+
+TEST(FluidCase, water_fills_its_region_outside_of_solids) {
+    const LoadedCase loaded = test::read(tank);
+    ASSERT_TRUE(loaded.model.fluid);
+    // 50 x 25 places, less the lower half of the block: 10 x 5 of them.
+    EXPECT_EQ(loaded.state.fluid.size(), 50 * 25 - 10 * 5);
+    EXPECT_NEAR(loaded.model.fluid->filled_volume, 0.48, 1e-12);
+    EXPECT_NEAR(loaded.model.fluid->sph.particle_mass, 1000 * 0.02 * 0.02, 1e-12);
+    EXPECT_EQ(loaded.model.fluid->sph.domain.dimension, 2);
+}
+
+TEST(FluidCase, the_sound_speed_follows_from_the_depth_unless_given) {
+    // The lattice begins at the low corner of the domain, 10 cm below the bottom of the tank.
+    EXPECT_NEAR(test::read(tank).model.fluid->sph.sound_speed, 10 * 2 * std::sqrt(9.81 * 0.5), 1e-9);
+    EXPECT_NEAR(test::read(tank, {"fluid.expected_speed=0"}).model.fluid->sph.sound_speed, 10 * std::sqrt(9.81 * 0.5),
+                1e-9);
+    EXPECT_EQ(test::read(tank, {"fluid.sound_speed=33.0"}).model.fluid->sph.sound_speed, 33);
+}
+
+TEST(FluidCase, boundary_particles_stand_for_all_wet_bodies) {
+    const LoadedCase loaded = test::read(tank);
+    const coupling::SampleSet& samples = loaded.model.fluid->samples;
+    EXPECT_EQ(std::count(samples.body.begin(), samples.body.end(), BodyId{1}), 10 * 10 - 4 * 4);
+    const std::string dry = test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nwet = false");
+    const LoadedCase without = test::read(dry);
+    EXPECT_EQ(std::count(without.model.fluid->samples.body.begin(), without.model.fluid->samples.body.end(), BodyId{1}),
+              0);
+    EXPECT_EQ(test::read(tank, {"fluid.wall=\"penalty\""}).model.fluid->samples.size(), 0);
+}
+
+TEST(FluidCase, a_body_can_let_water_stick_to_it) {
+    const std::string sticky = test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nslip = false");
+    const coupling::SampleSet samples = test::read(sticky).model.fluid->samples;
+    for (std::size_t i = 0; i < samples.body.size(); ++i) {
+        EXPECT_EQ(samples.is_slippery[i], samples.body[i] == BodyId{1} ? 0 : 1);
+    }
+}
+
+TEST(FluidCase, problems_name_their_place) {
+    EXPECT_THAT(test::problems_of(test::with(tank, "high = [1.0, 1.0]", "high = [-1.0, 1.0]")),
+                ElementsAre(HasSubstr("case.toml:19:10: the domain reaches from 0 m to -1 m along x")));
+    EXPECT_THAT(test::problems_of(test::with(tank, "2 cm", "3 cm")),
+                ElementsAre(HasSubstr("33.3333333 spacings; a whole number of spacings")));
+    EXPECT_THAT(test::problems_of(test::with(tank, "50 cm", "-50 cm")),
+                ElementsAre(HasSubstr("case.toml:20:1: no particle of water fits into this region")));
+    EXPECT_THAT(test::problems_of(test::with(tank, "2 cm", "0.01 mm")),
+                ElementsAre(HasSubstr("places of the lattice; particles are at most 50000000")));
+    EXPECT_THAT(test::problems_of(test::with(tank, "spacing = \"2 cm\"", "spacing = \"2 cm\"\nmethod = \"wcmps\"")),
+                ElementsAre(HasSubstr("not implemented")));
+}
+
+TEST(FluidCase, density_at_the_start_is_hydrostatic) {
+    const LoadedCase loaded = test::read(tank);
+    const double c = loaded.model.fluid->sph.sound_speed;
+    for (std::size_t i = 0; i < loaded.state.fluid.density.size(); ++i) {
+        const double a = 9.81 * (0.5 - loaded.state.fluid.position[i].y) / (c * c);
+        // (1 + 7 a)^(1/7) to second order; the third is 13 a^3, here at most 2e-7.
+        EXPECT_NEAR(loaded.state.fluid.density[i], 1000 * (1 + a - 3 * a * a), 3e-4);
+    }
+}
+
+}  // namespace
+}  // namespace riprap::scene
