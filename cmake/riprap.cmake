@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Flags shared by every target, and the two functions that declare libraries and tests.
 find_package(Threads REQUIRED)
 if(RIPRAP_OPENMP)

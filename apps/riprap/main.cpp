@@ -10,6 +10,7 @@
 
 #include "command_line.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
 
 namespace {
@@ -50,6 +51,9 @@ int guarded_command_line(int argument_count, char** arguments) {
         return fail(ExitCode::bad_checkpoint, error.what());
     } catch (const riprap::FileError& error) {
         return fail(ExitCode::file_system, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(ExitCode::file_system,
+                    riprap::io::file_error("look at", error.path1(), error.code().value()).what());
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::bad_case, "out of memory; `riprap check` says what a case needs");
     } catch (const std::exception& error) {

@@ -177,6 +177,17 @@ TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused)
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\n"), IsEmpty());
 }
 
+TEST(BadInput, a_body_that_double_precision_cannot_hold_is_refused) {
+    for (const char* size : {"1e-120", "1e-90", "1e120"}) {
+        EXPECT_THAT(problems_of(with(minimal_case, "box = [1.0, 1.0, 0.5]", std::string("cube = ") + size)),
+                    ElementsAre(AllOf(HasSubstr("body 'block' has a mass of"), HasSubstr("in double precision"))))
+            << size;
+    }
+    EXPECT_THAT(problems_of(minimal_case + "position = [0, 1e13, 0]\n"),
+                ElementsAre(AllOf(HasSubstr("lies 1e+13 m from the origin"), HasSubstr("at most 1.13e+09 m"))));
+    EXPECT_THAT(problems_of(minimal_case + "position = [0, 1e9, 0]\n"), IsEmpty());
+}
+
 TEST(BadInput, a_billion_blocks_from_a_small_file_are_refused_at_once_naming_the_limit) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_THAT(problems_of(minimal_case + "repeat = { counts = [1000, 1000, 1000], pitch = [2, 2, 2] }\n"),

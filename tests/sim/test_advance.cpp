@@ -245,6 +245,29 @@ TEST(Advance, ATurningGravityIsBookedAsWork) {
     EXPECT_LT(std::abs(report.ledger.residual), 1e-5 * report.ledger.turnover);
 }
 
+TEST(Advance, TheTurnoverOfAFlightIsWhatItExchangedWhereverTheOriginLies) {
+    // Up and down again under a gravity that turns: far from the origin the work of turning it is a thousand times the
+    // energy that the block ever had.
+    const auto turnover_at = [](const Vec3& place) {
+        SmallScene scene;
+        scene.model.gravity = {.value = {0, 0, -10}, .axis = {0, 1, 0}, .rate = 0.5};
+        scene.add("block", scene.add_shape(box({1, 1, 1})), {place, {}}, body::Drive::free, {0, 0, 5});
+        return scene.run(1000, 1e-3).ledger.turnover;
+    };
+    EXPECT_GT(turnover_at({}), 0.5 * 2000 * 25 * 0.9);
+    EXPECT_NEAR(turnover_at({1e4, -2e4, 3e4}) / turnover_at({}), 1, 1e-3);
+}
+
+TEST(Advance, TheTurnoverKeepsWhatAnEnergyOnceWas) {
+    // A block thrown up and caught at the top has no energy of motion left, and the push of a wall is long over.
+    SmallScene scene;
+    scene.model.gravity.value = {0, 0, -10};
+    scene.add("block", scene.add_shape(box({1, 1, 1})), {}, body::Drive::free, {0, 0, 5});
+    const StepReport top = scene.run(500, 1e-3);
+    EXPECT_NEAR(top.ledger.kinetic, 0, 1);
+    EXPECT_NEAR(top.ledger.turnover, 0.5 * 2000 * 25, 150);
+}
+
 TEST(Advance, ANonFiniteVelocityIsNamedWithinOneStep) {
     SmallScene scene;
     scene.add("pebble", scene.add_shape(box({1, 1, 1})), {});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "riprap/scene/build_case.hpp"
@@ -50,9 +51,41 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
 
 Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()}; }
 
+/// Refuses bodies that double precision cannot tell from nothing, or from what lies beside them.
+void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std::string& name) {
+    const body::BodySet& bodies = build.model.bodies;
+    const auto i = static_cast<std::size_t>(id.value);
+    const double mass = bodies.mass[i];
+    const Vec3& moments = bodies.principal_moments[i];
+    const auto first_part = static_cast<std::size_t>(bodies.part_begin[i]);
+    if (!build.model.shapes.is_half_space(bodies.parts[first_part].shape) &&
+        !(std::isnormal(mass) && std::isnormal(std::max({moments.x, moments.y, moments.z})))) {
+        build.problem(table.place,
+                      fmt::format("body '{}' has a mass of {:.3g} kg and moments of inertia of {:.3g} kg m^2 at most",
+                                  name, mass, std::max({moments.x, moments.y, moments.z})),
+                      "sizes and densities that leave both a positive finite number in double precision");
+        return;
+    }
+    constexpr double resolution = 1e-6;  // of the inscribed radius: overlaps are small shares of it
+    const double rounding = std::numeric_limits<double>::epsilon() * norm(build.state.bodies.position[i]);
+    for (std::int32_t p = bodies.part_begin[i]; p < bodies.part_begin[i + 1]; ++p) {
+        const double radius = build.model.shapes.view(bodies.parts[static_cast<std::size_t>(p)].shape).inscribed_radius;
+        if (rounding > resolution * radius) {
+            const double limit = resolution * radius / std::numeric_limits<double>::epsilon();
+            build.problem(
+                table.place,
+                fmt::format("body '{}' lies {:.3g} m from the origin, where double precision resolves {:.2g} m", name,
+                            norm(build.state.bodies.position[i]), rounding),
+                fmt::format("at most {:.3g} m, for its inscribed radius of {:.3g} m", limit, radius));
+            return;
+        }
+    }
+}
+
 /// @param scale  of its shape against what the case gives
 void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& body, double scale = 1) {
     const BodyId id = body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, body);
+    check_magnitudes(build, table, id, body.name);
     if (const Value* loads = table.find("load")) {
         add_loads(build, *loads, id, body.pose, scale);
     }

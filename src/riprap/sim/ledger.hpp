@@ -40,12 +40,18 @@ struct Ledger {
     double work_gravity_change{0};  ///< by a gravity that changes with time [J]
     double work_released{0};        ///< kinetic + potential that released bodies brought along [J]
     double residual{0};             ///< closure minus its first value, with water that of both sides and the gap [J]
-    double turnover{0};             ///< largest of kinetic range, stored, dissipated, work: the scale of residual [J]
-    Vec3 momentum{};                ///< of free bodies [kg m/s]
-    Vec3 impulse{};                 ///< of gravity, supports, damping, external loads, releases since the start [N s]
-    Vec3 momentum_residual{};       ///< momentum - impulse minus its first value [kg m/s]
-    Vec3 angular_momentum{};        ///< about the origin [kg m^2/s]
-    Vec3 angular_impulse{};         ///< like impulse, about the origin [N m s]
+    /// The scale of residual [J]: the largest of
+    ///   - the ranges, highest minus lowest value since the first kick, of kinetic, of kinetic + potential -
+    ///     work_gravity_change - work_released, of shear, work_driven and work_external;
+    ///   - what was dissipated so far, all together;
+    ///   - elastic + shear as they are (elastic is not measured in every step, so its range is not known).
+    /// It does not depend on where the origin lies and, but for the last term, never shrinks.
+    double turnover{0};
+    Vec3 momentum{};           ///< of free bodies [kg m/s]
+    Vec3 impulse{};            ///< of gravity, supports, damping, external loads, releases since the start [N s]
+    Vec3 momentum_residual{};  ///< momentum - impulse minus its first value [kg m/s]
+    Vec3 angular_momentum{};   ///< about the origin [kg m^2/s]
+    Vec3 angular_impulse{};    ///< like impulse, about the origin [N m s]
     Vec3 angular_momentum_residual{};  ///< [kg m^2/s]
     double mass{0};                    ///< of free bodies [kg]
     WaterLedger water;

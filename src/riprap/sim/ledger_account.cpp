@@ -2,6 +2,7 @@
 #include "riprap/sim/ledger_account.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace riprap::sim {
@@ -25,9 +26,9 @@ enum Total : std::size_t {
     reference_energy = gravity + 3,
     reference_momentum,
     reference_angular_momentum = reference_momentum + 3,
-    kinetic_low = reference_angular_momentum + 3,
-    kinetic_high,
-    water_is_started,
+    ranges = reference_angular_momentum + 3,
+    ranges_end = ranges + 2 * 5,
+    water_is_started = ranges_end,
     water_viscous,
     water_diffusion,
     water_shifted,
@@ -62,6 +63,20 @@ Vec3 add_across(std::vector<double>& totals, std::size_t first, const Vec3& step
     const Vec3 before = get(totals, first);
     put(totals, first, before + step);
     return before + 0.5 * step;
+}
+
+/// How far each of a step's energies has ranged since the start, the widest of them. Kept as low, high, low, high, ...
+template <std::size_t count>
+double widest_range(std::vector<double>& totals, const std::array<double, count>& values, bool is_first) {
+    static_assert(ranges + 2 * count == ranges_end);
+    double widest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        double &low = totals[ranges + 2 * i], &high = totals[ranges + 2 * i + 1];
+        low = is_first ? values[i] : std::min(low, values[i]);
+        high = is_first ? values[i] : std::max(high, values[i]);
+        widest = std::max(widest, high - low);
+    }
+    return widest;
 }
 
 }  // namespace
@@ -118,13 +133,15 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
         totals[reference_energy] = closure;
         put(totals, reference_momentum, ledger.momentum - ledger.impulse);
         put(totals, reference_angular_momentum, ledger.angular_momentum - ledger.angular_impulse);
-        totals[kinetic_low] = totals[kinetic_high] = ledger.kinetic;
     }
-    totals[kinetic_low] = std::min(totals[kinetic_low], ledger.kinetic);
-    totals[kinetic_high] = std::max(totals[kinetic_high], ledger.kinetic);
     ledger.residual = step.has_elastic ? closure - totals[reference_energy] : 0;
-    ledger.turnover =
-        std::max({totals[kinetic_high] - totals[kinetic_low], stored, std::abs(dissipated), std::abs(work)});
+    // The potential counts from the origin, and so does the work of whoever turns gravity or releases a body: only
+    // together do they say what the bodies gave to contacts, drivers, damping and loads.
+    const double mechanical = ledger.kinetic + ledger.potential - ledger.work_gravity_change - ledger.work_released;
+    const double range = widest_range(
+        totals, std::array{ledger.kinetic, mechanical, ledger.shear, ledger.work_driven, ledger.work_external},
+        is_first);
+    ledger.turnover = std::max({range, stored, dissipated});
     ledger.momentum_residual = ledger.momentum - ledger.impulse - get(totals, reference_momentum);
     ledger.angular_momentum_residual =
         ledger.angular_momentum - ledger.angular_impulse - get(totals, reference_angular_momentum);
