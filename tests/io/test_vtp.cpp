@@ -9,6 +9,7 @@
 #include "io/temporary_folder.hpp"
 #include "io/vtk_reader.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/vtk_data.hpp"
 #include "riprap/io/vtp.hpp"
 
@@ -98,12 +99,29 @@ TEST(Vtp, ACloudOfPointsHasOneVertexCellPerPoint) {
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "offsets"), ElementsAre(1, 2));
 }
 
+TEST(Vtp, WaterIsACloudOfItsParticlesWithTheirPressure) {
+    const TemporaryFolder folder;
+    fluid::SphSettings settings;
+    settings.sound_speed = 20;
+    settings.state_equation = fluid::StateEquation::linear;
+    fluid::ParticleState particles;
+    particles.position = {{1, 2, 3}, {4, 5, 6}};
+    particles.velocity = {{3, 0, 4}, {0, 0, 0}};
+    particles.density = {1010, 1000};
+    particles.id = {7, 3};
+    write_vtp(folder / "a.vtp", draw_fluid(settings, particles), 0);
+    const std::string xml = read_file(folder / "a.vtp", 1U << 20U);
+    EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "id"), ElementsAre(7, 3));
+    EXPECT_THAT(vtk_reader::array<float>(xml, "speed"), ElementsAre(5, 0));
+    EXPECT_THAT(vtk_reader::array<float>(xml, "pressure"), ElementsAre(4000, 0));  // c^2 (rho - rho_0)
+}
+
 TEST(Pvd, EveryFrameIsListedWithItsTime) {
     const TemporaryFolder folder;
-    write_pvd(folder / "out.pvd", std::array{PvdFrame{0, "frames/a.vtp"}, PvdFrame{0.25, "frames/b.vtp"}});
+    write_pvd(folder / "out.pvd", std::array{PvdFrame{0, "frames/a.vtp"}, PvdFrame{0.25, "frames/b.vtp", 1}});
     const std::string xml = read_file(folder / "out.pvd", 1U << 20U);
     EXPECT_THAT(xml, HasSubstr("timestep=\"0\" part=\"0\" file=\"frames/a.vtp\""));
-    EXPECT_THAT(xml, HasSubstr("timestep=\"0.25\" part=\"0\" file=\"frames/b.vtp\""));
+    EXPECT_THAT(xml, HasSubstr("timestep=\"0.25\" part=\"1\" file=\"frames/b.vtp\""));
 }
 
 }  // namespace

@@ -113,6 +113,51 @@ TEST(Water, what_water_loses_bodies_gain_to_round_off) {
     EXPECT_LT(norm(report.ledger.water.momentum_residual), 1e-12 * exchanged);
 }
 
+TEST(Water, walls_that_push_take_what_they_give_to_round_off) {
+    Basin basin = collision();
+    basin.model.fluid->sph.is_plain = true;
+    basin.model.fluid->wall = WallTreatment::penalty;
+    basin.model.fluid->samples = {};
+    Scratch scratch;
+    const Vec3 before = basin.total_momentum();
+    const double water_before = basin.momentum_scale();
+    const StepReport report = basin.steps(60, scratch);
+    ASSERT_TRUE(report.status.ok()) << report.status.text;
+    ASSERT_GT(basin.momentum_scale(), water_before + 50);
+    EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * basin.momentum_scale());
+}
+
+TEST(Water, a_box_floats_at_the_draft_of_its_weight_with_either_kind_of_wall) {
+    // Let go at its draft on still water; the wave of the first pressure adjustment is damped by mass damping, which
+    // leaves the equilibrium alone.
+    for (const WallTreatment wall : {WallTreatment::boundary_particles, WallTreatment::penalty}) {
+        Basin basin;
+        basin.add_square(0.4, 500, {0.6, 0.8, 0});
+        basin.fill_pool(1.2, 0.8);
+        basin.model.solid.mass_damping = 3;
+        basin.model.fluid->wall = wall;
+        basin.model.fluid->samples =
+            wall == WallTreatment::penalty ? coupling::SampleSet{} : std::move(basin.model.fluid->samples);
+        Scratch scratch;
+        basin.model.time.end = 3;
+        double height = 0;
+        std::int64_t count = 0;
+        StepReport report;
+        while (basin.state.time < 2.9 && (report = basin.steps(1, scratch)).status.ok()) {
+            height += basin.state.time > 1.5 ? basin.state.bodies.position[0].y : 0;
+            count += basin.state.time > 1.5 ? 1 : 0;
+        }
+        ASSERT_TRUE(report.status.ok()) << report.status.text;
+        // Archimedes: the box takes the place of half of its area, so its centre lies in the surface.
+        const double water = static_cast<double>(basin.state.fluid.size()) * dp * dp;
+        const double surface = (water + 0.5 * 0.4 * 0.4) / 1.2;
+        RecordProperty(wall == WallTreatment::penalty ? "penalty" : "boundary",
+                       std::to_string(height / static_cast<double>(count) - surface));
+        EXPECT_NEAR(height / static_cast<double>(count), surface, dp)
+            << (wall == WallTreatment::penalty ? "penalty" : "boundary particles");
+    }
+}
+
 TEST(Water, fast_sums_exchange_momentum_to_the_round_off_of_float) {
     Basin basin = collision();
     Scratch scratch;

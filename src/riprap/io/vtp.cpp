@@ -74,7 +74,8 @@ void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> fram
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
     for (const PvdFrame& frame : frames) {
-        text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
+        text +=
+            fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", frame.time, frame.part, frame.file);
     }
     text += "  </Collection>\n</VTKFile>\n";
     write_file(path, text, Durability::later);

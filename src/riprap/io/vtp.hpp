@@ -39,6 +39,7 @@ void write_vtp(const std::filesystem::path& path, const PolyData& data, double t
 struct PvdFrame {
     double time{0};    ///< [s]
     std::string file;  ///< relative to the PVD file
+    int part{0};       ///< frames of one time with different parts are shown together
 };
 
 /// Replaces the PVD file in the same way: a viewer that reads while the run writes sees whole frames only.

@@ -7,6 +7,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
@@ -31,6 +33,9 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
     const std::vector<io::DrawnPlane> planes = io::draw_planes(model, initial);
     const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
     double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
+    if (model.fluid) {
+        bytes += static_cast<double>(io::encode_vtp(io::draw_fluid(model.fluid->sph, state.fluid), 0).size());
+    }
     if (model.output.contacts) {
         bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
     }
@@ -79,6 +84,17 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
             check.mass += model.bodies.mass[static_cast<std::size_t>(i)];
         }
     }
+    if (model.fluid) {
+        check.particles = loaded.state.fluid.size();
+        check.samples = model.fluid->samples.size();
+        check.water_mass = static_cast<double>(check.particles) * model.fluid->sph.particle_mass;
+        check.trimmed_volume = model.fluid->region_volume - model.fluid->filled_volume;
+        check.sound_speed = model.fluid->sph.sound_speed;
+        check.sound_speed_reason = model.fluid->sound_speed_reason;
+        const fluid::FluidTimeStep step = choose_fluid_time_step(model.fluid->sph, loaded.state.fluid);
+        check.time_step_limit = step.limit;
+        check.limited_by = step.reason;
+    }
     check.steps = model.time.max_steps >= 0 ? std::min(first.steps_left, model.time.max_steps) : first.steps_left;
     if (!has_countable_steps(check)) {
         check.warnings.push_back(fmt::format(
@@ -125,6 +141,13 @@ std::string check_text(const CaseCheck& check) {
         check.end, check.contacts, check.max_overlap, 100 * check.max_potential,
         size_text(static_cast<double>(check.memory_bytes)), size_text(static_cast<double>(check.output_bytes)),
         check.frames);
+    if (check.particles > 0) {
+        text += fmt::format(
+            "  water         {} particles, {:.6g} kg, {} boundary particles; {:.3g} of its regions' volume holds none\n"
+            "  sound speed   {:.6g} m/s ({})\n",
+            check.particles, check.water_mass, check.samples, check.trimmed_volume, check.sound_speed,
+            check.sound_speed_reason);
+    }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
     }
@@ -141,6 +164,11 @@ std::string check_json(const CaseCheck& check) {
                                 {"parts", check.parts},
                                 {"shapes", check.shapes},
                                 {"mass", check.mass},
+                                {"particles", check.particles},
+                                {"boundary_particles", check.samples},
+                                {"water_mass", check.water_mass},
+                                {"trimmed_volume", check.trimmed_volume},
+                                {"sound_speed", check.sound_speed},
                                 {"time_step", check.time_step},
                                 {"time_step_limit", check.time_step_limit},
                                 {"limited_by", check.limited_by},

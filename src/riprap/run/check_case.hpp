@@ -15,6 +15,12 @@ struct CaseCheck {
     std::string title;
     std::int64_t bodies{0}, free_bodies{0}, parts{0}, shapes{0};
     double mass{0};             ///< of free bodies [kg]
+    std::int64_t particles{0};  ///< of water
+    std::int64_t samples{0};    ///< of boundary particles
+    double water_mass{0};       ///< [kg]; in a planar scene per metre of width
+    double trimmed_volume{0};   ///< of the regions of water that holds none [m^3]; in a planar scene [m^2]
+    double sound_speed{0};      ///< of water [m/s]
+    std::string sound_speed_reason;
     double time_step{0};        ///< [s]
     double time_step_limit{0};  ///< [s]
     std::string limited_by;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "riprap/io/fluid_frame.hpp"
+
 namespace riprap::run {
 
 namespace {
@@ -78,7 +80,8 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
       frame_times_(record.frame_times) {
-    for (const char* name : {"bodies_end.vtp", "contacts_end.vtp"}) {  // of an end that is no longer the end
+    for (const char* name :
+         {"bodies_end.vtp", "contacts_end.vtp", "water_end.vtp"}) {  // of an end that is no longer the end
         std::error_code ignored;
         std::filesystem::remove(folder.frames() / name, ignored);
     }
@@ -122,6 +125,10 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
               io::draw_bodies(model_, moment.initial, moment.state, planes_,
                               has_contacts ? moment.scratch->contact_force() : no_force),
               moment.state.time);
+    if (model_.fluid) {
+        write_vtp(folder_.frames() / ("water_" + tag + ".vtp"), io::draw_fluid(model_.fluid->sph, moment.state.fluid),
+                  moment.state.time);
+    }
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
                   io::draw_contacts(model_, has_contacts ? moment.scratch->contacts() : none), moment.state.time);
@@ -129,19 +136,25 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
 }
 
 void Outputs::write_lists(const sim::Moment* last) const {
-    const auto list = [&](const std::string& kind) {
+    const auto list = [&](const std::vector<std::string>& kinds) {
         std::vector<io::PvdFrame> frames;
+        const auto add = [&](double time, const std::string& tag) {
+            for (std::size_t part = 0; part < kinds.size(); ++part) {
+                frames.push_back({time, "frames/" + kinds[part] + "_" + tag + ".vtp", static_cast<int>(part)});
+            }
+        };
         for (std::size_t i = 0; i < frame_times_.size(); ++i) {
-            frames.push_back({frame_times_[i], "frames/" + kind + "_" + frame_tag(i) + ".vtp"});
+            add(frame_times_[i], frame_tag(i));
         }
         if (last != nullptr) {
-            frames.push_back({last->state.time, "frames/" + kind + "_end.vtp"});
+            add(last->state.time, "end");
         }
         return frames;
     };
-    io::write_pvd(folder_.root / "out.pvd", list("bodies"));
+    io::write_pvd(folder_.root / "out.pvd",
+                  model_.fluid ? list({"bodies", "water"}) : list(std::vector<std::string>{"bodies"}));
     if (model_.output.contacts) {
-        io::write_pvd(folder_.root / "contacts.pvd", list("contacts"));
+        io::write_pvd(folder_.root / "contacts.pvd", list({"contacts"}));
     }
 }
 

@@ -284,6 +284,11 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     bytes += of(bodies.name_id) + of(bodies.name_index) + of(bodies.material) + of(bodies.drive) + of(bodies.mass) +
              of(bodies.principal_moments) + of(bodies.principal_axes) + of(bodies.motion) + of(bodies.release_time) +
              of(bodies.part_begin) + of(bodies.parts) + of(bodies.initial_pose);
+    if (model.fluid) {
+        const coupling::SampleSet& samples = model.fluid->samples;
+        bytes += of(samples.body) + of(samples.anchor) + of(samples.normal) + of(samples.depth) + of(samples.volume) +
+                 of(samples.is_slippery);
+    }
     const ScratchData& data = scratch.data();
     return bytes + of(data.loads.force) + of(data.loads.torque) + of(data.kinematics.angular_velocity) +
            of(data.kinematics.inverse_inertia) + of(data.kinematics.inverse_mass);

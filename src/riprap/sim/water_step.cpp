@@ -81,13 +81,21 @@ void force_pass(const Model& model, State& state, WaterScratch& scratch,
                 const std::vector<coupling::Acceleration>& guess, double dt, fluid::FluidReport& report) {
     const double middle = state.time + 0.5 * dt;
     fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
-    place_samples(model.fluid->samples, scratch.motion, scratch.walls);
-    accelerate(model.fluid->sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, state.time, scratch.sph,
-               report);
+    const FluidModel& water = *model.fluid;
+    place_samples(water.samples, scratch.motion, scratch.walls);
+    const bool is_penalty = water.wall == WallTreatment::penalty;
+    if (is_penalty) {
+        scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
+                             coupling::penalty_settings(water.sph), state.fluid, scratch.extra_force, scratch.loads);
+    }
+    accelerate(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, state.time, scratch.sph, report,
+               scratch.extra_force);
     if (!report.problem.empty()) {
         return;
     }
-    gather_loads(model.fluid->samples, scratch.motion, scratch.walls, scratch.loads);
+    if (!is_penalty) {
+        gather_loads(water.samples, scratch.motion, scratch.walls, scratch.loads);
+    }
     const auto count = at(model.bodies.size());
     scratch.force.resize(count);
     scratch.torque.resize(count);

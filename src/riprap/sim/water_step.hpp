@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "riprap/coupling/added_mass.hpp"
+#include "riprap/coupling/penalty_walls.hpp"
 #include "riprap/coupling/rigid_map.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/sim/model.hpp"
@@ -18,6 +19,7 @@ namespace riprap::sim {
 struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
+    coupling::PenaltyWalls penalty;
     coupling::BodyMotion motion;                   ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;                    ///< at the last kick
     std::vector<Vec3> force, torque;               ///< pressure and viscosity together

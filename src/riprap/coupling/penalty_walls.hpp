@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/geometry/shape_set.hpp"
+
+namespace riprap::coupling {
+
+/// Strength of walls that push particles away.
+struct PenaltySettings {
+    double reach;      ///< r_0: the push begins at this distance from a face [m]
+    double stiffness;  ///< k_s [N/m]; in 2D per metre of width
+    double damping;    ///< k_d [N s/m]
+};
+
+/// r_0 = dp/2, k_s = 0.1 rho_0 c_0^2 dp^(dim-2), k_d = 2 zeta sqrt(k_s m) with zeta = 0.5, m a particle's mass. At rest
+/// under a column of height H a particle then stands rho_0 g H dp^(dim-1)/k_s <= dp/10 inside the reach, as
+/// c_0 >= 10 sqrt(g H).
+PenaltySettings penalty_settings(const fluid::SphSettings& settings);
+
+/// The push of faces on particles near them and its reaction, [MikolaSitar2013, eq. 22] completed:
+///
+///     F = max(0, k_s d - k_d min(0, (v - v_s) . n)) n,   d = r_0 - distance > 0,
+///
+/// n the outward normal of the nearest point of the part (outside: from there to the particle; inside: of the nearest
+/// face), v_s the velocity of the solid there. The solid takes -F at the place of the particle, so both momenta change
+/// by opposite amounts to round-off. Every convex part pushes by itself. There is no shear and no layer of water behind
+/// the wall: pressure near it is too low, forces are noisy.
+class PenaltyWalls {
+ public:
+    /// @param motion  of all bodies at the places of the particles
+    /// @param is_dry  per body, of those that push nothing; empty = none
+    /// @param force   on each particle [N]
+    /// @param loads   on each body, as pressure
+    void push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const BodyMotion& motion,
+              std::span<const std::uint8_t> is_dry, const PenaltySettings& settings,
+              const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads);
+
+ private:
+    struct Push {
+        std::int32_t body;
+        Vec3 force;  ///< on the particle
+    };
+    std::vector<std::int32_t> count_;        ///< pushes on each particle
+    std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
+};
+
+}  // namespace riprap::coupling
