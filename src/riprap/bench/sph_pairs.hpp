@@ -31,7 +31,7 @@ struct DensityRatePair {
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
         using namespace fluid;
-        const Real slope = c.kernel.slope_over_r(sqrt(r2));
+        const Real slope = c.kernel.slope_over_r(distance(r2));
         Real divergence(0), hydrostatic(0);
         for (int axis = 0; axis < Dim; ++axis) {
             divergence += (target[axis] - candidate[axis]) * d[axis];
@@ -57,7 +57,7 @@ struct AccelerationPair {
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
         using namespace fluid;
-        const Real slope = c.kernel.slope_over_r(sqrt(r2));
+        const Real slope = c.kernel.slope_over_r(distance(r2));
         Real approach(0);
         for (int axis = 0; axis < Dim; ++axis) {
             approach += (target[axis] - candidate[axis]) * d[axis];

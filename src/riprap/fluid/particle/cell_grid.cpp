@@ -30,15 +30,22 @@ void check_periods(const Domain& domain, double reach) {
 
 Box box_of(std::span<const Vec3> points) {
     const Box nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    return parallel::reduce(
-        static_cast<std::int64_t>(points.size()), nothing,
+    const auto join = [](const Box& a, const Box& b) {
+        return Box{min(b.low, a.low), max(b.high, a.high)};  // a number that is none loses every comparison
+    };
+    const auto count = static_cast<std::int64_t>(points.size());
+    const auto point = [&](std::int64_t i) -> const Vec3& { return points[static_cast<std::size_t>(i)]; };
+    const Box box = parallel::reduce(
+        count, nothing,
         [&](std::int64_t i) {
-            const Vec3& x = points[static_cast<std::size_t>(i)];
-            return is_finite(x) ? Box{x, x} : nothing;
+            return Box{point(i), point(i)};
         },
-        [](const Box& a, const Box& b) {
-            return Box{min(a.low, b.low), max(a.high, b.high)};
-        });
+        join);
+    if (is_finite(box.low) && is_finite(box.high)) {
+        return box;
+    }
+    const auto finite = [&](std::int64_t i) { return is_finite(point(i)) ? Box{point(i), point(i)} : nothing; };
+    return parallel::reduce(count, nothing, finite, join);
 }
 
 void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {

@@ -13,41 +13,73 @@ namespace riprap::fluid {
 // --- places
 // ------------------------------------------------------------------------------------------------------------
 
-double ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
+namespace {
+
+/// Four particles, x y z x y z x y z x y z, as whole numbers: x x x x, y y y y, z z z z.
+struct FourPlaces {
+    std::array<DoubleFour, 3> origin, per_quantum;
+
+    explicit FourPlaces(const FixedPoint& fixed) {
+        for (int k = 0; k < 12; ++k) {
+            origin[static_cast<std::size_t>(k / 4)][k % 4] = fixed.origin()[k % 3];
+            per_quantum[static_cast<std::size_t>(k / 4)][k % 4] = fixed.per_quantum()[k % 3];
+        }
+    }
+    std::array<IntFour, 3> operator()(const Vec3* four) const {
+        std::array<IntFour, 3> v;
+        for (std::size_t k = 0; k < 3; ++k) {
+            DoubleFour x;
+            __builtin_memcpy(&x, reinterpret_cast<const char*>(four) + k * sizeof x, sizeof x);
+            v[k] = FixedPoint::round((x - origin[k]) * per_quantum[k]);
+        }
+        const IntFour x = __builtin_shufflevector(v[0], v[1], 0, 3, 6, 6),
+                      y = __builtin_shufflevector(v[0], v[1], 1, 4, 7, 7),
+                      z = __builtin_shufflevector(v[0], v[1], 2, 5, 5, 5);
+        return {__builtin_shufflevector(x, v[2], 0, 1, 2, 5), __builtin_shufflevector(y, v[2], 0, 1, 2, 6),
+                __builtin_shufflevector(z, v[2], 0, 1, 4, 7)};
+    }
+};
+
+FloatFour max_of(FloatFour a, FloatFour b) { return a > b ? a : b; }
+
+}  // namespace
+
+float ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
     size_ = static_cast<std::int64_t>(position.size());
     stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
     fixed_ = fixed;
     places_.resize(static_cast<std::size_t>(cluster_count() * stride_));
-    parallel::for_each(cluster_count(), [&](std::int64_t c) {
-        std::int32_t* place = &places_[static_cast<std::size_t>(c * stride_)];
-        for (std::int64_t member = 0; member < cluster_size; ++member) {
-            const Vec3& x = position[static_cast<std::size_t>(std::min(c * cluster_size + member, size_ - 1))];
-            for (int axis = 0; axis < dimension; ++axis) {
-                place[axis * cluster_size + member] = fixed(x, axis);
+    const bool is_comparable = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
+    const FourPlaces four_places(fixed);
+    const auto place = [&](std::int64_t c) {
+        std::array<Vec3, cluster_size> four;
+        const std::int64_t first = c * cluster_size;
+        const bool is_full = first + cluster_size <= size_;
+        for (std::int64_t member = 0; !is_full && member < cluster_size; ++member) {
+            four[static_cast<std::size_t>(member)] =
+                position[static_cast<std::size_t>(std::min(first + member, size_ - 1))];
+        }
+        const std::array<IntFour, 3> here =
+            four_places(is_full ? &position[static_cast<std::size_t>(first)] : four.data());
+        FloatFour square{};
+        for (int axis = 0; axis < dimension; ++axis) {
+            const auto k = static_cast<std::size_t>(c * stride_ + axis * cluster_size);
+            const IntFour now = here[static_cast<std::size_t>(axis)];
+            __builtin_memcpy(&places_[k], &now, sizeof now);
+            if (is_comparable) {
+                IntFour then;
+                __builtin_memcpy(&then, &remembered_[k], sizeof then);
+                const FloatFour moved = difference(now, then) * static_cast<float>(fixed_.quantum()[axis]);
+                square += moved * moved;
             }
         }
-    });
-    if (remembered_.size() != places_.size() || remembered_fixed_ != fixed_) {
-        return std::numeric_limits<double>::infinity();
+        return square;
+    };
+    const FloatFour farthest = parallel::reduce(cluster_count(), FloatFour{}, place, max_of);
+    if (!is_comparable) {
+        return std::numeric_limits<float>::infinity();
     }
-    return parallel::reduce(
-        cluster_count(), 0.0,
-        [&](std::int64_t c) {
-            double farthest = 0;
-            for (std::int64_t member = 0; member < cluster_size; ++member) {
-                double square = 0;
-                for (int axis = 0; axis < dimension; ++axis) {
-                    const auto k = static_cast<std::size_t>(c * stride_ + axis * cluster_size + member);
-                    const auto moved = static_cast<std::int32_t>(static_cast<std::uint32_t>(places_[k]) -
-                                                                 static_cast<std::uint32_t>(remembered_[k]));
-                    const double length = fixed_.quantum()[axis] * moved;
-                    square += length * length;
-                }
-                farthest = std::max(farthest, square);
-            }
-            return farthest;
-        },
-        [](double a, double b) { return std::max(a, b); });
+    return std::sqrt(std::max({farthest[0], farthest[1], farthest[2], farthest[3]}));
 }
 
 void ClusterPlaces::remember() {
@@ -115,18 +147,20 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
         }
     });
     for (;;) {
-        Level level;
         const std::int64_t blocks = (count + branches - 1) / branches;
-        level.centre.assign(static_cast<std::size_t>(3 * blocks), FloatVector{});
-        level.half.assign(static_cast<std::size_t>(3 * blocks), FloatVector{} - 1e30F);  // nothing is near
+        Block nobody;
+        nobody.centre.fill(FloatVector{});
+        nobody.half.fill(FloatVector{} - 1e30F);  // near nothing
+        std::vector<Block> level(static_cast<std::size_t>(blocks), nobody);
         for (std::int64_t b = 0; b < count; ++b) {
-            const GrowingBox& box = boxes[static_cast<std::size_t>(b)];
-            for (int axis = 0; axis < 3 && !box.is_empty; ++axis) {
-                const auto k = static_cast<std::size_t>(3 * (b / branches) + axis);
-                const double centre = box.base[axis] + 0.5 * (box.low[axis] + box.high[axis]);
-                level.centre[k][b % branches] = static_cast<float>(centre);
-                level.half[k][b % branches] = static_cast<float>(0.5 * (box.high[axis] - box.low[axis]));
-                largest = std::max({largest, std::abs(centre), box.high[axis] - box.low[axis]});
+            const GrowingBox& grown = boxes[static_cast<std::size_t>(b)];
+            Block& block = level[static_cast<std::size_t>(b / branches)];
+            for (int axis = 0; axis < 3 && !grown.is_empty; ++axis) {
+                const auto k = static_cast<std::size_t>(axis);
+                const double centre = grown.base[axis] + 0.5 * (grown.low[axis] + grown.high[axis]);
+                block.centre[k][b % branches] = static_cast<float>(centre);
+                block.half[k][b % branches] = static_cast<float>(0.5 * (grown.high[axis] - grown.low[axis]));
+                largest = std::max({largest, std::abs(centre), grown.high[axis] - grown.low[axis]});
             }
         }
         levels_.push_back(std::move(level));
@@ -149,21 +183,48 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
     slack_ = static_cast<float>(largest * 0x1p-20);
 }
 
-BoxTree::Box BoxTree::box(std::int64_t cluster) const {
+BoxTree::Box BoxTree::box(std::size_t level, std::int64_t entry) const {
+    const Block& block = levels_[level][static_cast<std::size_t>(entry / branches)];
     Box box{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<std::size_t>(3 * (cluster / branches)) + axis;
-        box.centre[axis] = levels_[0].centre[k][cluster % branches];
-        box.half[axis] = levels_[0].half[k][cluster % branches];
+        box.centre[axis] = block.centre[axis][entry % branches];
+        box.half[axis] = block.half[axis][entry % branches];
     }
     return box;
 }
 
-std::uint32_t BoxTree::near(const Level& level, std::int64_t block, const Box& box, float distance) const {
+BoxTree::Box BoxTree::box_of_block(std::int64_t block) const {
+    if (levels_.size() > 1) {
+        return box(1, block);
+    }
+    return {{}, {1e30F, 1e30F, 1e30F}};  // the only block: everything is near
+}
+
+void BoxTree::find_blocks(const Box& box, float distance, std::vector<std::int32_t>& found) const {
+    if (levels_.size() > 1) {
+        visit(levels_.size() - 1, 0, box, distance, found);
+    } else if (!levels_.empty()) {
+        found.push_back(0);
+    }
+}
+
+void BoxTree::visit(std::size_t level, std::int64_t block, const Box& box, float distance,
+                    std::vector<std::int32_t>& found) const {
+    std::uint32_t hits = near(levels_[level][static_cast<std::size_t>(block)], box, distance);
+    for (; hits != 0; hits &= hits - 1) {
+        const std::int64_t entry = block * branches + __builtin_ctz(hits);
+        if (level == 1) {
+            found.push_back(static_cast<std::int32_t>(entry));
+        } else {
+            visit(level - 1, entry, box, distance, found);
+        }
+    }
+}
+
+std::uint32_t BoxTree::near(const Block& block, const Box& box, float distance) const {
     Lanes square(0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<std::size_t>(3 * block) + axis;
-        const Lanes d = Lanes(level.centre[k]) - Lanes(box.centre[axis]);
+        const Lanes d = Lanes(block.centre[axis]) - Lanes(box.centre[axis]);
         Lanes apart = max(d, -d);
         if (period_[axis] > 0) {
             // centres lie in the period or half a box outside, so less than two periods apart
@@ -172,7 +233,7 @@ std::uint32_t BoxTree::near(const Level& level, std::int64_t block, const Box& b
                 apart = min(apart, max(other, -other));
             }
         }
-        const Lanes gap = max(apart - Lanes(level.half[k]) - Lanes(box.half[axis]), Lanes(0));
+        const Lanes gap = max(apart - Lanes(block.half[axis]) - Lanes(box.half[axis]), Lanes(0));
         square += gap * gap;
     }
     return bits_below(square, distance * distance);
@@ -196,7 +257,7 @@ struct TargetPlaces {
             quantum[k] = Lanes(fixed.quantum()[axis]);
         }
     }
-    bool has_pair_within(const std::int32_t* candidates, float distance) const {
+    bool has_pair_within(const std::int32_t* candidates, float within) const {
         Lanes square(0);
         for (int axis = 0; axis < dimension; ++axis) {
             const auto k = static_cast<std::size_t>(axis);
@@ -205,11 +266,95 @@ struct TargetPlaces {
                             quantum[k];
             square += d * d;
         }
-        return bits_below(square, distance * distance) != 0;
+        return bits_below(square, within * within) != 0;
     }
 };
 
 }  // namespace
+
+/// Finds what is near clusters of targets, sixteen clusters of targets at a time. No branch depends on a single box:
+/// the finds are written one behind the other, and the misses overwritten.
+class ClusterList::Search {
+ public:
+    Search(const ClusterList& list, const BoxTree& targets, int dimension, float distance)
+        : list_(list),
+          targets_(targets),
+          candidates_(list.candidate_boxes_),
+          dimension_(dimension),
+          distance_(distance),
+          box_distance_(distance + targets.slack() + candidates_.slack()) {}
+
+    void fill(std::int64_t target_block, Chunk& chunk) {
+        blocks_.clear();
+        candidates_.find_blocks(targets_.box_of_block(target_block), box_distance_, blocks_);
+        block_boxes_.assign((blocks_.size() + BoxTree::branches - 1) / BoxTree::branches, {});
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            const BoxTree::Box box = candidates_.box_of_block(blocks_[b]);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                block_boxes_[b / BoxTree::branches].centre[axis][static_cast<int>(b % BoxTree::branches)] =
+                    box.centre[axis];
+                block_boxes_[b / BoxTree::branches].half[axis][static_cast<int>(b % BoxTree::branches)] =
+                    box.half[axis];
+            }
+        }
+        near_blocks_.resize(blocks_.size() + BoxTree::branches);
+        near_clusters_.resize((blocks_.size() + 1) * BoxTree::branches);
+        chunk.candidates.clear();
+        chunk.start.fill(0);
+        const std::int64_t first = target_block * chunk_size;
+        const std::int64_t count = std::min(chunk_size, list_.targets_.cluster_count() - first);
+        for (std::int64_t local = 0; local < chunk_size; ++local) {
+            if (local < count) {
+                find(first + local, chunk.candidates);
+            }
+            chunk.start[static_cast<std::size_t>(local) + 1] = static_cast<std::int32_t>(chunk.candidates.size());
+        }
+        chunk.candidates.shrink_to_fit();
+    }
+
+ private:
+    void find(std::int64_t target, std::vector<std::int32_t>& found) {
+        const BoxTree::Box box = targets_.box_of_cluster(target);
+        IntVector steps;
+        for (int lane = 0; lane < lane_count; ++lane) {
+            steps[lane] = lane;
+        }
+        int block_count = 0;
+        for (std::size_t k = 0; k < block_boxes_.size(); ++k) {
+            const std::size_t here = k * BoxTree::branches;
+            const std::size_t rest = std::min<std::size_t>(BoxTree::branches, blocks_.size() - here);
+            const std::uint32_t hits = candidates_.near(block_boxes_[k], box, box_distance_) & ((1U << rest) - 1U);
+            for (std::uint32_t left = hits; left != 0; left &= left - 1) {
+                near_blocks_[static_cast<std::size_t>(block_count++)] =
+                    blocks_[here + static_cast<std::size_t>(__builtin_ctz(left))];
+            }
+        }
+        int cluster_count = 0;
+        for (int k = 0; k < block_count; ++k) {
+            const std::int32_t block = near_blocks_[static_cast<std::size_t>(k)];
+            cluster_count += write_selected(candidates_.near(candidates_.clusters_of(block), box, box_distance_),
+                                            steps + block * BoxTree::branches,
+                                            &near_clusters_[static_cast<std::size_t>(cluster_count)]);
+        }
+        const TargetPlaces here(list_.targets_.cluster(target), list_.fixed_, dimension_);
+        std::size_t size = found.size();
+        found.resize(size + static_cast<std::size_t>(cluster_count));
+        for (int k = 0; k < cluster_count; ++k) {
+            const std::int32_t c = near_clusters_[static_cast<std::size_t>(k)];
+            found[size] = c;
+            size += here.has_pair_within(list_.candidates().cluster(c), distance_) ? 1 : 0;
+        }
+        found.resize(size);
+    }
+
+    const ClusterList& list_;
+    const BoxTree& targets_;
+    const BoxTree& candidates_;
+    int dimension_;
+    float distance_, box_distance_;
+    std::vector<std::int32_t> blocks_, near_blocks_, near_clusters_;
+    std::vector<BoxTree::Block> block_boxes_;
+};
 
 void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates) {
     check_periods(reach.domain, reach.support_radius);
@@ -222,8 +367,8 @@ void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets,
     }
     fixed_ = FixedPoint(reach, max(box.high - box.low, Vec3{}));
     const int dimension = reach.domain.dimension;
-    const double moved = std::sqrt(targets_.update(targets, fixed_, dimension)) +
-                         (is_same_ ? 0 : std::sqrt(candidates_.update(candidates, fixed_, dimension)));
+    const double moved = targets_.update(targets, fixed_, dimension) +
+                         (is_same_ ? 0.0F : candidates_.update(candidates, fixed_, dimension));
     ++sweeps_;
     const double both_moved = is_same_ ? 2 * moved : moved;
     if (is_complete_ && was_same == is_same_ && both_moved <= skin_) {
@@ -251,24 +396,11 @@ void ClusterList::build(const SweepReach& reach, std::span<const Vec3> targets, 
     const BoxTree& boxes = is_same_ ? candidate_boxes_ : target_boxes_;
     const double fixed_slack = 4 * std::max({fixed_.quantum().x, fixed_.quantum().y, fixed_.quantum().z});
     const auto distance = static_cast<float>((reach.support_radius + skin_) * (1 + 1e-5) + fixed_slack);
-    const float box_distance = distance + boxes.slack() + candidate_boxes_.slack();
     chunks_.resize(static_cast<std::size_t>(chunk_count()));
-    parallel::for_each_uneven(chunk_count(), 1, [&](std::int64_t k) {
-        Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
-        chunk.candidates.clear();
-        chunk.start.fill(0);
-        const std::int64_t first = k * chunk_size;
-        for (std::int64_t local = 0; local < chunk_size; ++local) {
-            const std::int64_t t = first + local;
-            if (t < targets_.cluster_count()) {
-                const TargetPlaces here(targets_.cluster(t), fixed_, dimension);
-                candidate_boxes_.for_each_near(boxes.box(t), box_distance, [&](std::int64_t c) {
-                    if (here.has_pair_within(this->candidates().cluster(c), distance)) {
-                        chunk.candidates.push_back(static_cast<std::int32_t>(c));
-                    }
-                });
-            }
-            chunk.start[static_cast<std::size_t>(local) + 1] = static_cast<std::int32_t>(chunk.candidates.size());
+    parallel::for_ranges(chunk_count(), 16, [&](std::int64_t begin, std::int64_t end) {
+        Search search(*this, boxes, dimension, distance);
+        for (std::int64_t k = begin; k < end; ++k) {
+            search.fill(k, chunks_[static_cast<std::size_t>(k)]);
         }
     });
     targets_.remember();

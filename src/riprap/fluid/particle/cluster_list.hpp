@@ -15,9 +15,9 @@ namespace riprap::fluid {
 /// is filled up with copies of the last particle.
 class ClusterPlaces {
  public:
-    /// Takes the places; returns the square of the farthest that one has come since remember() [m^2], or infinity where
-    /// there is nothing to compare with.
-    double update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
+    /// Takes the places; returns the farthest that one has come since remember() [m], or infinity where there is
+    /// nothing to compare with.
+    float update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
     void remember();
 
     std::int64_t size() const { return size_; }
@@ -31,8 +31,8 @@ class ClusterPlaces {
     FixedPoint fixed_, remembered_fixed_;
 };
 
-/// Boxes around clusters, around sixteen of those, and so on: a tree that needs no pointers, since clusters that follow
-/// each other lie near each other. Boxes are in float, relative to the corner of the domain.
+/// Boxes around clusters, around blocks of sixteen of those, and so on: a tree that needs no pointers, since clusters
+/// that follow each other lie near each other. Boxes are in float, relative to the corner of the domain.
 class BoxTree {
  public:
     static constexpr int branches = lane_count;
@@ -40,41 +40,31 @@ class BoxTree {
     struct Box {
         std::array<float, 3> centre, half;  ///< [m]
     };
+    /// Sixteen boxes side by side, per axis.
+    struct Block {
+        std::array<FloatVector, 3> centre, half;
+    };
 
     void build(std::span<const Vec3> position, const Domain& domain);
-    /// f(c) for every cluster whose box may come within `distance` [m] of the given box, ascending.
-    template <class F>
-    void for_each_near(const Box& box, float distance, const F& f) const {
-        if (!levels_.empty()) {
-            visit(levels_.size() - 1, 0, box, distance, f);
-        }
-    }
-    Box box(std::int64_t cluster) const;
+
+    /// Appends to `found`, ascending, the blocks of clusters that may come within `distance` [m] of the box.
+    void find_blocks(const Box& box, float distance, std::vector<std::int32_t>& found) const;
+    /// Bit b is set where box b of the block may come within `distance` of the box.
+    std::uint32_t near(const Block& block, const Box& box, float distance) const;
+
+    const Block& clusters_of(std::int64_t block) const { return levels_[0][static_cast<std::size_t>(block)]; }
+    Box box_of_cluster(std::int64_t cluster) const { return box(0, cluster); }
+    /// Box around a block of clusters.
+    Box box_of_block(std::int64_t block) const;
     /// Bound of what rounding to float can do to a distance between boxes [m].
     float slack() const { return slack_; }
 
  private:
-    /// centre and half size along each axis, sixteen boxes at a time
-    struct Level {
-        std::vector<FloatVector> centre, half;  ///< entry 3 block + axis
-    };
+    Box box(std::size_t level, std::int64_t entry) const;
+    void visit(std::size_t level, std::int64_t block, const Box& box, float distance,
+               std::vector<std::int32_t>& found) const;
 
-    template <class F>
-    void visit(std::size_t level, std::int64_t block, const Box& box, float distance, const F& f) const {
-        std::uint32_t hits = near(levels_[level], block, box, distance);
-        while (hits != 0) {
-            const std::int64_t entry = block * branches + __builtin_ctz(hits);
-            hits &= hits - 1;
-            if (level == 0) {
-                f(entry);
-            } else {
-                visit(level - 1, entry, box, distance, f);
-            }
-        }
-    }
-    std::uint32_t near(const Level& level, std::int64_t block, const Box& box, float distance) const;
-
-    std::vector<Level> levels_;  ///< from the clusters up to one block
+    std::vector<std::vector<Block>> levels_;  ///< from the clusters up to one block
     std::array<float, 3> period_{};
     float slack_{0};
 };
@@ -84,7 +74,7 @@ class BoxTree {
 class ClusterList {
  public:
     /// Target clusters of which the lists are kept together, and which one thread sweeps in one go.
-    static constexpr std::int64_t chunk_size = 64;
+    static constexpr std::int64_t chunk_size = BoxTree::branches;
 
     /// Brings places and lists up to date with the positions.
     void update(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
@@ -111,6 +101,7 @@ class ClusterList {
         std::vector<std::int32_t> candidates;
         std::array<std::int32_t, chunk_size + 1> start;
     };
+    class Search;
 
     void build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
     void choose_skin(double support_radius, double moved);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "riprap/fluid/particle/lanes.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
 namespace riprap::fluid {
@@ -25,21 +26,22 @@ class FixedPoint {
             } else {
                 // Powers of two times the reach, so that the same length serves while the extent changes little. Far
                 // ends of the particles must not meet modulo 2^32: two reaches between them.
-                const double reaches = std::max(32.0, extent[axis] / reach.support_radius + 2);
+                const double reaches = std::clamp(extent[axis] / reach.support_radius + 2, 32.0, 1e9);
                 quantum_[axis] = std::ldexp(reach.support_radius, std::ilogb(reaches) + 1 - 32);
             }
-            per_quantum_[axis] = 1 / quantum_[axis];
+            per_quantum_[axis] = axis < reach.domain.dimension ? 1 / quantum_[axis] : 0;
         }
     }
 
-    /// x along the axis in small lengths, modulo 2^32. Places beyond 2^62 small lengths, and not finite ones, are
-    /// anywhere.
-    std::int32_t operator()(const Vec3& x, int axis) const {
-        const double scaled = (x[axis] - origin_[axis]) * per_quantum_[axis];
-        constexpr double most = 4e18;
-        const double bounded = scaled < most ? (scaled > -most ? scaled : -most) : most;
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llrint(bounded)));
+    /// Small lengths, rounded, modulo 2^32. What is added puts the unit into the last place of the mantissa, so that
+    /// its low bits are the whole number, in two's complement. Places beyond 2^51 small lengths, and not finite ones,
+    /// are anywhere.
+    static IntFour round(DoubleFour small_lengths) {
+        using LongFour [[gnu::vector_size(sizeof(DoubleFour))]] = std::int64_t;
+        return __builtin_convertvector(reinterpret_cast<LongFour>(small_lengths + 0x1.8p52), IntFour);
     }
+    const Vec3& origin() const { return origin_; }
+    const Vec3& per_quantum() const { return per_quantum_; }
     /// [m]
     const Vec3& quantum() const { return quantum_; }
 

@@ -22,6 +22,8 @@ using IntVector [[gnu::vector_size(lane_count * sizeof(std::int32_t))]] = std::i
 using FloatFour [[gnu::vector_size(cluster_size * sizeof(float))]] = float;
 using IntFour [[gnu::vector_size(cluster_size * sizeof(std::int32_t))]] = std::int32_t;
 
+using DoubleFour [[gnu::vector_size(cluster_size * sizeof(double))]] = double;
+
 /// One truth per lane.
 struct LaneMask {
     IntVector v;
@@ -121,8 +123,14 @@ inline Lanes reciprocal_sqrt(Lanes a) {
     const FloatVector y = detail::estimate_reciprocal_sqrt(a.v);
     return y + y * (0.5F - 0.5F * a.v * y * y);
 }
+/// sqrt(a) for a > 0.
+inline Lanes distance(Lanes a) {
+    const FloatVector y = detail::estimate_reciprocal_sqrt(a.v);
+    const FloatVector root = a.v * y;
+    return root + root * (0.5F - root * (0.5F * y));
+}
 /// sqrt(a) for a >= 0; 0 below 1e-30.
-inline Lanes sqrt(Lanes a) { return a * reciprocal_sqrt(max(a, Lanes(1e-30F))); }
+inline Lanes sqrt(Lanes a) { return select(a > Lanes(1e-30F), distance(max(a, Lanes(1e-30F))), Lanes(0)); }
 
 // --- clusters of four in sixteen lanes
 // ---------------------------------------------------------------------------------
@@ -158,11 +166,39 @@ inline IntVector targets_in_lanes(const std::int32_t* four) {
     __builtin_memcpy(&f, four, sizeof f);
     return __builtin_shufflevector(f, f, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
 }
+/// Sums over the candidates of each target: entry t adds up lanes 4 t to 4 t + 3, in a fixed order.
+inline FloatFour sum_of_candidates(Lanes a) {
+    const FloatVector pairs =
+        a.v + __builtin_shufflevector(a.v, a.v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14);
+    const FloatVector sums =
+        pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
+    return __builtin_shufflevector(sums, sums, 0, 4, 8, 12);
+}
+/// Writes the values of the lanes whose bits are set one after the other, and garbage up to 16 behind them.
+/// @returns how many
+inline int write_selected(std::uint32_t bits, IntVector values, std::int32_t* out) {
+#if defined(__AVX512F__)
+    _mm512_storeu_si512(out,
+                        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), reinterpret_cast<__m512i>(values)));
+#else
+    std::int32_t* next = out;
+    for (int lane = 0; lane < lane_count; ++lane) {
+        *next = values[lane];
+        next += (bits >> lane) & 1U;
+    }
+#endif
+    return __builtin_popcount(bits);
+}
 /// Difference of whole numbers, modulo 2^32, as floats.
 inline Lanes difference(IntVector a, IntVector b) {
     using Unsigned [[gnu::vector_size(sizeof(IntVector))]] = std::uint32_t;
-    return __builtin_convertvector(
-        reinterpret_cast<IntVector>(reinterpret_cast<Unsigned>(a) - reinterpret_cast<Unsigned>(b)), FloatVector);
+    const auto d = reinterpret_cast<Unsigned>(a) - reinterpret_cast<Unsigned>(b);
+    return __builtin_convertvector(reinterpret_cast<IntVector>(d), FloatVector);
+}
+inline FloatFour difference(IntFour a, IntFour b) {
+    using Unsigned [[gnu::vector_size(sizeof(IntFour))]] = std::uint32_t;
+    const auto d = reinterpret_cast<Unsigned>(a) - reinterpret_cast<Unsigned>(b);
+    return __builtin_convertvector(reinterpret_cast<IntFour>(d), FloatFour);
 }
 /// Bit l is set where lane l is below the limit.
 inline std::uint32_t bits_below(Lanes a, float limit) {

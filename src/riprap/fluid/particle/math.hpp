@@ -22,6 +22,10 @@ RIPRAP_HD inline float select(bool condition, float a, float b) { return conditi
 RIPRAP_HD inline double sqrt(double a) { return std::sqrt(a); }
 RIPRAP_HD inline float sqrt(float a) { return std::sqrt(a); }
 
+/// r from r^2 as a sweep hands it out: a square root that need not work at zero.
+RIPRAP_HD inline double distance(double r2) { return std::sqrt(r2); }
+RIPRAP_HD inline float distance(float r2) { return std::sqrt(r2); }
+
 /// 1/a for a > 0. Lanes estimate and correct it: an error of 2 units in the last place, and cheaper than a division.
 RIPRAP_HD inline double reciprocal(double a) { return 1 / a; }
 RIPRAP_HD inline float reciprocal(float a) { return 1 / a; }

@@ -60,7 +60,7 @@ struct ClusterSweep {
             place[static_cast<std::size_t>(axis)] = targets_in_lanes(list.targets().cluster(t) + axis * cluster_size);
             quantum[static_cast<std::size_t>(axis)] = Lanes(list.fixed().quantum()[axis]);
         }
-        std::array<Lanes, target_fields + 1> target;
+        std::array<Lanes, target_fields + 1> target{};
         for (std::size_t k = 0; k < target_fields; ++k) {
             std::array<float, cluster_size> four;
             for (std::int64_t member = 0; member < cluster_size; ++member) {
@@ -73,11 +73,9 @@ struct ClusterSweep {
         sum.fill(Lanes(0));
         add_candidates(place, quantum, target, list.near(t), sum);
         for (std::size_t k = 0; k < sum_count; ++k) {
-            for (std::int64_t member = 0; member < count; ++member) {
-                const auto lane = static_cast<int>(member * cluster_size);
-                sums[k][t * cluster_size + member] +=
-                    (static_cast<double>(sum[k].v[lane]) + static_cast<double>(sum[k].v[lane + 1])) +
-                    (static_cast<double>(sum[k].v[lane + 2]) + static_cast<double>(sum[k].v[lane + 3]));
+            const FloatFour total = sum_of_candidates(sum[k]);
+            for (int member = 0; member < count; ++member) {
+                sums[k][t * cluster_size + member] += static_cast<double>(total[member]);
             }
         }
     }
@@ -90,9 +88,9 @@ struct ClusterSweep {
         const std::int64_t size = list.candidates().size();
         const std::int64_t partial = size % cluster_size == 0 ? -1 : size / cluster_size;
         const std::int32_t* const places = list.candidates().cluster(0);
-        for (const std::int64_t c : near) {
+        const auto add = [&](std::int64_t c) __attribute__((always_inline)) {
             std::array<Lanes, Dim> d;
-            Lanes r2(0);
+            Lanes r2(1e-30F);  // not zero, where square roots need care
             const std::int32_t* const four_places = places + c * (Dim * cluster_size);
             for (std::size_t axis = 0; axis < Dim; ++axis) {
                 d[axis] =
@@ -102,12 +100,21 @@ struct ClusterSweep {
             if (c == partial) [[unlikely]] {
                 r2 += beyond(size % cluster_size);
             }
-            std::array<Lanes, candidate_fields + 1> candidate;
+            std::array<Lanes, candidate_fields + 1> candidate{};
             const float* const four_fields = fields + c * (Pair::candidate_fields * cluster_size);
             for (std::size_t k = 0; k < candidate_fields; ++k) {
                 candidate[k] = candidates_in_lanes(four_fields + k * cluster_size);
             }
             physics.template operator()<Dim, Lanes>(target.data(), candidate.data(), d.data(), r2, sum.data());
+        };
+        // Two at a time, so that the compiler can mix their instructions: one alone is a long chain of dependences.
+        std::size_t n = 0;
+        for (; n + 1 < near.size(); n += 2) {
+            add(near[n]);
+            add(near[n + 1]);
+        }
+        if (n < near.size()) {
+            add(near[n]);
         }
         sums_out = sum;
     }
