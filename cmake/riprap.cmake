@@ -33,6 +33,11 @@ if(RIPRAP_SANITIZE)
 endif()
 target_link_libraries(riprap_flags INTERFACE Threads::Threads)
 
+# For files that hold the inner loops over pairs of particles and nothing else. Products may be fused with sums, which
+# is a third of the arithmetic: their bits depend on the compiler, never on threads or lists of neighbours. GCC must be
+# told to mix the instructions of two independent evaluations; without it each is a chain that the processor waits for.
+set(RIPRAP_KERNEL_OPTIONS -ffp-contract=fast $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns>)
+
 # riprap_library(NAME DEPENDS other... ): one library per folder, alias riprap::NAME, sources are the .cpp beside it.
 # Arrows between folders are the DEPENDS lists; a wrong one is a link error.
 function(riprap_library name)

@@ -20,6 +20,10 @@ void pile_10k(const Setting& setting, std::vector<Result>& results);
 void pile_100k(const Setting& setting, std::vector<Result>& results);
 void pile_voronoi(const Setting& setting, std::vector<Result>& results);
 
+// sph.cpp
+void sph_h1732(const Setting& setting, std::vector<Result>& results);
+void sph_h12(const Setting& setting, std::vector<Result>& results);
+
 // broadphase.cpp
 void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 

@@ -72,4 +72,18 @@ struct AccelerationPair {
     }
 };
 
+/// Counts who acts on a target.
+struct CountPair {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 0;
+    static constexpr int sums = 1;
+    SphConstants c;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real*, const Real*, const Real*, Real r2, Real* sum) const {
+        using namespace fluid;
+        sum[0] += select(c.kernel.value(distance(r2)) > Real(0), Real(1), Real(0));
+    }
+};
+
 }  // namespace riprap::bench

@@ -40,11 +40,33 @@ struct FourPlaces {
     }
 };
 
-FloatFour max_of(FloatFour a, FloatFour b) { return a > b ? a : b; }
+ClusterPlaces::Motion join(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
+    ClusterPlaces::Motion both;
+    for (std::size_t k = 0; k < 3; ++k) {
+        both.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
+        both.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
+    }
+    return both;
+}
+
+/// The most by which a particle of one set and one of the other may have come closer [m].
+float approach(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
+    if (!a.is_known || !b.is_known) {
+        return std::numeric_limits<float>::infinity();
+    }
+    const auto least = [](FloatFour v) { return std::min({v[0], v[1], v[2], v[3]}); };
+    const auto greatest = [](FloatFour v) { return std::max({v[0], v[1], v[2], v[3]}); };
+    float square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float most = std::max(greatest(a.high[k]) - least(b.low[k]), greatest(b.high[k]) - least(a.low[k]));
+        square += most * most;
+    }
+    return std::sqrt(square);
+}
 
 }  // namespace
 
-float ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
+ClusterPlaces::Motion ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
     size_ = static_cast<std::int64_t>(position.size());
     stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
     fixed_ = fixed;
@@ -61,7 +83,7 @@ float ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fi
         }
         const std::array<IntFour, 3> here =
             four_places(is_full ? &position[static_cast<std::size_t>(first)] : four.data());
-        FloatFour square{};
+        Motion motion;
         for (int axis = 0; axis < dimension; ++axis) {
             const auto k = static_cast<std::size_t>(c * stride_ + axis * cluster_size);
             const IntFour now = here[static_cast<std::size_t>(axis)];
@@ -69,17 +91,18 @@ float ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fi
             if (is_comparable) {
                 IntFour then;
                 __builtin_memcpy(&then, &remembered_[k], sizeof then);
-                const FloatFour moved = difference(now, then) * static_cast<float>(fixed_.quantum()[axis]);
-                square += moved * moved;
+                const FloatFour way = difference(now, then) * static_cast<float>(fixed_.quantum()[axis]);
+                motion.low[static_cast<std::size_t>(axis)] = motion.high[static_cast<std::size_t>(axis)] = way;
             }
         }
-        return square;
+        return motion;
     };
-    const FloatFour farthest = parallel::reduce(cluster_count(), FloatFour{}, place, max_of);
-    if (!is_comparable) {
-        return std::numeric_limits<float>::infinity();
-    }
-    return std::sqrt(std::max({farthest[0], farthest[1], farthest[2], farthest[3]}));
+    Motion nothing;
+    nothing.low.fill(FloatFour{} + std::numeric_limits<float>::infinity());
+    nothing.high.fill(FloatFour{} - std::numeric_limits<float>::infinity());
+    Motion motion = parallel::reduce(cluster_count(), nothing, place, join);
+    motion.is_known = is_comparable;
+    return motion;
 }
 
 void ClusterPlaces::remember() {
@@ -367,23 +390,23 @@ void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets,
     }
     fixed_ = FixedPoint(reach, max(box.high - box.low, Vec3{}));
     const int dimension = reach.domain.dimension;
-    const double moved = targets_.update(targets, fixed_, dimension) +
-                         (is_same_ ? 0.0F : candidates_.update(candidates, fixed_, dimension));
+    const ClusterPlaces::Motion target_motion = targets_.update(targets, fixed_, dimension);
+    const double closer =
+        approach(target_motion, is_same_ ? target_motion : candidates_.update(candidates, fixed_, dimension));
     ++sweeps_;
-    const double both_moved = is_same_ ? 2 * moved : moved;
-    if (is_complete_ && was_same == is_same_ && both_moved <= skin_) {
+    if (is_complete_ && was_same == is_same_ && closer <= skin_) {
         return;
     }
-    choose_skin(reach.support_radius, both_moved);
+    choose_skin(reach.support_radius, closer);
     build(reach, targets, candidates);
 }
 
-void ClusterList::choose_skin(double support_radius, double moved) {
+void ClusterList::choose_skin(double support_radius, double closer) {
     // A skin s makes a sweep dearer by 3 s/(2 h + 1) of it and lets it last s/u sweeps at a motion of u per sweep until
     // the lists, which cost about half a sweep, are made anew: least in sum at s^2 = u (2 h)/6.
     constexpr double least = 0.01, most = 0.12;
-    const double per_sweep =
-        std::isfinite(moved) ? moved / static_cast<double>(std::max<std::int64_t>(1, sweeps_)) : 0.005 * support_radius;
+    const double per_sweep = std::isfinite(closer) ? closer / static_cast<double>(std::max<std::int64_t>(1, sweeps_))
+                                                   : 0.005 * support_radius;
     skin_ = std::clamp(std::sqrt(per_sweep * support_radius / 6), least * support_radius, most * support_radius);
 }
 

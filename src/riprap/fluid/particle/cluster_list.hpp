@@ -15,9 +15,12 @@ namespace riprap::fluid {
 /// is filled up with copies of the last particle.
 class ClusterPlaces {
  public:
-    /// Takes the places; returns the farthest that one has come since remember() [m], or infinity where there is
-    /// nothing to compare with.
-    float update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
+    /// How far particles have come since remember(): the smallest box of all their ways [m].
+    struct Motion {
+        std::array<FloatFour, 3> low{}, high{};  ///< per axis, the least and the greatest of each of four
+        bool is_known{false};                    ///< false where there is nothing to compare with
+    };
+    Motion update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
     void remember();
 
     std::int64_t size() const { return size_; }
@@ -91,10 +94,9 @@ class ClusterList {
                      static_cast<std::size_t>(chunk.start[local + 1] - chunk.start[local]));
     }
 
-    /// For the record: how often lists were made, how many pairs of clusters they hold, memory [B].
+    /// For the record: how often lists were made, how many pairs of clusters they hold.
     std::int64_t builds() const { return builds_; }
     std::int64_t cluster_pairs() const;
-    std::int64_t bytes() const;
 
  private:
     struct Chunk {
@@ -104,7 +106,7 @@ class ClusterList {
     class Search;
 
     void build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
-    void choose_skin(double support_radius, double moved);
+    void choose_skin(double support_radius, double closer);
 
     ClusterPlaces targets_, candidates_;
     BoxTree target_boxes_, candidate_boxes_;

@@ -48,7 +48,9 @@ struct ClusterSweep {
     void operator()(std::int64_t begin_chunk, std::int64_t end_chunk) const {
         const std::int64_t end = std::min(list.targets().cluster_count(), end_chunk * ClusterList::chunk_size);
         for (std::int64_t t = begin_chunk * ClusterList::chunk_size; t < end; ++t) {
-            sweep_cluster(t);
+            if (!list.near(t).empty()) {
+                sweep_cluster(t);
+            }
         }
     }
 
@@ -137,7 +139,7 @@ void sweep_clusters(const Pair& pair, const SweepReach& reach, const SweepSide<P
     scratch.list.update(reach, targets.position, candidates.position);
     pack_fields(candidates.fields, static_cast<std::int64_t>(candidates.position.size()), scratch.fields);
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
-    parallel::for_ranges(scratch.list.chunk_count(), 1,
+    parallel::for_ranges(scratch.list.chunk_count(), 8,
                          ClusterSweep<Dim, Pair>{pair, scratch.list, targets.fields, scratch.fields.data(), sums, far});
 }
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/bench/sph_pairs.hpp"
+#include "riprap/fluid/particle/sweep_kernel.hpp"
+
+namespace riprap::fluid {
+
+RIPRAP_INSTANTIATE_SWEEP(bench::DensityRatePair);
+RIPRAP_INSTANTIATE_SWEEP(bench::AccelerationPair);
+RIPRAP_INSTANTIATE_SWEEP(bench::CountPair);
+
+}  // namespace riprap::fluid
