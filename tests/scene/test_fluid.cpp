@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/quantity.hpp"
 #include "scene/case_fixture.hpp"
 
 namespace riprap::scene {
@@ -89,6 +90,47 @@ TEST(FluidCase, density_at_the_start_is_hydrostatic) {
         // (1 + 7 a)^(1/7) to second order; the third is 13 a^3, here at most 2e-7.
         EXPECT_NEAR(loaded.state.fluid.density[i], 1000 * (1 + a - 3 * a * a), 3e-4);
     }
+}
+
+TEST(FluidCase, gauges_become_columns_and_can_be_expected) {
+    const LoadedCase loaded = test::read(tank + R"(
+[[output.gauge]]
+name  = "depth"
+kind  = "level"
+point = [0.2, 0.0]
+
+[[output.gauge]]
+name  = "current"
+kind  = "velocity"
+point = [0.5, 0.2]
+
+[[expect]]
+name      = "the water stands"
+quantity  = "depth"
+value     = 0.5
+tolerance = 0.01
+citation  = "the level at the start"
+)");
+    std::vector<std::string> names;
+    for (const sim::Column& column : sim::record_columns(loaded.model)) {
+        names.push_back(column.name + " [" + column.unit + "]");
+    }
+    EXPECT_THAT(names, ElementsAre("depth [m]", "current.x [m/s]", "current.y [m/s]", "current.z [m/s]"));
+    const auto depth = sim::find_column(loaded.model, "depth");
+    ASSERT_TRUE(depth);
+    EXPECT_NEAR(sim::evaluate(*depth, {loaded.model, loaded.state, loaded.state, nullptr, nullptr}), 0.5, 0.01);
+}
+
+TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
+    const auto problems = [](const std::string& text) {
+        return test::problems_of(tank + "\n[[output.gauge]]\nname = \"g\"\n" + text);
+    };
+    EXPECT_THAT(problems("kind = \"pressure\"\npoint = [90.0, 0.0]\n"), ElementsAre(HasSubstr("outside the domain")));
+    EXPECT_THAT(problems("kind = \"surface\"\npoint = [0.5, 0.1]\n"), ElementsAre(HasSubstr("without 'end'")));
+    EXPECT_THAT(problems("kind = \"flow\"\npoint = [0.5, 0.1]\nend = [0.7, 0.4]\n"),
+                ElementsAre(HasSubstr("without extent along 0 axes")));
+    EXPECT_THAT(problems("kind = \"volume\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n"),
+                ElementsAre(HasSubstr("without volume")));
 }
 
 }  // namespace

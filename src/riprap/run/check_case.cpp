@@ -118,10 +118,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         return count + (is_end_due ? 0 : 1);
     };
     check.frames = model.output.vtk ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
-    double columns = ledger_columns;
-    for (const sim::Probe& probe : model.output.probes) {
-        columns += static_cast<double>(sim::columns_of(probe).size());
-    }
+    const double columns = ledger_columns + static_cast<double>(sim::record_columns(model).size());
     check.output_bytes = static_cast<std::size_t>(static_cast<double>(check.frames) *
                                                       predicted_frame_bytes(model, initial, state, scratch) +
                                                   times(row_interval(model)) * columns * bytes_per_number);

@@ -11,16 +11,6 @@ namespace riprap::run {
 
 namespace {
 
-std::vector<sim::Column> all_probe_columns(const sim::Model& model) {
-    std::vector<sim::Column> columns;
-    for (const sim::Probe& probe : model.output.probes) {
-        for (sim::Column& column : sim::columns_of(probe)) {
-            columns.push_back(std::move(column));
-        }
-    }
-    return columns;
-}
-
 /// Every quantity of the scene except time, which has a column of its own.
 std::vector<sim::Column> all_scene_columns() {
     std::vector<sim::Column> columns;
@@ -75,7 +65,7 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       frame_schedule_(record.frame_interval, record.next_frame),
       row_schedule_(record.row_interval, record.next_row),
       planes_(io::draw_planes(model, initial)),
-      probe_columns_(all_probe_columns(model)),
+      probe_columns_(sim::record_columns(model)),
       ledger_columns_(all_scene_columns()),
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),

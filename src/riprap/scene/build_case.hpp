@@ -48,8 +48,9 @@ void build_settings(CaseBuild& build);
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
-void build_fluid(CaseBuild& build);   ///< after all bodies: water fills what they leave
-void build_output(CaseBuild& build);  ///< last: probes and expects look bodies up
+void build_fluid(CaseBuild& build);                      ///< after all bodies: water fills what they leave
+void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
+void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
 
 /// Point `i` of the lattice with the counts of `table` (2 or 3 of them) and its pitch, x fastest, from its first point.
 class Lattice {

@@ -73,10 +73,8 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
         return true;
     }
     std::vector<std::string> known;
-    for (const sim::Probe& probe : build.model.output.probes) {
-        for (const sim::Column& column : sim::columns_of(probe)) {
-            known.push_back(column.name);
-        }
+    for (const sim::Column& column : sim::record_columns(build.model)) {
+        known.push_back(column.name);
     }
     for (const sim::QuantityInfo& info : sim::quantities()) {
         known.emplace_back(info.name);
@@ -185,6 +183,7 @@ void build_output(CaseBuild& build) {
     settings.ledger_tolerance = get_number(output, "ledger_tolerance");
     settings.vtk = get_boolean(output, "vtk");
     settings.contacts = get_boolean(output, "contacts");
+    build_gauges(build, get(output, "gauge"));
     for (const Value& probe : get(output, "probe").items) {
         read_probe(build, probe);
     }

@@ -32,6 +32,25 @@ const Table& probe_table() {
     return table;
 }
 
+const Table& gauge_table() {
+    static const Table table{
+        "output.gauge",
+        "[[output.gauge]]",
+        "An instrument in the water: columns of probes.csv, and a name for [[expect]]. A dry place reads 0.",
+        {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
+         {"kind",
+          {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume"})},
+          "pressure, velocity: at a point, on walls too. level: height of the water column above a point at the bed, "
+          "voids left out. surface: distance along the line from point to end at which water ends for the last time. "
+          "run_up: likewise, for the first time; lay the line one spacing above the slope. flow: through the rectangle "
+          "between point and end, positive along its axis. volume: of the water in the box between point and end.",
+          {},
+          true},
+         {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
+         {"end", {vector(dimension::length)}, "End of the line; the opposite corner.", {}}}};
+    return table;
+}
+
 }  // namespace
 
 const Table& output_table() {
@@ -55,7 +74,8 @@ const Table& output_table() {
           Value::of(0.05)},
          {"vtk", {boolean()}, "Write frames for ParaView.", Value::of(true)},
          {"contacts", {boolean()}, "Write contact points and forces with each frame.", Value::of(true)},
-         {"probe", {table_list(probe_table)}, "Time histories.", Value::array()}}};
+         {"probe", {table_list(probe_table)}, "Time histories.", Value::array()},
+         {"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()}}};
     return table;
 }
 

@@ -9,6 +9,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/coupling/sample_set.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
@@ -88,6 +89,7 @@ struct OutputSettings {
     bool vtk{true};
     bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
+    std::vector<fluid::Gauge> gauges;
 };
 
 /// An expected answer: a case is also a test.

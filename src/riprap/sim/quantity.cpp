@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/quantity.hpp"
 
+#include "riprap/fluid/gauge/gauge.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -307,6 +309,11 @@ const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
 }
 
 double evaluate(const Column& column, const Moment& moment) {
+    if (column.gauge >= 0) {
+        const fluid::Gauge& gauge = moment.model.output.gauges[static_cast<std::size_t>(column.gauge)];
+        return fluid::read_gauge(gauge, moment.model.fluid->sph,
+                                 moment.state.fluid)[static_cast<std::size_t>(column.component)];
+    }
     const Quantity& quantity = behind(column.quantity);
     const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);
     return value[column.component];
@@ -324,12 +331,28 @@ std::vector<Column> columns_of(const Probe& probe) {
     return columns;
 }
 
-std::optional<Column> find_column(const Model& model, std::string_view text) {
+std::vector<Column> record_columns(const Model& model) {
+    std::vector<Column> columns;
     for (const Probe& probe : model.output.probes) {
-        for (const Column& column : columns_of(probe)) {
-            if (column.name == text) {
-                return column;
-            }
+        for (Column& column : columns_of(probe)) {
+            columns.push_back(std::move(column));
+        }
+    }
+    for (std::size_t g = 0; g < model.output.gauges.size(); ++g) {
+        const fluid::Gauge& gauge = model.output.gauges[g];
+        const fluid::GaugeInfo& info = fluid::info_of(gauge.kind);
+        for (int c = 0; c < info.components; ++c) {
+            const std::string name = info.components > 1 ? gauge.name + '.' + static_cast<char>('x' + c) : gauge.name;
+            columns.push_back({name, std::string(info.unit), BodyId{}, nullptr, c, static_cast<std::int32_t>(g)});
+        }
+    }
+    return columns;
+}
+
+std::optional<Column> find_column(const Model& model, std::string_view text) {
+    for (const Column& column : record_columns(model)) {
+        if (column.name == text) {
+            return column;
         }
     }
     std::string_view rest = text;

@@ -45,7 +45,8 @@ struct Column {
     std::string unit;  ///< "m"
     BodyId body;       ///< invalid: of the scene
     const QuantityInfo* quantity{nullptr};
-    int component{0};  ///< 0 to components - 1
+    int component{0};        ///< 0 to components - 1
+    std::int32_t gauge{-1};  ///< index into the gauges of the model, which then says it all; -1 = none
 };
 
 /// The value of a column [its unit]; NaN where it does not exist yet (contact forces before the first step).
@@ -54,7 +55,10 @@ double evaluate(const Column& column, const Moment& moment);
 /// The columns of one probe, named after it: one for a scalar, three for a vector.
 std::vector<Column> columns_of(const Probe& probe);
 
-/// Finds what an [[expect]] names: a column of a probe ("gauge" or "gauge.x"), a quantity of the scene
+/// The columns of probes.csv: probes, then gauges, in the order of the case.
+std::vector<Column> record_columns(const Model& model);
+
+/// Finds what an [[expect]] names: a column of a probe or gauge ("gauge" or "gauge.x"), a quantity of the scene
 /// ("kinetic_energy", "momentum.z") or of a body ("block[3].position.z"). A vector without a component, an unknown
 /// body or an unknown quantity gives nothing.
 std::optional<Column> find_column(const Model& model, std::string_view text);

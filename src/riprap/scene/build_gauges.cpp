@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/scene/build_case.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+bool needs_end(fluid::GaugeKind kind) {
+    using fluid::GaugeKind;
+    return kind == GaugeKind::surface || kind == GaugeKind::run_up || kind == GaugeKind::flow ||
+           kind == GaugeKind::volume;
+}
+
+bool is_in(const Vec3& x, const fluid::Domain& domain) {
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        if (!(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Corners in order: the lower one first along every axis.
+void order_corners(fluid::Gauge& gauge) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (gauge.point[axis] > gauge.end[axis]) {
+            std::swap(gauge.point[axis], gauge.end[axis]);
+        }
+    }
+}
+
+int flat_axes(const fluid::Gauge& gauge, int dimension) {
+    int count = 0;
+    for (int axis = 0; axis < dimension; ++axis) {
+        count += gauge.point[axis] == gauge.end[axis] ? 1 : 0;
+    }
+    return count;
+}
+
+void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int dimension) {
+    const Value* end = table.find("end");
+    if (end == nullptr) {
+        build.problem(table.place, fmt::format("a '{}' gauge without 'end'", get_text(table, "kind")),
+                      "the other end of its line, or the other corner of its rectangle or box");
+        return;
+    }
+    gauge.end = to_vector(*end);
+    const bool is_line = gauge.kind == fluid::GaugeKind::surface || gauge.kind == fluid::GaugeKind::run_up;
+    if (is_line && gauge.point == gauge.end) {
+        build.problem(end->place, "a line without length", "an end away from the point");
+    }
+    if (is_line) {
+        return;
+    }
+    order_corners(gauge);
+    const int flat = flat_axes(gauge, dimension);
+    if (gauge.kind == fluid::GaugeKind::flow && flat != 1) {
+        build.problem(end->place, fmt::format("a section without extent along {} axes", flat),
+                      "corners that agree along exactly one axis, the way of the flow");
+    }
+    if (gauge.kind == fluid::GaugeKind::volume && flat != 0) {
+        build.problem(end->place, "a box without volume", "corners that differ along every axis");
+    }
+}
+
+}  // namespace
+
+void build_gauges(CaseBuild& build, const Value& list) {
+    sim::Model& model = build.model;
+    for (const Value& table : list.items) {
+        if (!model.fluid) {
+            if (build.root.find("fluid") == nullptr) {
+                build.problem(table.place, "a gauge in a case without water", "a [fluid], or a probe of a body");
+            }
+            return;
+        }
+        fluid::Gauge gauge;
+        gauge.name = get_text(table, "name");
+        gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"))->kind;
+        gauge.point = get_vector(table, "point");
+        const double g = norm(model.gravity.value);
+        gauge.up = g > 0 ? -1 / g * model.gravity.value : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+        if (!is_in(gauge.point, model.fluid->sph.domain)) {
+            build.problem(get(table, "point").place, "a gauge outside the domain of the water", "a point inside it");
+        }
+        if (needs_end(gauge.kind)) {
+            check_extent(build, table, gauge, model.fluid->sph.domain.dimension);
+        }
+        const auto& gauges = model.output.gauges;
+        const auto& probes = model.output.probes;
+        if (std::any_of(gauges.begin(), gauges.end(), [&](const auto& other) { return other.name == gauge.name; }) ||
+            std::any_of(probes.begin(), probes.end(), [&](const auto& other) { return other.name == gauge.name; })) {
+            build.problem(get(table, "name").place, fmt::format("a second record '{}'", gauge.name), "another name");
+        }
+        model.output.gauges.push_back(std::move(gauge));
+    }
+}
+
+}  // namespace riprap::scene
