@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/sph/delta_sph.hpp"
-
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
+#include "riprap/fluid/sph/forces.hpp"
 #include "riprap/fluid/sph/kick.hpp"
-#include "riprap/fluid/sph/momentum.hpp"
 #include "riprap/fluid/sph/pair_sums.hpp"
+#include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
@@ -17,16 +16,6 @@ namespace riprap::fluid::delta_sph {
 namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
-
-void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch) {
-    scratch.pressure.resize(state.density.size());
-    scratch.volume.resize(state.density.size());
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        scratch.pressure[i] = pressure_of(settings, state.density[i]);
-        scratch.volume[i] = settings.particle_mass / state.density[i];
-    });
-}
 
 /// sqrt(2 S:S) from the third sum of Continuity
 double strain_rate(const SphSettings& settings, double sum) {
@@ -42,70 +31,6 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
         const double eddies = mixing * mixing * strain_rate(settings, scratch.strain[i]);
         scratch.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
     }
-}
-
-template <class Law>
-void add_forces(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Law& law,
-                SphScratchData& s) {
-    const WendlandC2 kernel = kernel_of(settings);
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const SweepSide<5> targets{state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
-    const SweepSide<7> fluid_with_surface{
-        state.position,
-        {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
-    const SweepSide<6> fluid{state.position,
-                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
-    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
-    add_pair_sums(
-        settings, Momentum<Law>{kernel, law}, targets, fluid_with_surface,
-        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
-         sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
-        s.fluid_fluid);
-
-    const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
-    const SweepSide<9> wall{walls.position,
-                            {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
-                             component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
-    add_pair_sums(settings, MomentumFromWalls<Law>{kernel, law}, targets, wall,
-                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
-                   sink_component(c, 0), sink_component(c, 1), sink_component(c, 2), sink_component(s.wall_hold, 0),
-                   sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
-                  s.fluid_walls);
-
-    std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
-    add_pair_sums(settings, MomentumOnWalls<Law>{kernel, law},
-                  {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
-                  {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),
-                   sink_component(t, 1), sink_component(t, 2)},
-                  s.walls_fluid);
-    parallel::for_each(walls.size(), [&](std::int64_t entry) {
-        const auto w = static_cast<std::size_t>(entry);
-        p[w] *= walls.volume[w];
-        t[w] *= walls.volume[w];
-    });
-}
-
-void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& s) {
-    s.force.assign(particles, {});
-    s.concentration_gradient.assign(particles, {});
-    s.heat.assign(particles, 0);
-    s.wall_heat.assign(particles, 0);
-    s.wall_hold.assign(particles, {});
-    s.wall_hold_power.assign(particles, 0);
-    s.surface_direction.assign(particles, {});
-    walls.pressure_force.assign(walls.position.size(), {});
-    walls.viscous_force.assign(walls.position.size(), {});
-}
-
-/// Forces in scratch are per volume of the particle; makes them forces on it [N], heat and what is held a power [W].
-void scale_by_volume(SphScratchData& s) {
-    parallel::for_each(static_cast<std::int64_t>(s.force.size()), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        s.force[i] *= s.volume[i];
-        s.heat[i] = s.volume[i] * (0.5 * s.heat[i] + s.wall_heat[i]);
-        s.wall_hold[i] *= s.volume[i];
-        s.wall_hold_power[i] *= s.volume[i];
-    });
 }
 
 double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
@@ -169,9 +94,9 @@ void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParti
     if (settings.viscosity == Viscosity::artificial) {
         const double h = settings.smoothing_length();
         const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
-        add_forces(settings, state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
+        add_forces(settings, kernel_of(settings), state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
     } else {
-        add_forces(settings, state, walls, LaminarViscosity{}, s);
+        add_forces(settings, kernel_of(settings), state, walls, LaminarViscosity{}, s);
     }
     scale_by_volume(s);
     report.shifted = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);

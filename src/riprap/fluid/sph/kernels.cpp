@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/sweep_kernel.hpp"
 #include "riprap/fluid/particle/sweep_plain.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/momentum.hpp"
+#include "riprap/fluid/sph/muller_kernels.hpp"
 #include "riprap/fluid/sph/pair_sums.hpp"
 #include "riprap/fluid/sph/wall_averages.hpp"
 
@@ -28,12 +30,30 @@ void add_pair_sums(const SphSettings& settings, const Pair& pair, const SweepSid
 RIPRAP_INSTANTIATE(Continuity);
 RIPRAP_INSTANTIATE(ContinuityAtWalls);
 RIPRAP_INSTANTIATE(WallAverages);
-RIPRAP_INSTANTIATE(Momentum<ArtificialViscosity>);
-RIPRAP_INSTANTIATE(MomentumFromWalls<ArtificialViscosity>);
-RIPRAP_INSTANTIATE(MomentumOnWalls<ArtificialViscosity>);
-RIPRAP_INSTANTIATE(Momentum<LaminarViscosity>);
-RIPRAP_INSTANTIATE(MomentumFromWalls<LaminarViscosity>);
-RIPRAP_INSTANTIATE(MomentumOnWalls<LaminarViscosity>);
+RIPRAP_INSTANTIATE(DensitySum);
+// a comma in a template argument list would be one in the macro's
+template <class Kernel, class Viscosity>
+struct Forces {
+    using InFluid = Momentum<Kernel, Viscosity>;
+    using FromWalls = MomentumFromWalls<Kernel, Viscosity>;
+    using OnWalls = MomentumOnWalls<Kernel, Viscosity>;
+};
+using Artificial = Forces<WendlandC2, ArtificialViscosity>;
+using Laminar = Forces<WendlandC2, LaminarViscosity>;
+using MullerArtificial = Forces<SpikyKernel, ArtificialViscosity>;
+using MullerLaminar = Forces<SpikyKernel, MullerViscosity>;
+RIPRAP_INSTANTIATE(Artificial::InFluid);
+RIPRAP_INSTANTIATE(Artificial::FromWalls);
+RIPRAP_INSTANTIATE(Artificial::OnWalls);
+RIPRAP_INSTANTIATE(Laminar::InFluid);
+RIPRAP_INSTANTIATE(Laminar::FromWalls);
+RIPRAP_INSTANTIATE(Laminar::OnWalls);
+RIPRAP_INSTANTIATE(MullerArtificial::InFluid);
+RIPRAP_INSTANTIATE(MullerArtificial::FromWalls);
+RIPRAP_INSTANTIATE(MullerArtificial::OnWalls);
+RIPRAP_INSTANTIATE(MullerLaminar::InFluid);
+RIPRAP_INSTANTIATE(MullerLaminar::FromWalls);
+RIPRAP_INSTANTIATE(MullerLaminar::OnWalls);
 #undef RIPRAP_INSTANTIATE
 
 }  // namespace riprap::fluid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/sph/viscosity.hpp"
 
@@ -14,23 +13,24 @@ namespace riprap::fluid {
 ///     sums[4..6] = sum V_j F d                                    gradient of the concentration of particles [1/m]
 ///     sums[7..9] = sum V_j F d b_j                                towards particles of the surface, b_j = 1 [1/m]
 ///
-/// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores.
-template <class Viscosity>
+/// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores, for
+/// one and the same kernel.
+template <class Kernel, class Viscosity>
 struct Momentum {
     static constexpr int target_fields = 5;     ///< v, p, mu
     static constexpr int candidate_fields = 7;  ///< v, p, V, mu, b
     static constexpr int sums = 10;
-    WendlandC2 kernel;
+    Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, slope, target[4] + candidate[5], viscous);
+        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4], target[4] + candidate[5], viscous);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
@@ -48,22 +48,22 @@ struct Momentum {
 ///     sums[3] = -sum V_w (viscous force . (v_i - v_w))       heat made at the wall [W/m^3]
 ///     sums[7..9] = sum V_w p_w F d                           for the wall exchange, which is
 ///     sums[10]   = sum V_w p_w F d.v_w                       sums[7..9].v_i - sums[10] (docs/theory/sph.md, 6)
-template <class Viscosity>
+template <class Kernel, class Viscosity>
 struct MomentumFromWalls {
     static constexpr int target_fields = 5;     ///< v, p, mu
     static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
     static constexpr int sums = 11;
-    WendlandC2 kernel;
+    Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, slope * candidate[5], target[4] + target[4], viscous);
+        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4] * candidate[5], target[4] + target[4], viscous);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real hold = candidate[3] * slope * d[axis];
@@ -79,22 +79,23 @@ struct MomentumFromWalls {
 /// The same pairs seen from the wall, pressure and viscous part apart: the force on wall particle w per V_w is
 ///
 ///     sums[0..2] = -sum V_j (p_w + p_j) F d,   sums[3..5] = sum V_j viscous force,   d = x_w - x_j.
-template <class Viscosity>
+template <class Kernel, class Viscosity>
 struct MomentumOnWalls {
     static constexpr int target_fields = 5;     ///< u_w, p_w, grip
     static constexpr int candidate_fields = 6;  ///< v, p, V, mu
     static constexpr int sums = 6;
-    WendlandC2 kernel;
+    Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, slope * target[4], candidate[5] + candidate[5], viscous);
+        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4] * target[4], candidate[5] + candidate[5],
+                                    viscous);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] = sum[axis] - push * d[axis];

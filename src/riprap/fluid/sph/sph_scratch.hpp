@@ -12,7 +12,7 @@ namespace riprap::fluid {
 /// Buffers of a step, one entry per particle; see the pair physics for what they hold.
 struct SphScratchData {
     std::vector<double> pressure, volume;   ///< [Pa], [m^3]
-    std::vector<double> density;            ///< a second one, of schemes that sum it [kg/m^3]
+    std::vector<double> mass, wall_mass;    ///< as they enter a sum of density [kg]
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
 
     std::vector<double> compression, diffusion, strain, divergence;      ///< sums of Continuity

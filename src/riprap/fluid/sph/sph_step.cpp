@@ -5,10 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/sph/delta_sph.hpp"
 #include "riprap/fluid/sph/kick.hpp"
+#include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
 
@@ -59,6 +58,9 @@ FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const Particle
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report) {
+    if (settings.scheme == SphScheme::muller) {
+        return;  // sums it where it needs it
+    }
     delta_sph::update_density(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report);
 }
 
@@ -84,8 +86,8 @@ void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParti
     if (!report.problem.empty()) {
         return;
     }
-    delta_sph::accelerate(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report,
-                          extra_force);
+    const auto scheme = settings.scheme == SphScheme::muller ? muller::accelerate : delta_sph::accelerate;
+    scheme(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report, extra_force);
     find_wild_particle(settings, state, time, report);
 }
 

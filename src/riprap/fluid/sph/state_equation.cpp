@@ -22,11 +22,20 @@ double power(double x, double exponent) {
     return std::pow(x, exponent);
 }
 
+/// Müller's scheme has its own state equation: linear, without tension
+bool is_linear(const SphSettings& s) {
+    return s.state_equation == StateEquation::linear || s.scheme == SphScheme::muller;
+}
+
+/// Density below which nothing is stored and nothing pulls
+double least_density(const SphSettings& s) { return s.scheme == SphScheme::muller ? s.rest_density : 0; }
+
 }  // namespace
 
-double pressure_of(const SphSettings& s, double density) {
+double pressure_of(const SphSettings& s, double actual_density) {
+    const double density = std::max(actual_density, least_density(s));
     const double stiffness = s.rest_density * s.sound_speed * s.sound_speed;
-    if (s.state_equation == StateEquation::linear) {
+    if (is_linear(s)) {
         return stiffness * (density / s.rest_density - 1);
     }
     return stiffness / s.tait_exponent * (power(density / s.rest_density, s.tait_exponent) - 1);
@@ -34,23 +43,24 @@ double pressure_of(const SphSettings& s, double density) {
 
 double density_of(const SphSettings& s, double pressure) {
     const double strain = pressure / (s.rest_density * s.sound_speed * s.sound_speed);
-    if (s.state_equation == StateEquation::linear) {
+    if (is_linear(s)) {
         return s.rest_density * std::max(0.0, 1 + strain);
     }
     return s.rest_density * std::pow(std::max(0.0, 1 + s.tait_exponent * strain), 1 / s.tait_exponent);
 }
 
-double internal_energy_of(const SphSettings& s, double density) {
+double internal_energy_of(const SphSettings& s, double actual_density) {
+    const double density = std::max(actual_density, least_density(s));
     const double x = density / s.rest_density, c2 = s.sound_speed * s.sound_speed;
     const double n = s.tait_exponent - 1;
-    if (s.state_equation == StateEquation::linear || n == 0) {
+    if (is_linear(s) || n == 0) {
         return c2 * (std::log(x) + 1 / x - 1);
     }
     return c2 / s.tait_exponent * ((power(x, n) - 1) / n + 1 / x - 1);
 }
 
 double sound_speed_of(const SphSettings& s, double density) {
-    if (s.state_equation == StateEquation::linear) {
+    if (is_linear(s)) {
         return s.sound_speed;
     }
     return s.sound_speed * std::pow(density / s.rest_density, (s.tait_exponent - 1) / 2);

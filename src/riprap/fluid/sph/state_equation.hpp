@@ -12,6 +12,8 @@ namespace riprap::fluid {
 //     tait    p = rho_0 c_0^2/gamma (x^gamma - 1)      e = c_0^2/gamma ((x^(gamma-1) - 1)/(gamma-1) + 1/x - 1)
 //     linear  p = rho_0 c_0^2 (x - 1)                  e = c_0^2 (ln x + 1/x - 1)
 //
+//     muller  p = c_0^2 (rho - rho_0) where positive, else 0, and the e of `linear` likewise [Muller2003]
+//
 // where e = integral of p/rho^2 from rho_0, zero and least at rest. [Cole1948], [Monaghan1994]
 
 /// p [Pa] at density rho [kg/m^3].

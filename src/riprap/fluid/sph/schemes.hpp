@@ -18,3 +18,13 @@ void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParti
                 double dt, SphScratchData& scratch, FluidReport& report, std::span<const Vec3> extra_force);
 
 }  // namespace riprap::fluid::delta_sph
+
+namespace riprap::fluid::muller {
+
+/// Density summed over neighbours, p = c_0^2 (rho - rho_0) where positive, forces with the spiky kernel [Muller2003] as
+/// corrected in docs/theory/sph.md, 9. With the drifts before and after, it is the symplectic Euler step of the source.
+/// Density and forces come from different kernels, so no energy belongs to the forces: the ledger's residual is theirs.
+void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, SphScratchData& scratch, FluidReport& report, std::span<const Vec3> extra_force);
+
+}  // namespace riprap::fluid::muller

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/forces.hpp"
+
+#include "riprap/fluid/sph/state_equation.hpp"
+
+namespace riprap::fluid {
+
+void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch) {
+    scratch.pressure.resize(state.density.size());
+    scratch.volume.resize(state.density.size());
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        scratch.pressure[i] = pressure_of(settings, state.density[i]);
+        scratch.volume[i] = settings.particle_mass / state.density[i];
+    });
+}
+
+void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& s) {
+    s.force.assign(particles, {});
+    s.concentration_gradient.assign(particles, {});
+    s.heat.assign(particles, 0);
+    s.wall_heat.assign(particles, 0);
+    s.wall_hold.assign(particles, {});
+    s.wall_hold_power.assign(particles, 0);
+    s.surface_direction.assign(particles, {});
+    walls.pressure_force.assign(walls.position.size(), {});
+    walls.viscous_force.assign(walls.position.size(), {});
+}
+
+void scale_by_volume(SphScratchData& s) {
+    parallel::for_each(static_cast<std::int64_t>(s.force.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.force[i] *= s.volume[i];
+        s.heat[i] = s.volume[i] * (0.5 * s.heat[i] + s.wall_heat[i]);
+        s.wall_hold[i] *= s.volume[i];
+        s.wall_hold_power[i] *= s.volume[i];
+    });
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/momentum.hpp"
+#include "riprap/fluid/sph/pair_sums.hpp"
+#include "riprap/fluid/sph/sph_scratch.hpp"
+
+// From pressures and viscosities to forces on fluid and walls, the same for every scheme.
+
+namespace riprap::fluid {
+
+/// Pressure and volume of every particle, from its density.
+void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch);
+
+/// Makes room for the sums of add_forces and sets them to zero.
+void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& scratch);
+
+/// The sums of add_forces are per volume of the particle; makes them forces on it [N], heat and what is held a power
+/// [W].
+void scale_by_volume(SphScratchData& scratch);
+
+/// Adds the sums of Momentum, MomentumFromWalls and MomentumOnWalls over all pairs.
+template <class Kernel, class Law>
+void add_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, BoundaryParticles& walls,
+                const Law& law, SphScratchData& s) {
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const SweepSide<5> targets{state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+    const SweepSide<7> fluid_with_surface{
+        state.position,
+        {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
+    const SweepSide<6> fluid{state.position,
+                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
+    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
+    add_pair_sums(
+        settings, Momentum<Kernel, Law>{kernel, law}, targets, fluid_with_surface,
+        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
+         sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
+        s.fluid_fluid);
+
+    const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
+    const SweepSide<9> wall{walls.position,
+                            {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
+                             component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
+    add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, targets, wall,
+                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
+                   sink_component(c, 0), sink_component(c, 1), sink_component(c, 2), sink_component(s.wall_hold, 0),
+                   sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
+                  s.fluid_walls);
+
+    std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
+    add_pair_sums(settings, MomentumOnWalls<Kernel, Law>{kernel, law},
+                  {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
+                  {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),
+                   sink_component(t, 1), sink_component(t, 2)},
+                  s.walls_fluid);
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        p[w] *= walls.volume[w];
+        t[w] *= walls.volume[w];
+    });
+}
+
+}  // namespace riprap::fluid

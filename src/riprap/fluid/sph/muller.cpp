@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/forces.hpp"
+#include "riprap/fluid/sph/kick.hpp"
+#include "riprap/fluid/sph/muller_kernels.hpp"
+#include "riprap/fluid/sph/schemes.hpp"
+#include "riprap/fluid/sph/wall_pressure.hpp"
+
+namespace riprap::fluid::muller {
+namespace {
+
+/// What the sum over a square (cubic) lattice makes of the rest density, divided out of every sum
+double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
+    const double dp = settings.spacing, radius = settings.support_radius();
+    const int reach = static_cast<int>(radius / dp) + 1, layers = settings.domain.dimension == 2 ? 0 : reach;
+    double sum = 0;
+    for (int k = -layers; k <= layers; ++k) {
+        for (int j = -reach; j <= reach; ++j) {
+            for (int i = -reach; i <= reach; ++i) {
+                sum += kernel.value_at(dp * dp * static_cast<double>(i * i + j * j + k * k));
+            }
+        }
+    }
+    return sum * settings.particle_mass / settings.rest_density;
+}
+
+void sum_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, SphScratchData& s) {
+    const DensitySum pair{Poly6Kernel(settings.support_radius(), settings.domain.dimension)};
+    const double scale = 1 / lattice_excess(settings, pair.kernel);
+    s.mass.assign(state.position.size(), scale * settings.particle_mass);
+    s.wall_mass.resize(walls.position.size());
+    for (std::size_t w = 0; w < s.wall_mass.size(); ++w) {
+        s.wall_mass[w] = scale * settings.rest_density * walls.volume[w];
+    }
+    state.density.assign(state.position.size(), 0);
+    add_pair_sums(settings, pair, {state.position, {}}, {state.position, {field(s.mass)}}, {sink(state.density)},
+                  s.fluid_fluid);
+    add_pair_sums(settings, pair, {state.position, {}}, {walls.position, {field(s.wall_mass)}}, {sink(state.density)},
+                  s.fluid_walls);
+}
+
+}  // namespace
+
+void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+    sum_density(settings, state, walls, s);
+    find_pressure(settings, state, s);
+    s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
+    s.bareness.assign(state.position.size(), 0);
+    extrapolate_to_walls(settings, state, walls, gravity, s);
+    clear_forces(state.position.size(), walls, s);
+    const double radius = settings.support_radius(), h = settings.smoothing_length();
+    const SpikyKernel spiky(radius, settings.domain.dimension);
+    if (settings.viscosity == Viscosity::artificial) {
+        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
+        add_forces(settings, spiky, state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
+    } else {
+        const LaplacianKernel laplacian(radius, settings.domain.dimension);
+        add_forces(settings, spiky, state, walls, MullerViscosity{laplacian}, s);
+    }
+    scale_by_volume(s);
+    kick(settings, state, gravity, dt, s, extra_force, report);
+    book_walls(walls, dt, report);
+}
+
+}  // namespace riprap::fluid::muller
