@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
@@ -214,6 +215,16 @@ TEST(Water, solids_take_as_many_steps_within_one_of_the_water_as_their_bound_ask
     EXPECT_EQ(report.substeps, std::ceil(report.dt / bound));
     EXPECT_GT(report.substeps, 1);
     EXPECT_NEAR(basin.state.time, report.dt, 1e-15);
+}
+
+TEST(Water, a_fixed_step_that_water_cannot_follow_is_refused) {
+    Basin basin = collision();
+    Scratch scratch;
+    initialise(basin.model, basin.state);
+    basin.model.time.time_step = 1;
+    EXPECT_THROW(choose_time_step(basin.model, basin.state, scratch), CaseError);
+    basin.model.time.force_time_step = true;
+    EXPECT_EQ(choose_time_step(basin.model, basin.state, scratch).dt, 1);
 }
 
 TEST(Water, a_run_continued_from_its_state_takes_the_same_bits) {

@@ -10,6 +10,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/face_layers.hpp"
+#include "riprap/fluid/particle/sort.hpp"
 #include "riprap/geometry/chebyshev.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -288,6 +289,31 @@ void append(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyI
     throw CaseError(std::move(problem));
 }
 
+/// Puts the samples of every body in order of place: sums over neighbours are fast where neighbours lie together.
+void sort_by_place(const SampleSettings& settings, SampleSet& samples) {
+    std::vector<std::uint32_t> order;
+    for (std::size_t begin = 0, end = 0; begin < samples.body.size(); begin = end) {
+        while (end < samples.body.size() && samples.body[end] == samples.body[begin]) {
+            ++end;
+        }
+        const std::span<const Vec3> points = std::span(samples.anchor).subspan(begin, end - begin);
+        for (const std::uint32_t i : fluid::order_by_place(points, settings.domain, settings.spacing)) {
+            order.push_back(static_cast<std::uint32_t>(begin) + i);
+        }
+    }
+    const auto permute = [&order](auto& field) {
+        auto old = field;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            field[i] = old[order[i]];
+        }
+    };
+    permute(samples.anchor);
+    permute(samples.normal);
+    permute(samples.depth);
+    permute(samples.volume);
+    permute(samples.is_slippery);
+}
+
 }  // namespace
 
 SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
@@ -317,6 +343,7 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
         }
     }
     keep_deepest(shapes, bodies, initial, settings, samples);
+    sort_by_place(settings, samples);
     return samples;
 }
 

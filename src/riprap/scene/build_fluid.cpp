@@ -45,6 +45,7 @@ fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
     sph.smoothing_ratio = get_number(table, "smoothing_ratio");
     sph.rest_density = get_number(table, "density");
     sph.particle_mass = sph.rest_density * std::pow(sph.spacing, build.is_planar ? 2 : 3);
+    sph.scheme = get_text(table, "scheme") == "muller" ? fluid::SphScheme::muller : fluid::SphScheme::delta_sph;
     sph.state_equation =
         get_text(table, "state_equation") == "linear" ? fluid::StateEquation::linear : fluid::StateEquation::tait;
     sph.tait_exponent = get_number(table, "tait_exponent");

@@ -65,8 +65,9 @@ const Table& fluid_table() {
           "How water moves.",
           Value::of("sph")},
          {"scheme",
-          {choice({"delta_sph"}, {"muller"})},
-          "Form of SPH: with diffusion of density and shifting of particles.",
+          {choice({"delta_sph", "muller"})},
+          "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. (2003), density "
+          "by summation, for comparison: it needs an artificial_alpha of 0.1 or more.",
           Value::of("delta_sph")},
          {"spacing", {number(dimension::length, positive())}, "Distance of particles at the start.", {}, true},
          {"smoothing_ratio",

@@ -33,6 +33,27 @@ double largest_time_step(const Model& model, const TimeStepBound& bound) {
     return time.time_step;
 }
 
+namespace {
+
+/// The step that the case fixes, checked against what the water allows at the start.
+double fixed_water_step(const Model& model, const State& state) {
+    const double fixed = model.time.time_step;
+    if (state.step > 0 || model.time.force_time_step) {
+        return fixed;
+    }
+    const fluid::FluidTimeStep water = choose_fluid_time_step(model.fluid->sph, state.fluid);
+    if (fixed > water.limit) {
+        Diagnostic problem;
+        problem.message = fmt::format("time_step = {:.6g} s is above what the water allows, {:.6g} s ({})", fixed,
+                                      water.limit, water.reason);
+        problem.allowed = "use \"auto\", a smaller step, or force_time_step = true";
+        throw CaseError(std::move(problem));
+    }
+    return fixed;
+}
+
+}  // namespace
+
 std::int64_t steps_across(double span, double dt) {
     constexpr double forgiven = 1e-9;  // of a step; span/dt carries a few units in the last place of error
     const double steps = std::ceil(span / dt * (1 - 1e-15) - forgiven);
@@ -46,7 +67,7 @@ TimeStep choose_time_step(const Model& model, const State& state, Scratch& scrat
     }
     const double span = (model.time.end - state.time) + state.time_rest;
     if (!model.time.is_automatic()) {
-        const double fixed = model.fluid ? model.time.time_step : *largest;
+        const double fixed = model.fluid ? fixed_water_step(model, state) : *largest;
         return {fixed, steps_across(span, fixed)};
     }
     const double limit = model.fluid ? choose_fluid_time_step(model.fluid->sph, state.fluid).limit : *largest;
