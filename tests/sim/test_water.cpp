@@ -202,6 +202,7 @@ TEST(Water, a_light_block_released_under_water_is_stable) {
         EXPECT_LT(most, 9.81 * (1000 / density - 1)) << density;
         EXPECT_GT(basin.state.bodies.velocity[0].y, 0) << density;
         EXPECT_LT(static_cast<double>(passes), 6 * 150) << density;
+        RecordProperty("passes_at_" + std::to_string(static_cast<int>(density)), static_cast<int>(passes));
     }
 }
 

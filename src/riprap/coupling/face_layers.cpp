@@ -211,6 +211,7 @@ class Layer {
                 continue;
             }
             std::vector<PlanePoint> at;
+            at.reserve(owners.size());
             for (const std::int32_t owner : owners) {
                 at.push_back(sections_[f].project(sites_.points[LayerSites::index(owner)].position));
             }

@@ -75,6 +75,7 @@ void write_summary(const RunFolder& folder, const Summary& summary) {
                       {"find_contacts", summary.stages.find_contacts},
                       {"contact_loads", summary.stages.contact_loads},
                       {"move_bodies", summary.stages.move_bodies},
+                      {"water", summary.stages.water},
                       {"measure", summary.stages.measure}}},
                     {"expects", expects},
                     {"build", Json::parse(build_json())},
