@@ -28,4 +28,7 @@ bool check_parallel();
 /// The plain distance-potential kernel on many pairs of blocks against the host's.
 bool check_contact();
 
+/// Sums over neighbours of particles against the host's.
+bool check_sweep();
+
 }  // namespace selftest

@@ -17,6 +17,7 @@ int main() {
         std::printf("device: %s\n", riprap::parallel::cuda::device_name().c_str());
         bool ok = selftest::check_parallel();
         ok &= selftest::check_contact();
+        ok &= selftest::check_sweep();
         std::printf(ok ? "all equal\n" : "the device differs from the host\n");
         return ok ? 0 : 1;
     } catch (const std::exception& error) {

@@ -62,7 +62,7 @@ struct AccelerationPair {
         for (int axis = 0; axis < Dim; ++axis) {
             approach += (target[axis] - candidate[axis]) * d[axis];
         }
-        const Real softening(0.01 * c.smoothing_length * c.smoothing_length);
+        const auto softening = Real(0.01 * c.smoothing_length * c.smoothing_length);
         const Real viscous = Real(-2 * c.viscosity * c.sound_speed * c.smoothing_length) * min(approach, Real(0)) *
                              reciprocal((r2 + softening) * (target[4] + candidate[4]));
         const Real push = Real(-c.particle_mass) * slope * (target[3] + candidate[3] + viscous);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/particle/cell_grid.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
@@ -20,9 +19,9 @@ void check_periods(const Domain& domain, double reach) {
         const double period = domain.high[axis] - domain.low[axis];
         if (domain.is_periodic[static_cast<std::size_t>(axis)] && !(period >= 2 * reach)) {
             Diagnostic problem;
-            problem.message = fmt::format("the domain is periodic with a period of {:g} m", period);
+            problem.message = "the domain is periodic with a period of " + std::to_string(period) + " m";
             problem.allowed =
-                fmt::format("at least {:g} m, twice the distance at which particles act on each other", 2 * reach);
+                "at least " + std::to_string(2 * reach) + " m, twice the distance at which particles act on each other";
             throw CaseError(std::move(problem));
         }
     }
@@ -33,19 +32,24 @@ Box box_of(std::span<const Vec3> points) {
     const auto join = [](const Box& a, const Box& b) {
         return Box{min(b.low, a.low), max(b.high, a.high)};  // a number that is none loses every comparison
     };
+    constexpr std::int64_t grain = 1024;
     const auto count = static_cast<std::int64_t>(points.size());
-    const auto point = [&](std::int64_t i) -> const Vec3& { return points[static_cast<std::size_t>(i)]; };
-    const Box box = parallel::reduce(
-        count, nothing,
-        [&](std::int64_t i) {
-            return Box{point(i), point(i)};
-        },
-        join);
-    if (is_finite(box.low) && is_finite(box.high)) {
-        return box;
-    }
-    const auto finite = [&](std::int64_t i) { return is_finite(point(i)) ? Box{point(i), point(i)} : nothing; };
-    return parallel::reduce(count, nothing, finite, join);
+    const auto around_some = [&](bool with_check) {
+        return parallel::reduce((count + grain - 1) / grain, nothing,
+                                [&](std::int64_t k) {
+                                    Box box = nothing;
+                                    for (std::int64_t i = k * grain; i < std::min(count, (k + 1) * grain); ++i) {
+                                        const Vec3& x = points[static_cast<std::size_t>(i)];
+                                        if (!with_check || is_finite(x)) {
+                                            box = join(box, {x, x});
+                                        }
+                                    }
+                                    return box;
+                                },
+                                join, 4);
+    };
+    const Box box = around_some(false);
+    return is_finite(box.low) && is_finite(box.high) ? box : around_some(true);
 }
 
 void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
@@ -53,7 +57,7 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
     reach_ = reach;
     const Box box = box_of(points);
     for (int axis = 0; axis < 3; ++axis) {
-        Axis& a = axes_[static_cast<std::size_t>(axis)];
+        CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
         a = {};
         if (axis >= domain.dimension) {
             continue;  // one cell
@@ -71,7 +75,7 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
     for (;; edge *= 2) {
         double cells = 1;
         for (int axis = 0; axis < domain.dimension; ++axis) {
-            Axis& a = axes_[static_cast<std::size_t>(axis)];
+            CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
             const double length = a.period > 0 ? a.period : std::max(0.0, box.high[axis] - a.low);
             const double fitting = std::clamp(std::floor(length / edge), 1.0, 1e9);
             a.cells = static_cast<std::int64_t>(fitting);
@@ -103,7 +107,7 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
 std::int64_t CellGrid::cell_of(const Vec3& x) const {
     std::int64_t cell = 0;
     for (int axis = 2; axis >= 0; --axis) {
-        const Axis& a = axes_[static_cast<std::size_t>(axis)];
+        const CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
         double from_low = x[axis] - a.low;
         if (a.period > 0) {
             from_low -= a.period * std::floor(from_low / a.period);
@@ -112,31 +116,6 @@ std::int64_t CellGrid::cell_of(const Vec3& x) const {
         cell = cell * a.cells + std::clamp<std::int64_t>(along, 0, a.cells - 1);
     }
     return cell;
-}
-
-CellGrid::CellRange CellGrid::cells_around(double x, int axis) const {
-    const Axis& a = axes_[static_cast<std::size_t>(axis)];
-    if (a.cells == 1) {
-        return {0, 1};
-    }
-    double from_low = x - a.low;
-    if (a.period > 0) {
-        from_low -= a.period * std::floor(from_low / a.period);
-    }
-    const double first = std::floor((from_low - reach_) * a.per_metre);
-    const double last = std::floor((from_low + reach_) * a.per_metre);
-    if (a.period > 0) {
-        if (!(last - first + 1 < static_cast<double>(a.cells))) {
-            return {0, a.cells};
-        }
-        return {static_cast<std::int64_t>(first) + a.cells, static_cast<std::int64_t>(last - first) + 1};
-    }
-    const double low = std::max(first, 0.0);
-    const double high = std::min(last, static_cast<double>(a.cells - 1));
-    if (!(low <= high)) {
-        return {0, 0};
-    }
-    return {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high - low) + 1};
 }
 
 }  // namespace riprap::fluid

@@ -7,45 +7,17 @@
 #include <span>
 #include <vector>
 
+#include "riprap/core/config.hpp"
 #include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/math.hpp"
 
 namespace riprap::fluid {
 
 /// @throws CaseError  where a period is shorter than two reaches, so that a particle could meet another twice
 void check_periods(const Domain& domain, double reach);
 
-/// Points binned in cells at least one reach wide. The grid covers the points wherever they are; along periodic axes it
-/// covers one period. Its memory is bounded by the number of points: cells grow when the points lie far apart. Points
-/// that are not finite are nobody's neighbours.
-class CellGrid {
- public:
-    /// @param reach  distance within which neighbours are asked for [m], > 0
-    /// @throws CaseError  see check_periods
-    void build(std::span<const Vec3> points, const Domain& domain, double reach);
-
-    /// f(j) for all points within `reach` of x and some beyond, cell by cell, ascending within a cell.
-    template <class F>
-    void for_each_near(const Vec3& x, const F& f) const {
-        std::array<CellRange, 3> range;
-        for (int axis = 0; axis < 3; ++axis) {
-            range[static_cast<std::size_t>(axis)] = cells_around(x[axis], axis);
-        }
-        for (std::int64_t a = range[2].first; a < range[2].first + range[2].count; ++a) {
-            for (std::int64_t b = range[1].first; b < range[1].first + range[1].count; ++b) {
-                for (std::int64_t c = range[0].first; c < range[0].first + range[0].count; ++c) {
-                    const std::int64_t cell =
-                        ((a % axes_[2].cells) * axes_[1].cells + b % axes_[1].cells) * axes_[0].cells +
-                        c % axes_[0].cells;
-                    for (std::int32_t k = start_[static_cast<std::size_t>(cell)];
-                         k < start_[static_cast<std::size_t>(cell) + 1]; ++k) {
-                        f(static_cast<std::int64_t>(points_[static_cast<std::size_t>(k)]));
-                    }
-                }
-            }
-        }
-    }
-
- private:
+/// What a loop over neighbours needs of a CellGrid: plain pointers, for host and device.
+struct CellGridView {
     struct Axis {
         double low{0}, period{0};  ///< [m]; period 0: not periodic
         double per_metre{1};       ///< cells per metre
@@ -56,13 +28,80 @@ class CellGrid {
         std::int64_t first, count;
     };
 
-    CellRange cells_around(double x, int axis) const;
+    Axis axes[3];
+    double reach;                 ///< [m]
+    const std::int32_t* start;    ///< per cell, one more at the end
+    const std::uint32_t* points;  ///< indices, cell by cell
+
+    /// f(j) for all points within `reach` of x and some beyond, cell by cell, ascending within a cell.
+    template <class F>
+    RIPRAP_HD void for_each_near(const Vec3& x, F&& f) const {
+        const CellRange rx = cells_around(x.x, axes[0]), ry = cells_around(x.y, axes[1]),
+                        rz = cells_around(x.z, axes[2]);
+        for (std::int64_t a = rz.first; a < rz.first + rz.count; ++a) {
+            for (std::int64_t b = ry.first; b < ry.first + ry.count; ++b) {
+                for (std::int64_t c = rx.first; c < rx.first + rx.count; ++c) {
+                    const std::int64_t cell =
+                        ((a % axes[2].cells) * axes[1].cells + b % axes[1].cells) * axes[0].cells + c % axes[0].cells;
+                    for (std::int32_t k = start[cell]; k < start[cell + 1]; ++k) {
+                        f(static_cast<std::int64_t>(points[k]));
+                    }
+                }
+            }
+        }
+    }
+
+ private:
+    RIPRAP_HD CellRange cells_around(double x, const Axis& a) const {
+        if (a.cells == 1) {
+            return {0, 1};
+        }
+        double from_low = x - a.low;
+        if (a.period > 0) {
+            from_low -= a.period * std::floor(from_low / a.period);
+        }
+        const double first = std::floor((from_low - reach) * a.per_metre);
+        const double last = std::floor((from_low + reach) * a.per_metre);
+        const auto cells = static_cast<double>(a.cells);
+        if (a.period > 0) {
+            if (!(last - first + 1 < cells)) {
+                return {0, a.cells};
+            }
+            return {static_cast<std::int64_t>(first) + a.cells, static_cast<std::int64_t>(last - first) + 1};
+        }
+        const double low = max(first, 0.0), high = min(last, cells - 1);
+        if (!(low <= high)) {
+            return {0, 0};
+        }
+        return {static_cast<std::int64_t>(low), static_cast<std::int64_t>(high - low) + 1};
+    }
+};
+
+/// Points binned in cells at least one reach wide. The grid covers the points wherever they are; along periodic axes it
+/// covers one period. Its memory is bounded by the number of points: cells grow when the points lie far apart. Points
+/// that are not finite are nobody's neighbours.
+class CellGrid {
+ public:
+    /// @param reach  distance within which neighbours are asked for [m], > 0
+    /// @throws CaseError  see check_periods
+    void build(std::span<const Vec3> points, const Domain& domain, double reach);
+
+    CellGridView view() const { return {{axes_[0], axes_[1], axes_[2]}, reach_, start_.data(), points_.data()}; }
+    std::span<const std::int32_t> starts() const { return start_; }
+    std::span<const std::uint32_t> points() const { return points_; }
+
+    template <class F>
+    void for_each_near(const Vec3& x, F&& f) const {
+        view().for_each_near(x, f);
+    }
+
+ private:
     std::int64_t cell_of(const Vec3& x) const;
 
-    std::array<Axis, 3> axes_;
+    std::array<CellGridView::Axis, 3> axes_;
     double reach_{0};
-    std::vector<std::int32_t> start_;    ///< per cell, one more at the end
-    std::vector<std::uint32_t> points_;  ///< indices, cell by cell
+    std::vector<std::int32_t> start_;
+    std::vector<std::uint32_t> points_;
     std::vector<std::uint64_t> keys_, key_buffer_;
     std::vector<std::uint32_t> value_buffer_;
 };

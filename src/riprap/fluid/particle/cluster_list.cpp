@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
@@ -14,6 +15,8 @@ namespace riprap::fluid {
 // ------------------------------------------------------------------------------------------------------------
 
 namespace {
+
+using LongFour [[gnu::vector_size(sizeof(DoubleFour))]] = std::int64_t;
 
 /// Four particles, x y z x y z x y z x y z, as whole numbers: x x x x, y y y y, z z z z.
 struct FourPlaces {
@@ -29,8 +32,12 @@ struct FourPlaces {
         std::array<IntFour, 3> v;
         for (std::size_t k = 0; k < 3; ++k) {
             DoubleFour x;
-            __builtin_memcpy(&x, reinterpret_cast<const char*>(four) + k * sizeof x, sizeof x);
-            v[k] = FixedPoint::round((x - origin[k]) * per_quantum[k]);
+            std::memcpy(&x, reinterpret_cast<const char*>(four) + k * sizeof x, sizeof x);
+            // What is added puts the unit into the last place of the mantissa, so that its low bits are the whole
+            // number in two's complement, modulo 2^32. Places beyond 2^51 small lengths, and not finite ones, are
+            // anywhere.
+            const DoubleFour rounded = (x - origin[k]) * per_quantum[k] + 0x1.8p52;
+            v[k] = __builtin_convertvector(reinterpret_cast<LongFour>(rounded), IntFour);
         }
         const IntFour x = __builtin_shufflevector(v[0], v[1], 0, 3, 6, 6),
                       y = __builtin_shufflevector(v[0], v[1], 1, 4, 7, 7),
@@ -49,6 +56,13 @@ ClusterPlaces::Motion join(const ClusterPlaces::Motion& a, const ClusterPlaces::
     return both;
 }
 
+ClusterPlaces::Motion no_motion() {
+    ClusterPlaces::Motion nothing;
+    nothing.low.fill(FloatFour{} + std::numeric_limits<float>::infinity());
+    nothing.high.fill(FloatFour{} - std::numeric_limits<float>::infinity());
+    return nothing;
+}
+
 /// The most by which a particle of one set and one of the other may have come closer [m].
 float approach(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
     if (!a.is_known || !b.is_known) {
@@ -59,48 +73,60 @@ float approach(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
     float square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const float most = std::max(greatest(a.high[k]) - least(b.low[k]), greatest(b.high[k]) - least(a.low[k]));
-        square += most * most;
+        square += std::isfinite(most) ? most * most : 0.0F;  // infinite for an axis that is none
     }
     return std::sqrt(square);
 }
 
 }  // namespace
 
-ClusterPlaces::Motion ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
-    size_ = static_cast<std::int64_t>(position.size());
-    stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
-    fixed_ = fixed;
-    places_.resize(static_cast<std::size_t>(cluster_count() * stride_));
-    const bool is_comparable = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
-    const FourPlaces four_places(fixed);
-    const auto place = [&](std::int64_t c) {
-        std::array<Vec3, cluster_size> four;
+template <int Dim>
+ClusterPlaces::Motion ClusterPlaces::place(std::span<const Vec3> position, std::int64_t begin, std::int64_t end,
+                                           bool is_comparable) {
+    constexpr std::int64_t stride = Dim * cluster_size;
+    const FourPlaces four_places(fixed_);
+    Motion motion = no_motion();
+    for (std::int64_t c = begin; c < end; ++c) {
         const std::int64_t first = c * cluster_size;
-        const bool is_full = first + cluster_size <= size_;
-        for (std::int64_t member = 0; !is_full && member < cluster_size; ++member) {
-            four[static_cast<std::size_t>(member)] =
-                position[static_cast<std::size_t>(std::min(first + member, size_ - 1))];
+        std::array<IntFour, 3> here;
+        if (first + cluster_size <= size_) {
+            here = four_places(&position[static_cast<std::size_t>(first)]);
+        } else {
+            std::array<Vec3, cluster_size> four;
+            for (std::int64_t member = 0; member < cluster_size; ++member) {
+                four[static_cast<std::size_t>(member)] =
+                    position[static_cast<std::size_t>(std::min(first + member, size_ - 1))];
+            }
+            here = four_places(four.data());
         }
-        const std::array<IntFour, 3> here =
-            four_places(is_full ? &position[static_cast<std::size_t>(first)] : four.data());
-        Motion motion;
-        for (int axis = 0; axis < dimension; ++axis) {
-            const auto k = static_cast<std::size_t>(c * stride_ + axis * cluster_size);
-            const IntFour now = here[static_cast<std::size_t>(axis)];
-            __builtin_memcpy(&places_[k], &now, sizeof now);
-            if (is_comparable) {
-                IntFour then;
-                __builtin_memcpy(&then, &remembered_[k], sizeof then);
-                const FloatFour way = difference(now, then) * static_cast<float>(fixed_.quantum()[axis]);
-                motion.low[static_cast<std::size_t>(axis)] = motion.high[static_cast<std::size_t>(axis)] = way;
+        std::memcpy(&places_[static_cast<std::size_t>(c * stride)], here.data(), stride * sizeof(std::int32_t));
+        if (is_comparable) {
+            std::array<IntFour, Dim> then;
+            std::memcpy(then.data(), &remembered_[static_cast<std::size_t>(c * stride)], sizeof then);
+            for (std::size_t axis = 0; axis < Dim; ++axis) {
+                const FloatFour way =
+                    difference(here[axis], then[axis]) * static_cast<float>(fixed_.quantum()[static_cast<int>(axis)]);
+                motion.low[axis] = way < motion.low[axis] ? way : motion.low[axis];
+                motion.high[axis] = way > motion.high[axis] ? way : motion.high[axis];
             }
         }
-        return motion;
+    }
+    return motion;
+}
+
+ClusterPlaces::Motion ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
+    constexpr std::int64_t grain = 256;  // clusters
+    size_ = static_cast<std::int64_t>(position.size());
+    fixed_ = fixed;
+    stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
+    places_.resize(static_cast<std::size_t>(cluster_count() * stride_));
+    const bool is_comparable = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
+    const auto place_some = [&](std::int64_t k) {
+        const std::int64_t begin = k * grain, end = std::min(cluster_count(), begin + grain);
+        return dimension == 2 ? place<2>(position, begin, end, is_comparable)
+                              : place<3>(position, begin, end, is_comparable);
     };
-    Motion nothing;
-    nothing.low.fill(FloatFour{} + std::numeric_limits<float>::infinity());
-    nothing.high.fill(FloatFour{} - std::numeric_limits<float>::infinity());
-    Motion motion = parallel::reduce(cluster_count(), nothing, place, join);
+    Motion motion = parallel::reduce((cluster_count() + grain - 1) / grain, no_motion(), place_some, join, 4);
     motion.is_known = is_comparable;
     return motion;
 }

@@ -29,6 +29,9 @@ class ClusterPlaces {
     const std::int32_t* cluster(std::int64_t c) const { return &places_[static_cast<std::size_t>(c * stride_)]; }
 
  private:
+    template <int Dim>
+    Motion place(std::span<const Vec3> position, std::int64_t begin, std::int64_t end, bool is_comparable);
+
     std::vector<std::int32_t> places_, remembered_;
     std::int64_t size_{0}, stride_{0};
     FixedPoint fixed_, remembered_fixed_;

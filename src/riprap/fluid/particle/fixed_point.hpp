@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "riprap/fluid/particle/lanes.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
 namespace riprap::fluid {
@@ -33,12 +33,10 @@ class FixedPoint {
         }
     }
 
-    /// Small lengths, rounded, modulo 2^32. What is added puts the unit into the last place of the mantissa, so that
-    /// its low bits are the whole number, in two's complement. Places beyond 2^51 small lengths, and not finite ones,
-    /// are anywhere.
-    static IntFour round(DoubleFour small_lengths) {
-        using LongFour [[gnu::vector_size(sizeof(DoubleFour))]] = std::int64_t;
-        return __builtin_convertvector(reinterpret_cast<LongFour>(small_lengths + 0x1.8p52), IntFour);
+    /// x along the axis in small lengths, rounded, modulo 2^32; anywhere for places beyond 2^51 of them.
+    std::int32_t operator()(const Vec3& x, int axis) const {
+        const double rounded = (x[axis] - origin_[axis]) * per_quantum_[axis] + 0x1.8p52;
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(rounded)));
     }
     const Vec3& origin() const { return origin_; }
     const Vec3& per_quantum() const { return per_quantum_; }
