@@ -31,7 +31,7 @@ struct Continuity {
             closing = closing + (target[axis] - candidate[axis]) * d[axis];
             head = head + Real(weight[axis]) * d[axis];
         }
-        const Real slope = candidate[4] * kernel.slope_over_r(sqrt(r2));
+        const Real slope = candidate[4] * kernel.slope_over_r(distance(r2));
         sum[0] = sum[0] + slope * closing;
         sum[1] = sum[1] - slope * (candidate[3] - target[3] + head);
         sum[2] = sum[2] - slope * closing * closing * reciprocal(r2 + Real(soft));
@@ -53,7 +53,7 @@ struct ContinuityAtWalls {
         for (int axis = 0; axis < Dim; ++axis) {
             closing = closing + (target[axis] - candidate[axis]) * d[axis];
         }
-        const Real slope = candidate[3] * kernel.slope_over_r(sqrt(r2));
+        const Real slope = candidate[3] * kernel.slope_over_r(distance(r2));
         sum[0] = sum[0] + slope * closing;
         sum[1] = sum[1] - slope * r2;
     }

@@ -25,7 +25,7 @@ struct Momentum {
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
+        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
@@ -58,7 +58,7 @@ struct MomentumFromWalls {
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
+        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
@@ -89,7 +89,7 @@ struct MomentumOnWalls {
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(sqrt(r2)), slope = candidate[4] * unit_slope;
+        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];

@@ -50,7 +50,7 @@ struct MullerViscosity {
 
     template <int Dim, class Real>
     RIPRAP_HD void add(const Real* v, const Real*, Real r2, Real, Real volume, Real mu_pair, Real* force) const {
-        const Real size = Real(-0.5) * mu_pair * kernel.laplacian(sqrt(r2)) * volume;
+        const Real size = Real(-0.5) * mu_pair * kernel.laplacian(distance(r2)) * volume;
         for (int axis = 0; axis < Dim; ++axis) {
             force[axis] = size * v[axis];
         }
