@@ -47,33 +47,18 @@ struct FourPlaces {
     }
 };
 
-ClusterPlaces::Motion join(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
-    ClusterPlaces::Motion both;
-    for (std::size_t k = 0; k < 3; ++k) {
-        both.low[k] = a.low[k] < b.low[k] ? a.low[k] : b.low[k];
-        both.high[k] = a.high[k] > b.high[k] ? a.high[k] : b.high[k];
-    }
-    return both;
-}
+using Motion = ClusterPlaces::Motion;
 
-ClusterPlaces::Motion no_motion() {
-    ClusterPlaces::Motion nothing;
-    nothing.low.fill(FloatFour{} + std::numeric_limits<float>::infinity());
-    nothing.high.fill(FloatFour{} - std::numeric_limits<float>::infinity());
-    return nothing;
-}
+Motion join(Motion a, Motion b) { return a < b ? a : b; }
+
+const Motion no_motion = Motion{} + std::numeric_limits<float>::infinity();
 
 /// The most by which a particle of one set and one of the other may have come closer [m].
-float approach(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
-    if (!a.is_known || !b.is_known) {
-        return std::numeric_limits<float>::infinity();
-    }
-    const auto least = [](FloatFour v) { return std::min({v[0], v[1], v[2], v[3]}); };
-    const auto greatest = [](FloatFour v) { return std::max({v[0], v[1], v[2], v[3]}); };
+float approach(Motion a, Motion b) {
     float square = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const float most = std::max(greatest(a.high[k]) - least(b.low[k]), greatest(b.high[k]) - least(a.low[k]));
-        square += std::isfinite(most) ? most * most : 0.0F;  // infinite for an axis that is none
+    for (int axis = 0; axis < 3; ++axis) {
+        const float most = std::max(-a[axis + 4] - b[axis], -b[axis + 4] - a[axis]);
+        square += most * most;
     }
     return std::sqrt(square);
 }
@@ -81,12 +66,15 @@ float approach(const ClusterPlaces::Motion& a, const ClusterPlaces::Motion& b) {
 }  // namespace
 
 template <int Dim>
-ClusterPlaces::Motion ClusterPlaces::place(std::span<const Vec3> position, std::int64_t begin, std::int64_t end,
-                                           bool is_comparable) {
+ClusterPlaces::Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t block,
+                                                 bool is_comparable) {
     constexpr std::int64_t stride = Dim * cluster_size;
     const FourPlaces four_places(fixed_);
-    Motion motion = no_motion();
-    for (std::int64_t c = begin; c < end; ++c) {
+    const FloatFour far = FloatFour{} + std::numeric_limits<float>::infinity();
+    std::array<FloatFour, Dim> low, high;
+    low.fill(far);
+    high.fill(-far);
+    for (std::int64_t c = block * block_size; c < std::min(cluster_count(), (block + 1) * block_size); ++c) {
         const std::int64_t first = c * cluster_size;
         std::array<IntFour, 3> here;
         if (first + cluster_size <= size_) {
@@ -106,29 +94,32 @@ ClusterPlaces::Motion ClusterPlaces::place(std::span<const Vec3> position, std::
             for (std::size_t axis = 0; axis < Dim; ++axis) {
                 const FloatFour way =
                     difference(here[axis], then[axis]) * static_cast<float>(fixed_.quantum()[static_cast<int>(axis)]);
-                motion.low[axis] = way < motion.low[axis] ? way : motion.low[axis];
-                motion.high[axis] = way > motion.high[axis] ? way : motion.high[axis];
+                low[axis] = way < low[axis] ? way : low[axis];
+                high[axis] = way > high[axis] ? way : high[axis];
             }
         }
+    }
+    Motion motion{};
+    for (int axis = 0; axis < Dim; ++axis) {
+        const FloatFour l = low[static_cast<std::size_t>(axis)], h = high[static_cast<std::size_t>(axis)];
+        motion[axis] = std::min({l[0], l[1], l[2], l[3]});
+        motion[axis + 4] = -std::max({h[0], h[1], h[2], h[3]});
     }
     return motion;
 }
 
-ClusterPlaces::Motion ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
-    constexpr std::int64_t grain = 256;  // clusters
+void ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
     size_ = static_cast<std::int64_t>(position.size());
     fixed_ = fixed;
     stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
     places_.resize(static_cast<std::size_t>(cluster_count() * stride_));
-    const bool is_comparable = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
-    const auto place_some = [&](std::int64_t k) {
-        const std::int64_t begin = k * grain, end = std::min(cluster_count(), begin + grain);
-        return dimension == 2 ? place<2>(position, begin, end, is_comparable)
-                              : place<3>(position, begin, end, is_comparable);
-    };
-    Motion motion = parallel::reduce((cluster_count() + grain - 1) / grain, no_motion(), place_some, join, 4);
-    motion.is_known = is_comparable;
-    return motion;
+    is_motion_known_ = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
+    const std::int64_t blocks = (cluster_count() + block_size - 1) / block_size;
+    motions_.resize(static_cast<std::size_t>(blocks));
+    parallel::for_each_uneven(blocks, 16, [&](std::int64_t b) {
+        motions_[static_cast<std::size_t>(b)] = dimension == 2 ? place_block<2>(position, b, is_motion_known_)
+                                                               : place_block<3>(position, b, is_motion_known_);
+    });
 }
 
 void ClusterPlaces::remember() {
@@ -321,21 +312,29 @@ struct TargetPlaces {
 
 }  // namespace
 
+namespace {
+/// Blocks whose motion is watched lie so many skins farther away than lists reach. What lies beyond them cannot have
+/// come within reach as long as nothing anywhere has come closer than by these skins and one more.
+constexpr double watched_skins = 4;
+}  // namespace
+
 /// Finds what is near clusters of targets, sixteen clusters of targets at a time. No branch depends on a single box:
 /// the finds are written one behind the other, and the misses overwritten.
 class ClusterList::Search {
  public:
-    Search(const ClusterList& list, const BoxTree& targets, int dimension, float distance)
+    Search(const ClusterList& list, const BoxTree& targets, int dimension, float distance, float watched)
         : list_(list),
           targets_(targets),
           candidates_(list.candidate_boxes_),
           dimension_(dimension),
           distance_(distance),
+          watched_(watched),
           box_distance_(distance + targets.slack() + candidates_.slack()) {}
 
     void fill(std::int64_t target_block, Chunk& chunk) {
         blocks_.clear();
-        candidates_.find_blocks(targets_.box_of_block(target_block), box_distance_, blocks_);
+        candidates_.find_blocks(targets_.box_of_block(target_block), box_distance_ + watched_, blocks_);
+        chunk.blocks.assign(blocks_.begin(), blocks_.end());
         block_boxes_.assign((blocks_.size() + BoxTree::branches - 1) / BoxTree::branches, {});
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             const BoxTree::Box box = candidates_.box_of_block(blocks_[b]);
@@ -400,7 +399,7 @@ class ClusterList::Search {
     const BoxTree& targets_;
     const BoxTree& candidates_;
     int dimension_;
-    float distance_, box_distance_;
+    float distance_, watched_, box_distance_;
     std::vector<std::int32_t> blocks_, near_blocks_, near_clusters_;
     std::vector<BoxTree::Block> block_boxes_;
 };
@@ -416,23 +415,52 @@ void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets,
     }
     fixed_ = FixedPoint(reach, max(box.high - box.low, Vec3{}));
     const int dimension = reach.domain.dimension;
-    const ClusterPlaces::Motion target_motion = targets_.update(targets, fixed_, dimension);
-    const double closer =
-        approach(target_motion, is_same_ ? target_motion : candidates_.update(candidates, fixed_, dimension));
+    targets_.update(targets, fixed_, dimension);
+    if (!is_same_) {
+        candidates_.update(candidates, fixed_, dimension);
+    }
     ++sweeps_;
-    if (is_complete_ && was_same == is_same_ && closer <= skin_) {
+    const bool is_known =
+        is_complete_ && was_same == is_same_ && targets_.is_motion_known() && this->candidates().is_motion_known();
+    const double in_lists = is_known ? closer_in_lists() : 0, anywhere = is_known ? closer_anywhere() : 0;
+    if (is_known && in_lists <= skin_ && anywhere <= (1 + watched_skins) * skin_) {
         return;
     }
-    choose_skin(reach.support_radius, closer);
+    choose_skin(reach.support_radius, is_known ? std::max(in_lists, anywhere / (1 + watched_skins)) : -1);
     build(reach, targets, candidates);
 }
 
+float ClusterList::closer_in_lists() const {
+    const auto closer = [&](std::int64_t k) {
+        const Chunk& chunk = chunks_[static_cast<std::size_t>(k)];
+        Motion around = no_motion;
+        for (const std::int32_t block : chunk.blocks) {
+            around = join(around, candidates().motions()[static_cast<std::size_t>(block)]);
+        }
+        return chunk.blocks.empty() ? 0.0F : approach(targets_.motions()[static_cast<std::size_t>(k)], around);
+    };
+    return parallel::reduce(
+        chunk_count(), 0.0F, closer, [](float a, float b) { return std::max(a, b); }, 64);
+}
+
+float ClusterList::closer_anywhere() const {
+    Motion of_targets = no_motion, of_candidates = no_motion;
+    for (const Motion& motion : targets_.motions()) {
+        of_targets = join(of_targets, motion);
+    }
+    for (const Motion& motion : candidates().motions()) {
+        of_candidates = join(of_candidates, motion);
+    }
+    return approach(of_targets, of_candidates);
+}
+
+/// @param closer  by which particles came closer since the last build [m]; negative: not known
 void ClusterList::choose_skin(double support_radius, double closer) {
     // A skin s makes a sweep dearer by 3 s/(2 h + 1) of it and lets it last s/u sweeps at a motion of u per sweep until
     // the lists, which cost about half a sweep, are made anew: least in sum at s^2 = u (2 h)/6.
     constexpr double least = 0.01, most = 0.12;
-    const double per_sweep = std::isfinite(closer) ? closer / static_cast<double>(std::max<std::int64_t>(1, sweeps_))
-                                                   : 0.005 * support_radius;
+    const double per_sweep =
+        closer >= 0 ? closer / static_cast<double>(std::max<std::int64_t>(1, sweeps_)) : 0.005 * support_radius;
     skin_ = std::clamp(std::sqrt(per_sweep * support_radius / 6), least * support_radius, most * support_radius);
 }
 
@@ -447,7 +475,7 @@ void ClusterList::build(const SweepReach& reach, std::span<const Vec3> targets, 
     const auto distance = static_cast<float>((reach.support_radius + skin_) * (1 + 1e-5) + fixed_slack);
     chunks_.resize(static_cast<std::size_t>(chunk_count()));
     parallel::for_ranges(chunk_count(), 16, [&](std::int64_t begin, std::int64_t end) {
-        Search search(*this, boxes, dimension, distance);
+        Search search(*this, boxes, dimension, distance, static_cast<float>(watched_skins * skin_));
         for (std::int64_t k = begin; k < end; ++k) {
             search.fill(k, chunks_[static_cast<std::size_t>(k)]);
         }

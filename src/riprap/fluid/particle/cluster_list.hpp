@@ -15,12 +15,16 @@ namespace riprap::fluid {
 /// is filled up with copies of the last particle.
 class ClusterPlaces {
  public:
-    /// How far particles have come since remember(): the smallest box of all their ways [m].
-    struct Motion {
-        std::array<FloatFour, 3> low{}, high{};  ///< per axis, the least and the greatest of each of four
-        bool is_known{false};                    ///< false where there is nothing to compare with
-    };
-    Motion update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
+    /// Clusters whose motion is kept together: a block of BoxTree.
+    static constexpr std::int64_t block_size = lane_count;
+    /// Box around the ways of some particles [m]: least x, y, z, nothing, and the greatest with their signs turned.
+    using Motion = FloatEight;
+
+    void update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
+    /// Whether there was something to compare with.
+    bool is_motion_known() const { return is_motion_known_; }
+    /// Ways since remember(), one box per block.
+    const std::vector<Motion>& motions() const { return motions_; }
     void remember();
 
     std::int64_t size() const { return size_; }
@@ -30,8 +34,10 @@ class ClusterPlaces {
 
  private:
     template <int Dim>
-    Motion place(std::span<const Vec3> position, std::int64_t begin, std::int64_t end, bool is_comparable);
+    Motion place_block(std::span<const Vec3> position, std::int64_t block, bool is_comparable);
 
+    std::vector<Motion> motions_;
+    bool is_motion_known_{false};
     std::vector<std::int32_t> places_, remembered_;
     std::int64_t size_{0}, stride_{0};
     FixedPoint fixed_, remembered_fixed_;
@@ -105,10 +111,13 @@ class ClusterList {
     struct Chunk {
         std::vector<std::int32_t> candidates;
         std::array<std::int32_t, chunk_size + 1> start;
+        std::vector<std::int32_t> blocks;  ///< of candidates around, farther than the lists reach
     };
     class Search;
 
     void build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates);
+    float closer_in_lists() const;
+    float closer_anywhere() const;
     void choose_skin(double support_radius, double closer);
 
     ClusterPlaces targets_, candidates_;

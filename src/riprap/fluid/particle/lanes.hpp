@@ -24,6 +24,8 @@ using IntFour [[gnu::vector_size(cluster_size * sizeof(std::int32_t))]] = std::i
 
 using DoubleFour [[gnu::vector_size(cluster_size * sizeof(double))]] = double;
 
+using FloatEight [[gnu::vector_size(2 * cluster_size * sizeof(float))]] = float;
+
 /// One truth per lane.
 struct LaneMask {
     IntVector v;
