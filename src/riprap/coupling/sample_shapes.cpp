@@ -153,6 +153,8 @@ double layer_estimate(const CutPart& part, const SampleSettings& settings) {
 std::vector<LayerPoint> sample_part(const CutPart& part, const SampleSettings& settings, bool is_planar) {
     std::vector<Plane> planes;
     std::vector<std::uint8_t> flags;
+    planes.reserve(part.faces.size());
+    flags.reserve(part.faces.size());
     for (const LayerFace& face : part.faces) {
         planes.push_back(face.plane);
         flags.push_back(face.is_cut ? 1 : 0);
