@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: water.
+#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/scene/key_table.hpp"
 #include "riprap/scene/limits.hpp"
 
@@ -56,6 +57,7 @@ const Table& fluid_region_table() {
 }  // namespace
 
 const Table& fluid_table() {
+    static const fluid::SphSettings defaults;  // one place says them, for cases and for programs
     static const Table table{
         "fluid",
         "[fluid]",
@@ -73,8 +75,11 @@ const Table& fluid_table() {
          {"smoothing_ratio",
           {number(dimension::plain, between(1, 3))},
           "Smoothing length over spacing; the kernel ends at twice that.",
-          Value::of(1.5)},
-         {"density", {number(dimension::density, positive())}, "At rest, without pressure.", Value::of(1000.0)},
+          Value::of(defaults.smoothing_ratio)},
+         {"density",
+          {number(dimension::density, positive())},
+          "At rest, without pressure.",
+          Value::of(defaults.rest_density)},
          {"sound_speed",
           {choice({"auto"}), number(dimension::velocity, positive())},
           "Of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that the case "
@@ -86,7 +91,10 @@ const Table& fluid_table() {
           "2 sqrt(g H).",
           Value::of("auto")},
          {"state_equation", {choice({"tait", "linear"})}, "How pressure follows from density.", Value::of("tait")},
-         {"tait_exponent", {number(dimension::plain, between(1, 10))}, "Of the Tait equation.", Value::of(7.0)},
+         {"tait_exponent",
+          {number(dimension::plain, between(1, 10))},
+          "Of the Tait equation.",
+          Value::of(defaults.tait_exponent)},
          {"viscosity",
           {choice({"artificial", "laminar_sps"})},
           "Artificial viscosity, or that of water with a model of what turbulence the particles do not resolve.",
@@ -94,31 +102,31 @@ const Table& fluid_table() {
          {"artificial_alpha",
           {number(dimension::plain, between(0, 1))},
           "Strength of the artificial viscosity.",
-          Value::of(0.02)},
+          Value::of(defaults.artificial_alpha)},
          {"kinematic_viscosity",
           {number(dimension::kinematic_viscosity, non_negative())},
           "Of the fluid, for laminar_sps.",
-          Value::of(1e-6)},
+          Value::of(defaults.kinematic_viscosity)},
          {"smagorinsky",
           {number(dimension::plain, between(0, 1))},
           "Constant of the turbulence model of laminar_sps.",
-          Value::of(0.12)},
+          Value::of(defaults.smagorinsky)},
          {"density_diffusion",
           {number(dimension::plain, between(0, 1))},
           "Strength of the diffusion of density.",
-          Value::of(0.1)},
+          Value::of(defaults.density_diffusion)},
          {"shifting",
-          {number(dimension::plain, between(0, 10))},
+          {number(dimension::plain, between(0, 100))},
           "Strength of the shifting of particles; 0 = off.",
-          Value::of(2.0)},
+          Value::of(defaults.shifting)},
          {"courant",
           {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
           "Share of the time that sound needs through a smoothing length that a step may last.",
-          Value::of(0.4)},
+          Value::of(defaults.courant)},
          {"sort_interval",
           {integer(1, 1e6)},
           "Steps between sorts of the particles by place: part of the result, as sums follow the order.",
-          Value::of(50)},
+          Value::of(defaults.sort_interval)},
          {"wall",
           {choice({"boundary_particles", "penalty"})},
           "How solids hold water back: particles in layers under their faces that take part in all sums, or faces "

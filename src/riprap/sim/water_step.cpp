@@ -76,9 +76,9 @@ coupling::Acceleration response(const State& state, const WaterScratch& scratch,
 
 Vec3 in_plane_force(const Model& model, const Vec3& f) { return model.bodies.is_planar ? Vec3{f.x, f.y, 0} : f; }
 
-/// One force pass with bodies that speed up as `guess` says.
-void force_pass(const Model& model, State& state, WaterScratch& scratch,
-                const std::vector<coupling::Acceleration>& guess, double dt, fluid::FluidReport& report) {
+/// Loads on bodies that speed up as `guess` says.
+void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
+                 const std::vector<coupling::Acceleration>& guess, double dt) {
     const double middle = state.time + 0.5 * dt;
     fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
     const FluidModel& water = *model.fluid;
@@ -88,11 +88,7 @@ void force_pass(const Model& model, State& state, WaterScratch& scratch,
         scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
                              coupling::penalty_settings(water.sph), state.fluid, scratch.extra_force, scratch.loads);
     }
-    accelerate(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, state.time, scratch.sph, report,
-               scratch.extra_force);
-    if (!report.problem.empty()) {
-        return;
-    }
+    load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), scratch.sph);
     if (!is_penalty) {
         gather_loads(water.samples, scratch.motion, scratch.walls, scratch.loads);
     }
@@ -135,29 +131,23 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
         kappa[b] = scratch.kinematics.inverse_mass[b] > 0 ? kappa[b] : 0;
     }
     coupling::AddedMassIteration iteration(model.bodies.mass, scratch.inertia, kappa);
-    const bool may_repeat = std::any_of(kappa.begin(), kappa.end(),
-                                        [](double k) { return k > coupling::AddedMassIteration::iterates_above; });
-    if (may_repeat) {
-        scratch.old_position = state.fluid.position;
-        scratch.old_velocity = state.fluid.velocity;
-    }
-    const double old_max_acceleration = state.fluid.max_acceleration;
     std::vector<coupling::Acceleration> found(guess.size());
+    const double middle = time + 0.5 * dt;
+    fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
+    place_samples(water.samples, scratch.motion, scratch.walls);
+    begin_forces(water.sph, state.fluid, scratch.walls, time, scratch.sph, report.fluid);
+    if (!report.ok()) {
+        return report;
+    }
     for (bool is_settled = false; !is_settled;) {
-        if (iteration.passes() > 0) {
-            state.fluid.position = scratch.old_position;
-            state.fluid.velocity = scratch.old_velocity;
-            state.fluid.max_acceleration = old_max_acceleration;
-        }
-        force_pass(model, state, scratch, guess, dt, report.fluid);
-        if (!report.ok()) {
-            return report;
-        }
+        load_bodies(model, state, scratch, guess, dt);
         for (std::size_t b = 0; b < found.size(); ++b) {
             found[b] = response(state, scratch, b);
         }
         is_settled = iteration.accept(guess, found, norm(model.gravity.value));
     }
+    kick_fluid(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, time, scratch.sph, report.fluid,
+               scratch.extra_force);
     report.passes = iteration.passes();
     report.residual = iteration.residual();
     for (std::size_t b = 0; b < found.size(); ++b) {

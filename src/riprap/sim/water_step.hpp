@@ -20,14 +20,13 @@ struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
     coupling::PenaltyWalls penalty;
-    coupling::BodyMotion motion;                   ///< of all bodies, where the samples were placed last
-    coupling::FluidLoads loads;                    ///< at the last kick
-    std::vector<Vec3> force, torque;               ///< pressure and viscosity together
-    std::vector<Vec3> extra_force;                 ///< of penalty walls on particles [N]
-    body::BodyState middle;                        ///< bodies at mid-step, as predicted
-    body::BodyKinematics kinematics;               ///< ... there
-    std::vector<double> kappa, inertia;            ///< of bodies, for the added-mass iteration
-    std::vector<Vec3> old_position, old_velocity;  ///< of particles before a force pass
+    coupling::BodyMotion motion;         ///< of all bodies, where the samples were placed last
+    coupling::FluidLoads loads;          ///< at the last kick
+    std::vector<Vec3> force, torque;     ///< pressure and viscosity together
+    std::vector<Vec3> extra_force;       ///< of penalty walls on particles [N]
+    body::BodyState middle;              ///< bodies at mid-step, as predicted
+    body::BodyKinematics kinematics;     ///< ... there
+    std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
 };
 
 /// What the water's step brings.

@@ -17,6 +17,18 @@ namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
 
+/// Calls work(law) with the viscosity of the case.
+template <class Work>
+void with_viscosity(const SphSettings& settings, const Work& work) {
+    if (settings.viscosity == Viscosity::artificial) {
+        const double h = settings.smoothing_length();
+        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
+        work(ArtificialViscosity{strength, 0.01 * h * h});
+    } else {
+        work(LaminarViscosity{});
+    }
+}
+
 /// sqrt(2 S:S) from the third sum of Continuity
 double strain_rate(const SphSettings& settings, double sum) {
     return std::sqrt(std::max(0.0, (settings.domain.dimension + 2) * sum));
@@ -85,19 +97,26 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         parallel::reduce(state.size(), 0.0, advance_one, [](double a, double b) { return a + b; });
 }
 
-void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                  SphScratchData& s) {
     find_pressure(settings, state, s);
     find_viscosity(settings, s);
-    extrapolate_to_walls(settings, state, walls, gravity, s);
-    clear_forces(state.position.size(), walls, s);
-    if (settings.viscosity == Viscosity::artificial) {
-        const double h = settings.smoothing_length();
-        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
-        add_forces(settings, kernel_of(settings), state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
-    } else {
-        add_forces(settings, kernel_of(settings), state, walls, LaminarViscosity{}, s);
-    }
+    clear_forces(state.position.size(), s);
+    average_at_walls(settings, state, walls, s);
+    with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
+}
+
+void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                SphScratchData& s) {
+    extrapolate_to_walls(walls, gravity, s);
+    with_viscosity(settings,
+                   [&](const auto& law) { find_forces_on_walls(settings, kernel_of(settings), state, walls, law, s); });
+}
+
+void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+    with_viscosity(
+        settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
     scale_by_volume(s);
     report.shifted = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
     kick(settings, state, gravity, dt, s, extra_force, report);

@@ -15,7 +15,7 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, SphS
     });
 }
 
-void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& s) {
+void clear_forces(std::size_t particles, SphScratchData& s) {
     s.force.assign(particles, {});
     s.concentration_gradient.assign(particles, {});
     s.heat.assign(particles, 0);
@@ -23,8 +23,6 @@ void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchDat
     s.wall_hold.assign(particles, {});
     s.wall_hold_power.assign(particles, 0);
     s.surface_direction.assign(particles, {});
-    walls.pressure_force.assign(walls.position.size(), {});
-    walls.viscous_force.assign(walls.position.size(), {});
 }
 
 void scale_by_volume(SphScratchData& s) {

@@ -13,42 +13,61 @@ namespace riprap::fluid {
 /// Pressure and volume of every particle, from its density.
 void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch);
 
-/// Makes room for the sums of add_forces and sets them to zero.
-void clear_forces(std::size_t particles, BoundaryParticles& walls, SphScratchData& scratch);
+/// Makes room for the sums of Momentum and MomentumFromWalls and sets them to zero.
+void clear_forces(std::size_t particles, SphScratchData& scratch);
 
-/// The sums of add_forces are per volume of the particle; makes them forces on it [N], heat and what is held a power
-/// [W].
+/// The sums of forces are per volume of the particle; makes them forces on it [N], heat and what is held a power [W].
 void scale_by_volume(SphScratchData& scratch);
 
-/// Adds the sums of Momentum, MomentumFromWalls and MomentumOnWalls over all pairs.
-template <class Kernel, class Law>
-void add_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, BoundaryParticles& walls,
-                const Law& law, SphScratchData& s) {
+/// What fluid particles bring to both sides of a sum of forces.
+inline SweepSide<5> force_targets(const ParticleState& state, const SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const SweepSide<5> targets{state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+    return {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+}
+
+/// Adds the sums of Momentum: fluid on fluid.
+template <class Kernel, class Law>
+void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, const Law& law,
+                      SphScratchData& s) {
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
     const SweepSide<7> fluid_with_surface{
         state.position,
         {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
-    const SweepSide<6> fluid{state.position,
-                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
     std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
     add_pair_sums(
-        settings, Momentum<Kernel, Law>{kernel, law}, targets, fluid_with_surface,
+        settings, Momentum<Kernel, Law>{kernel, law}, force_targets(state, s), fluid_with_surface,
         {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
          sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
         s.fluid_fluid);
+}
 
+/// Adds the sums of MomentumFromWalls: what walls do to the fluid.
+template <class Kernel, class Law>
+void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
+                           const BoundaryParticles& walls, const Law& law, SphScratchData& s) {
     const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
     const SweepSide<9> wall{walls.position,
                             {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
-    add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, targets, wall,
+    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient;
+    add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, force_targets(state, s), wall,
                   {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
                    sink_component(c, 0), sink_component(c, 1), sink_component(c, 2), sink_component(s.wall_hold, 0),
                    sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
                   s.fluid_walls);
+}
 
+/// The sums of MomentumOnWalls: what the fluid does to walls [N].
+template <class Kernel, class Law>
+void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
+                          BoundaryParticles& walls, const Law& law, SphScratchData& s) {
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
+    const SweepSide<6> fluid{state.position,
+                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
+    p.assign(walls.position.size(), {});
+    t.assign(walls.position.size(), {});
     add_pair_sums(settings, MomentumOnWalls<Kernel, Law>{kernel, law},
                   {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
                   {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),

@@ -39,25 +39,44 @@ void sum_density(const SphSettings& settings, ParticleState& state, const Bounda
                   s.fluid_walls);
 }
 
+/// Calls work(law) with the viscosity of the case.
+template <class Work>
+void with_viscosity(const SphSettings& settings, const Work& work) {
+    const double h = settings.smoothing_length();
+    if (settings.viscosity == Viscosity::artificial) {
+        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
+        work(ArtificialViscosity{strength, 0.01 * h * h});
+    } else {
+        work(MullerViscosity{LaplacianKernel(settings.support_radius(), settings.domain.dimension)});
+    }
+}
+
+SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
+
 }  // namespace
 
-void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                  SphScratchData& s) {
     sum_density(settings, state, walls, s);
     find_pressure(settings, state, s);
     s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
     s.bareness.assign(state.position.size(), 0);
-    extrapolate_to_walls(settings, state, walls, gravity, s);
-    clear_forces(state.position.size(), walls, s);
-    const double radius = settings.support_radius(), h = settings.smoothing_length();
-    const SpikyKernel spiky(radius, settings.domain.dimension);
-    if (settings.viscosity == Viscosity::artificial) {
-        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
-        add_forces(settings, spiky, state, walls, ArtificialViscosity{strength, 0.01 * h * h}, s);
-    } else {
-        const LaplacianKernel laplacian(radius, settings.domain.dimension);
-        add_forces(settings, spiky, state, walls, MullerViscosity{laplacian}, s);
-    }
+    clear_forces(state.position.size(), s);
+    average_at_walls(settings, state, walls, s);
+    with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
+}
+
+void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                SphScratchData& s) {
+    extrapolate_to_walls(walls, gravity, s);
+    with_viscosity(settings,
+                   [&](const auto& law) { find_forces_on_walls(settings, spiky(settings), state, walls, law, s); });
+}
+
+void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+    with_viscosity(settings,
+                   [&](const auto& law) { add_forces_from_walls(settings, spiky(settings), state, walls, law, s); });
     scale_by_volume(s);
     kick(settings, state, gravity, dt, s, extra_force, report);
     book_walls(walls, dt, report);

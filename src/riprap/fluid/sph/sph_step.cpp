@@ -80,15 +80,35 @@ void drift(const SphSettings& settings, ParticleState& state, double dt) {
     });
 }
 
-void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
+                  SphScratch& scratch, FluidReport& report) {
     find_lost_particle(settings, state, time, report);
-    if (!report.problem.empty()) {
-        return;
+    if (report.problem.empty()) {
+        const auto scheme = settings.scheme == SphScheme::muller ? muller::begin_forces : delta_sph::begin_forces;
+        scheme(settings, state, walls, scratch.data());
     }
-    const auto scheme = settings.scheme == SphScheme::muller ? muller::accelerate : delta_sph::accelerate;
+}
+
+void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                SphScratch& scratch) {
+    const auto scheme = settings.scheme == SphScheme::muller ? muller::load_walls : delta_sph::load_walls;
+    scheme(settings, state, walls, in_plane(gravity, settings.domain), scratch.data());
+}
+
+void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+    const auto scheme = settings.scheme == SphScheme::muller ? muller::kick_fluid : delta_sph::kick_fluid;
     scheme(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report, extra_force);
     find_wild_particle(settings, state, time, report);
+}
+
+void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+    begin_forces(settings, state, walls, time, scratch, report);
+    if (report.problem.empty()) {
+        load_walls(settings, state, walls, gravity, scratch);
+        kick_fluid(settings, state, walls, gravity, dt, time, scratch, report, extra_force);
+    }
 }
 
 }  // namespace riprap::fluid

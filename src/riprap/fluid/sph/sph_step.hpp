@@ -62,11 +62,12 @@ struct FluidReport {
 //
 //     rho_(n+1/2) = rho_(n-1/2) + (dt_(n-1) + dt_n)/2 R(x_n, v_n)            update_density, walls at t_n
 //     x_(n+1/2)   = x_n + dt/2 v_n                                           drift
-//     v_(n+1)     = v_n + dt a(x_(n+1/2), rho_(n+1/2), v_n), and shifting    accelerate, walls at t_n + dt/2
+//     v_(n+1)     = v_n + dt a(x_(n+1/2), rho_(n+1/2), v_n), and shifting    forces and kick, walls at t_n + dt/2
 //     x_(n+1)     = x_(n+1/2) + dt/2 v_(n+1)                                 drift
 //
-// so loads on solids are known at mid-step, where solids are kicked too. The four are called in this order in every
-// step; scratch may be lost between steps, not within one.
+// so loads on solids are known at mid-step, where solids are kicked too. Forces and kick are begin_forces, load_walls
+// and kick_fluid; how walls move may be changed between calls of load_walls, which is what light bodies need. All are
+// called in this order in every step; scratch may be lost between steps, not within one.
 
 FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const ParticleState& state);
 
@@ -77,11 +78,26 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
 /// @param dt  half the step [s]
 void drift(const SphSettings& settings, ParticleState& state, double dt);
 
-/// Where a particle is no longer sound, at the start or after the kick, report.problem says so; at the start nothing
-/// is changed.
+/// Forces within the fluid, and its averages at the walls, which may then be told to move in another way but not to
+/// another place. Where a particle is no longer sound report.problem says so and nothing is changed.
+/// @param time  t_n, for the report [s]
+void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
+                  SphScratch& scratch, FluidReport& report);
+
+/// What the fluid does to walls that move as they say now: their pressure and their loads.
+void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                SphScratch& scratch);
+
+/// Adds what the walls do to the fluid, as last loaded, and kicks it. Where a particle is no longer sound afterwards
+/// report.problem says so.
 /// @param dt           the whole step [s]
 /// @param time         t_n, for the report [s]
 /// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
+void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, SphScratch& scratch, FluidReport& report,
+                std::span<const Vec3> extra_force = {});
+
+/// The three in a row, for walls that move as they do.
 void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, SphScratch& scratch, FluidReport& report,
                 std::span<const Vec3> extra_force = {});

@@ -9,16 +9,13 @@
 
 namespace riprap::fluid {
 
-void extrapolate_to_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
-                          const Vec3& gravity, SphScratchData& scratch) {
+void average_at_walls(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                      SphScratchData& scratch) {
     const auto count = walls.position.size();
     scratch.wall_weight.assign(count, 0);
     scratch.wall_pressure.assign(count, 0);
     scratch.wall_moment.assign(count, {});
     scratch.wall_velocity.assign(count, {});
-    scratch.mirrored_velocity.resize(count);
-    scratch.grip.resize(count);
-    walls.pressure.resize(count);
     const WallAverages pair{WendlandC2(settings.smoothing_length(), settings.domain.dimension)};
     std::vector<Vec3>&moment = scratch.wall_moment, &velocity = scratch.wall_velocity;
     add_pair_sums(settings, pair, {walls.position, {}},
@@ -29,6 +26,13 @@ void extrapolate_to_walls(const SphSettings& settings, const ParticleState& stat
                    sink_component(moment, 1), sink_component(moment, 2), sink_component(velocity, 0),
                    sink_component(velocity, 1), sink_component(velocity, 2)},
                   scratch.walls_fluid);
+}
+
+void extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity, SphScratchData& scratch) {
+    scratch.mirrored_velocity.resize(walls.position.size());
+    scratch.grip.resize(walls.position.size());
+    walls.pressure.resize(walls.position.size());
+    const std::vector<Vec3>&moment = scratch.wall_moment, &velocity = scratch.wall_velocity;
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const double weight = scratch.wall_weight[w];

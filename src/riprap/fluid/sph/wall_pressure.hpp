@@ -10,9 +10,14 @@ namespace riprap::fluid {
 ///
 ///     p_w = max(0, sum (p_j + rho_j (g - a_w).(x_w - x_j)) W / sum W),     u_w = 2 v_w - sum v_j W / sum W.
 ///
-/// Differs from the source: walls never pull. Needs scratch.pressure; writes walls.pressure, scratch.mirrored_velocity
-/// and scratch.grip.
-void extrapolate_to_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
-                          const Vec3& gravity, SphScratchData& scratch);
+/// Differs from the source: walls never pull.
+///
+/// The sums over fluid do not depend on how the wall moves: average_at_walls finds them once for given places, from
+/// scratch.pressure.
+void average_at_walls(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                      SphScratchData& scratch);
+
+/// Writes walls.pressure, scratch.mirrored_velocity and scratch.grip from those sums and from how the walls move.
+void extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity, SphScratchData& scratch);
 
 }  // namespace riprap::fluid
