@@ -14,16 +14,23 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles) {
+void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
+                   std::span<const std::uint8_t> is_still) {
     const auto count = at(samples.size());
-    particles.position.resize(count);
-    particles.velocity.resize(count);
-    particles.acceleration.resize(count);
-    particles.volume = samples.volume;
-    particles.is_slippery = samples.is_slippery;
+    const bool is_placed = particles.position.size() == count && !is_still.empty();
+    if (!is_placed) {
+        particles.position.resize(count);
+        particles.velocity.resize(count);
+        particles.acceleration.resize(count);
+        particles.volume = samples.volume;
+        particles.is_slippery = samples.is_slippery;
+    }
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
         const auto body = at(samples.body[i].value);
+        if (is_placed && is_still[body] != 0) {
+            return;
+        }
         const Vec3 r = rotate(motion.pose[body].orientation, samples.anchor[i]);
         const Vec3& omega = motion.angular_velocity[body];
         const Vec3 swing = cross(omega, r);

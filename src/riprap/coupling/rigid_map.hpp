@@ -28,7 +28,10 @@ struct FluidLoads {
 ///     x = x_c + r,   v = v_c + omega x r,   a = a_c + alpha x r + omega x (omega x r),
 ///
 /// and copies volumes and slip. Two dimensions: the same with all z = 0.
-void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles);
+/// @param is_still  per body: never moves, so its particles are left as they are once they have been placed; empty: all
+///                  bodies may move
+void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
+                   std::span<const std::uint8_t> is_still = {});
 
 /// Gathers forces at samples into force and torque by the transpose of that map, F = sum f, T = sum r x f, so that
 /// sum f . v = F . v_c + T . omega: power is conserved. Per body in the order of the samples.

@@ -2,6 +2,7 @@
 #include "riprap/sim/water_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/parallel.hpp"
 
@@ -48,12 +49,16 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
     }
 }
 
-/// The share of a body's mass that its wall treatment feeds back: twice the water that its first layer would hold,
-/// as pressure is carried over about two spacings into the wall.
-void estimate_feedback(const Model& model, WaterScratch& scratch) {
+/// What stays the same over a run: who never moves, and the share of a body's mass that its wall treatment feeds back:
+/// twice the water that its first layer would hold, as pressure is carried over about two spacings into the wall.
+void describe_bodies(const Model& model, WaterScratch& scratch) {
     const body::BodySet& bodies = model.bodies;
     const fluid::SphSettings& sph = model.fluid->sph;
     scratch.kappa.assign(at(bodies.size()), 0);
+    scratch.is_still.resize(at(bodies.size()));
+    for (std::size_t b = 0; b < scratch.is_still.size(); ++b) {
+        scratch.is_still[b] = bodies.drive[b] == body::Drive::fixed && std::isinf(bodies.release_time[b]) ? 1 : 0;
+    }
     scratch.inertia.resize(at(bodies.size()));
     const coupling::SampleSet& samples = model.fluid->samples;
     for (std::size_t i = 0; i < samples.body.size(); ++i) {
@@ -82,7 +87,7 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     const double middle = state.time + 0.5 * dt;
     fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
     const FluidModel& water = *model.fluid;
-    place_samples(water.samples, scratch.motion, scratch.walls);
+    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
     const bool is_penalty = water.wall == WallTreatment::penalty;
     if (is_penalty) {
         scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
@@ -108,7 +113,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     const double time = state.time;
     WaterReport report;
     if (scratch.inertia.size() != at(model.bodies.size())) {
-        estimate_feedback(model, scratch);
+        describe_bodies(model, scratch);
     }
     std::vector<coupling::Acceleration> guess(at(model.bodies.size()));
     for (std::size_t b = 0; b < guess.size(); ++b) {
@@ -117,7 +122,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
 
     update_kinematics(model.bodies, state.bodies, time, scratch.kinematics);
     fill_motion(model, state.bodies, scratch.kinematics, guess, time, 0, dt, scratch.motion);
-    place_samples(water.samples, scratch.motion, scratch.walls);
+    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
     const double since_density = 0.5 * (state.coupling.previous_dt + dt);  // the first density is half a step old
     update_density(water.sph, state.fluid, scratch.walls, model.gravity.at(time), since_density, scratch.sph,
                    report.fluid);
@@ -134,7 +139,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     std::vector<coupling::Acceleration> found(guess.size());
     const double middle = time + 0.5 * dt;
     fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
-    place_samples(water.samples, scratch.motion, scratch.walls);
+    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
     begin_forces(water.sph, state.fluid, scratch.walls, time, scratch.sph, report.fluid);
     if (!report.ok()) {
         return report;

@@ -27,6 +27,7 @@ struct WaterScratch {
     body::BodyState middle;              ///< bodies at mid-step, as predicted
     body::BodyKinematics kinematics;     ///< ... there
     std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
+    std::vector<std::uint8_t> is_still;  ///< bodies that never move
 };
 
 /// What the water's step brings.
