@@ -4,6 +4,7 @@
 #include <array>
 
 #include "riprap/validation/rigid/cases.hpp"
+#include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/zhao/cases.hpp"
 
 namespace riprap::validation {
@@ -57,6 +58,13 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
                        rigid::toppling_columns},
         ValidationCase{"rigid", "arch", "A semicircular arch stands or falls", false, rigid::arch},
+        ValidationCase{"water", "still_tank", "Water at rest stays at rest", false, water::still_tank},
+        ValidationCase{"water", "submerged_square", "Buoyancy of a square held under water", false,
+                       water::submerged_square},
+        ValidationCase{"water", "floating_box", "A box finds its draft", false, water::floating_box},
+        ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
+        ValidationCase{"water", "dam_break_front", "Front of a dam break on a dry floor", false,
+                       water::dam_break_front},
     };
     return cases;
 }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/validation/registry.hpp"
+
+// Water, and water with blocks, against exact solutions and experiments (validation/water/README.md). Every case takes
+// its numerical settings from the defaults of the key table.
+
+namespace riprap::validation::water {
+
+void still_tank(const CaseSetting& setting, CaseReport& report);
+void submerged_square(const CaseSetting& setting, CaseReport& report);
+void floating_box(const CaseSetting& setting, CaseReport& report);
+void standing_wave(const CaseSetting& setting, CaseReport& report);
+void dam_break_front(const CaseSetting& setting, CaseReport& report);
+
+}  // namespace riprap::validation::water

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/water/water_trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace riprap::validation::water {
+
+WaterTrial::WaterTrial(const CaseSetting& setting, std::span<const std::string> overrides)
+    : loaded_(scene::read_case((setting.folder / "case.toml").string(), overrides)), state_(loaded_.state) {
+    const sim::Model& model = loaded_.model;
+    interval_ = model.output.probe_interval > 0 ? model.output.probe_interval : model.time.end / 1000;
+    columns_ = sim::record_columns(model);
+    values_.resize(columns_.size());
+}
+
+void WaterTrial::begin() {
+    sim::initialise(loaded_.model, state_);
+    initial_ = state_;
+}
+
+bool WaterTrial::step_to_row() {
+    const double due = interval_ * static_cast<double>(time_.size() + 1);
+    for (;;) {
+        const sim::TimeStep next = sim::choose_time_step(loaded_.model, state_, scratch_);
+        if (next.steps_left == 0) {
+            return false;
+        }
+        const bool is_row = state_.time + 1.5 * next.dt > due || next.steps_left == 1;
+        report_ =
+            sim::advance(loaded_.model, state_, scratch_, next.dt, is_row ? sim::Measure::energy : sim::Measure::flow);
+        if (!report_.status.ok()) {
+            throw std::runtime_error(report_.status.text);
+        }
+        if (is_row) {
+            add_row();
+            return true;
+        }
+    }
+}
+
+void WaterTrial::add_row() {
+    time_.push_back(state_.time);
+    const sim::Moment moment{loaded_.model, initial_, state_, &scratch_, &report_};
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        values_[c].push_back(sim::evaluate(columns_[c], moment));
+    }
+}
+
+const std::vector<double>& WaterTrial::column(const std::string& name) const {
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        if (columns_[c].name == name) {
+            return values_[c];
+        }
+    }
+    throw std::runtime_error(fmt::format("the case records no '{}'", name));
+}
+
+double WaterTrial::mean(const std::string& name, double start, double end) const {
+    return integral(time_, column(name), start, end) / (end - start);
+}
+
+double WaterTrial::first_reach(const std::string& name, double level) const {
+    const std::vector<double>& y = column(name);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        if (y[i] >= level) {
+            return i == 0 ? time_[0]
+                          : time_[i - 1] + (level - y[i - 1]) / (y[i] - y[i - 1]) * (time_[i] - time_[i - 1]);
+        }
+    }
+    return std::nan("");
+}
+
+double interpolated(std::span<const double> x, std::span<const double> y, double at) {
+    const auto next = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), at) - x.begin());
+    if (next == 0) {
+        return y.front();
+    }
+    if (next == x.size()) {
+        return y.back();
+    }
+    const double part = (at - x[next - 1]) / (x[next] - x[next - 1]);
+    return (1 - part) * y[next - 1] + part * y[next];
+}
+
+double integral(std::span<const double> x, std::span<const double> y, double start, double end) {
+    double sum = 0, last_x = start, last_y = interpolated(x, y, start);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (x[i] > start && x[i] < end) {
+            sum += 0.5 * (last_y + y[i]) * (x[i] - last_x);
+            last_x = x[i];
+            last_y = y[i];
+        }
+    }
+    return sum + 0.5 * (last_y + interpolated(x, y, end)) * (end - last_x);
+}
+
+std::vector<double> crossings(std::span<const double> x, std::span<const double> y, double level) {
+    std::vector<double> found;
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        const double a = y[i - 1] - level, b = y[i] - level;
+        if ((a < 0 && b >= 0) || (a > 0 && b <= 0)) {
+            found.push_back(x[i - 1] + a / (a - b) * (x[i] - x[i - 1]));
+        }
+    }
+    return found;
+}
+
+}  // namespace riprap::validation::water

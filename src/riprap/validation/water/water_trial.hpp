@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
+#include "riprap/sim/quantity.hpp"
+#include "riprap/validation/registry.hpp"
+
+namespace riprap::validation::water {
+
+/// The case.toml of a validation case with water, run as `riprap run` runs it: steps are chosen anew every time, probes
+/// and gauges are recorded every output.probe_interval.
+class WaterTrial {
+ public:
+    /// Reads <folder>/case.toml. `overrides` as for scene::read_case: what --full makes finer. @throws CaseError
+    explicit WaterTrial(const CaseSetting& setting, std::span<const std::string> overrides = {});
+
+    /// Steps to the end of the case. `look(*this)` at every row of the record.
+    template <class Look>
+    void run(Look look) {
+        begin();
+        while (step_to_row()) {
+            look(*this);
+        }
+    }
+    void run() {
+        run([](const WaterTrial&) {});
+    }
+
+    /// Times of the rows [s].
+    const std::vector<double>& time() const { return time_; }
+    /// A column of probes.csv by its name, one value for every time. @throws std::runtime_error where there is none
+    const std::vector<double>& column(const std::string& name) const;
+    /// Its mean over start <= t <= end.
+    double mean(const std::string& name, double start, double end) const;
+    /// The moment at which it first reaches `level` from below, between rows by the straight line; NaN if never [s].
+    double first_reach(const std::string& name, double level) const;
+
+    double now() const { return state_.time; }
+    const sim::Model& model() const { return loaded_.model; }
+    const sim::State& state() const { return state_; }
+    /// For a field of velocity that no case file can say: before run() only.
+    sim::State& initial() { return state_; }
+    const sim::StepReport& report() const { return report_; }
+    const fluid::SphSettings& sph() const { return loaded_.model.fluid->sph; }
+
+ private:
+    void begin();
+    bool step_to_row();
+    void add_row();
+
+    scene::LoadedCase loaded_;
+    sim::State state_, initial_;
+    sim::Scratch scratch_;
+    sim::StepReport report_;
+    double interval_{0};
+    std::vector<sim::Column> columns_;
+    std::vector<double> time_;
+    std::vector<std::vector<double>> values_;  ///< by column, then row
+};
+
+/// Integral of y over x from `start` to `end` by trapezia between the points; ends are interpolated.
+double integral(std::span<const double> x, std::span<const double> y, double start, double end);
+/// y at x on straight lines between the points; the end values beyond.
+double interpolated(std::span<const double> x, std::span<const double> y, double at);
+/// Where y crosses `level`, upwards and downwards, between points by the straight line.
+std::vector<double> crossings(std::span<const double> x, std::span<const double> y, double level);
+
+}  // namespace riprap::validation::water
