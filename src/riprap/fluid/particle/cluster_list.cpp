@@ -68,7 +68,7 @@ float approach(Motion a, Motion b) {
 template <int Dim>
 ClusterPlaces::Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t block,
                                                  bool is_comparable) {
-    constexpr std::int64_t stride = Dim * cluster_size;
+    constexpr std::int64_t stride = std::int64_t{Dim} * cluster_size;
     const FourPlaces four_places(fixed_);
     const FloatFour far = FloatFour{} + std::numeric_limits<float>::infinity();
     std::array<FloatFour, Dim> low, high;

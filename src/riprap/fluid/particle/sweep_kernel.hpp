@@ -58,9 +58,9 @@ struct ClusterSweep {
         const std::int64_t count = std::min<std::int64_t>(cluster_size, list.targets().size() - t * cluster_size);
         std::array<IntVector, Dim> place;
         std::array<Lanes, Dim> quantum;
-        for (int axis = 0; axis < Dim; ++axis) {
-            place[static_cast<std::size_t>(axis)] = targets_in_lanes(list.targets().cluster(t) + axis * cluster_size);
-            quantum[static_cast<std::size_t>(axis)] = Lanes(list.fixed().quantum()[axis]);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            place[axis] = targets_in_lanes(list.targets().cluster(t) + axis * cluster_size);
+            quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
         }
         std::array<Lanes, target_fields + 1> target{};
         for (std::size_t k = 0; k < target_fields; ++k) {
@@ -93,7 +93,7 @@ struct ClusterSweep {
         const auto add = [&](std::int64_t c) __attribute__((always_inline)) {
             std::array<Lanes, Dim> d;
             Lanes r2(1e-30F);  // not zero, where square roots need care
-            const std::int32_t* const four_places = places + c * (Dim * cluster_size);
+            const std::int32_t* const four_places = places + c * Dim * cluster_size;
             for (std::size_t axis = 0; axis < Dim; ++axis) {
                 d[axis] =
                     difference(place[axis], candidates_in_lanes(four_places + axis * cluster_size)) * quantum[axis];
@@ -103,7 +103,7 @@ struct ClusterSweep {
                 r2 += beyond(size % cluster_size);
             }
             std::array<Lanes, candidate_fields + 1> candidate{};
-            const float* const four_fields = fields + c * (Pair::candidate_fields * cluster_size);
+            const float* const four_fields = fields + c * Pair::candidate_fields * cluster_size;
             for (std::size_t k = 0; k < candidate_fields; ++k) {
                 candidate[k] = candidates_in_lanes(four_fields + k * cluster_size);
             }
