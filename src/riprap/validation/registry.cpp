@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/zhao/cases.hpp"
@@ -65,6 +66,9 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
         ValidationCase{"water", "dam_break_front", "Front of a dam break on a dry floor", false,
                        water::dam_break_front},
+        ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
+                       mikola::sliding_wedge},
+        ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},
     };
     return cases;
 }

@@ -64,6 +64,9 @@ Trial::Trial(sim::Model model, sim::State state) : model_(std::move(model)), sta
 }
 
 const sim::StepReport& Trial::step() {
+    if (model_.fluid) {
+        dt_ = sim::choose_time_step(model_, state_, scratch_).dt;
+    }
     report_ = sim::advance(model_, state_, scratch_, dt_, measure_);
     if (!report_.status.ok()) {
         throw std::runtime_error(report_.status.text);

@@ -42,7 +42,8 @@ class SceneBuilder {
     std::vector<Vec3> centroids_;  ///< of every shape in the frame it was given in [m]
 };
 
-/// A scene being advanced. Steps are those of largest_time_step with the default factor, so no case tunes its own.
+/// A scene being advanced. Steps are those of largest_time_step with the default factor, or with water those of
+/// choose_time_step, so no case tunes its own.
 class Trial {
  public:
     explicit Trial(sim::Model model, sim::State state);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/mikola/water_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/validation/side_view.hpp"
+
+namespace riprap::validation::mikola {
+
+namespace {
+
+/// Water and bodies exchange momentum: what the two ledgers cannot account for, over the momenta and impulses at hand.
+double momentum_share(const sim::Ledger& ledger) {
+    const double passed = norm(ledger.impulse) + norm(ledger.momentum) + norm(ledger.water.momentum);
+    const double lost = norm(ledger.momentum_residual) + norm(ledger.water.momentum_residual);
+    return passed > 0 ? lost / passed : 0;
+}
+
+void take_row(const Trial& trial, WaterRecords& records) {
+    const sim::Model& model = trial.model();
+    const auto& gauges = model.output.gauges;
+    records.gauge.resize(gauges.size());
+    records.time.push_back(trial.time());
+    for (std::size_t i = 0; i < gauges.size(); ++i) {
+        records.gauge[i].push_back(fluid::read_gauge(gauges[i], model.fluid->sph, trial.state().fluid)[0]);
+    }
+    const sim::Ledger& ledger = trial.report().ledger;
+    if (ledger.has_energy && ledger.turnover > 0) {
+        records.energy_residual = std::max(records.energy_residual, std::abs(ledger.residual) / ledger.turnover);
+    }
+    records.momentum_residual = std::max(records.momentum_residual, momentum_share(ledger));
+}
+
+}  // namespace
+
+void run_water(Trial& trial, WaterRecords& records, double time, double interval,
+               const std::function<void(const Trial&)>& look) {
+    double next = trial.time();
+    while (trial.time() < time - 0.5 * trial.dt()) {
+        const bool is_row = trial.time() + trial.dt() >= next;
+        trial.follow_energy(is_row);
+        trial.step();
+        if (is_row) {
+            next += interval;
+            take_row(trial, records);
+            if (look) {
+                look(trial);
+            }
+        }
+    }
+}
+
+int count_inside_solids(const Trial& trial, double depth) {
+    const sim::Model& model = trial.model();
+    const auto is_inside = [&](const body::Part& part, const Vec3& x) {
+        const auto b = static_cast<std::size_t>(part.body.value);
+        const Vec3 in_body = to_body({trial.state().bodies.position[b], trial.state().bodies.orientation[b]}, x);
+        const Vec3 in_part = to_body(part.local, in_body);
+        const geometry::ConvexView shape = model.shapes.view(part.shape);
+        for (std::int32_t f = 0; f < shape.face_count; ++f) {
+            const bool is_end_of_slab = std::abs(shape.normal(f).z) > 0.5;  // the scene is planar
+            const auto face = static_cast<std::size_t>(f);
+            if (!is_end_of_slab && dot(shape.normal(f), in_part) - shape.offset[face] > -depth) {
+                return false;
+            }
+        }
+        return true;
+    };
+    int count = 0;
+    for (const Vec3& x : trial.state().fluid.position) {
+        count += std::any_of(model.bodies.parts.begin(), model.bodies.parts.end(),
+                             [&](const body::Part& part) { return is_inside(part, x); })
+                     ? 1
+                     : 0;
+    }
+    return count;
+}
+
+double surface_at(const Trial& trial, double x, double low, double high) {
+    fluid::Gauge gauge;
+    gauge.kind = fluid::GaugeKind::surface;
+    gauge.point = {x, low, 0};
+    gauge.end = {x, high, 0};
+    gauge.up = {0, 1, 0};
+    return low + fluid::read_gauge(gauge, trial.model().fluid->sph, trial.state().fluid)[0];
+}
+
+void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records) {
+    report.judge_below(
+        {run + ": energy that the ledger cannot account for, over the energy turned over", "-", {}, {}, {}},
+        records.energy_residual, 0.01);
+    report.judge_below({run + ": momentum that the ledgers cannot account for, over what passed", "-", {}, {}, {}},
+                       records.momentum_residual, 1e-9);
+}
+
+Plot water_view(const Trial& trial, const std::string& title, int count) {
+    Plot plot = side_view_plot(trial.model(), trial.state(), {{1, 0, 0}, {0, 1, 0}}, title);
+    const auto& position = trial.state().fluid.position;
+    const std::size_t stride = 1 + position.size() / static_cast<std::size_t>(count);
+    Curve water{"water", {}, {}, CurveStyle::points, 1};
+    for (std::size_t i = 0; i < position.size(); i += stride) {
+        water.x.push_back(position[i].x);
+        water.y.push_back(position[i].y);
+    }
+    plot.curves.push_back(std::move(water));
+    return plot;
+}
+
+}  // namespace riprap::validation::mikola

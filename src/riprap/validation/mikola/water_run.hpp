@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "riprap/validation/case_trial.hpp"
+
+namespace riprap::validation::mikola {
+
+/// What the gauges of a case read, and how the ledgers of the run closed.
+struct WaterRecords {
+    std::vector<double> time;                ///< [s]
+    std::vector<std::vector<double>> gauge;  ///< per gauge of the case, in its order, per time [its unit]
+    double energy_residual{0};               ///< largest so far, over the turnover [-]
+    double momentum_residual{0};             ///< largest so far, over the momentum that passed between the two [-]
+};
+
+/// Advances a scene with water to `time` and reads its gauges every `interval` [s]; `look` is called as often.
+void run_water(Trial& trial, WaterRecords& records, double time, double interval,
+               const std::function<void(const Trial&)>& look = {});
+
+/// Number of particles that are more than `depth` [m] inside a solid of a planar scene.
+int count_inside_solids(const Trial& trial, double depth);
+
+/// Height of the surface above y = 0 at x, from a vertical line between the heights `low` and `high` [m].
+double surface_at(const Trial& trial, double x, double low, double high);
+
+/// Judges both ledgers: energy closes to 1 % of what was turned over, momentum to round-off.
+void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records);
+
+/// Particles, thinned to about `count`, and the outlines of the free bodies.
+Plot water_view(const Trial& trial, const std::string& title, int count = 6000);
+
+}  // namespace riprap::validation::mikola
