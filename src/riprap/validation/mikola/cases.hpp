@@ -3,7 +3,7 @@
 
 #include "riprap/validation/registry.hpp"
 
-// Rock and water [Mikola2013]. The source prints pictures and no number: what is judged is theory.
+// Rock and water [MikolaSitar2013]. The source prints pictures and no number: what is judged is theory.
 
 namespace riprap::validation::mikola {
 
