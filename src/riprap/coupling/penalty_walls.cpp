@@ -43,16 +43,26 @@ std::vector<PlacedPart> place_parts(const geometry::ShapeSet& shapes, const body
 
 }  // namespace
 
-PenaltySettings penalty_settings(const fluid::SphSettings& settings) {
+namespace {
+
+/// Settings from the reach over the spacing and the stiffness over rho_0 c_0^2 dp^(dim-2).
+PenaltySettings scaled_settings(const fluid::SphSettings& settings, double reach, double strength) {
     constexpr double damping_ratio = 0.5;
-    const double stiffness = 0.1 * settings.rest_density * settings.sound_speed * settings.sound_speed *
+    const double stiffness = strength * settings.rest_density * settings.sound_speed * settings.sound_speed *
                              std::pow(settings.spacing, settings.domain.dimension - 2);
-    return {0.5 * settings.spacing, stiffness, 2 * damping_ratio * std::sqrt(stiffness * settings.particle_mass)};
+    return {reach * settings.spacing, stiffness, 2 * damping_ratio * std::sqrt(stiffness * settings.particle_mass)};
 }
+
+}  // namespace
+
+PenaltySettings penalty_settings(const fluid::SphSettings& settings) { return scaled_settings(settings, 0.5, 0.1); }
+
+PenaltySettings guard_settings(const fluid::SphSettings& settings) { return scaled_settings(settings, 0.2, 0.5); }
 
 void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const BodyMotion& motion,
                         std::span<const std::uint8_t> is_dry, const PenaltySettings& settings,
-                        const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads) {
+                        std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
+                        FluidLoads& loads) {
     const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, settings.reach);
     force.assign(at(particles.size()), {});
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
@@ -81,7 +91,9 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                 }
                 const Vec3 normal = rotate(part.pose.orientation, near.normal);
                 const double closing = dot(particles.velocity[at(i)] - velocity_at(part.body, x), normal);
-                const Vec3 push = (settings.stiffness * overlap - settings.damping * std::min(0.0, closing)) * normal;
+                const double factor = share.empty() ? 1 : share[at(part.body)];
+                const double size = settings.stiffness * overlap - settings.damping * std::min(0.0, closing);
+                const Vec3 push = factor * size * normal;
                 force[at(i)] += push;
                 count_[at(i)] += 1;
                 pushes.push_back({part.body, push});

@@ -67,6 +67,13 @@ void describe_bodies(const Model& model, WaterScratch& scratch) {
             scratch.kappa[b] += 2 * sph.rest_density * samples.volume[i] / bodies.mass[b];
         }
     }
+    // The guard is not iterated: its springs on one body must not swing it faster than its particles.
+    scratch.guard_share.resize(at(bodies.size()));
+    for (std::size_t b = 0; b < scratch.guard_share.size(); ++b) {
+        scratch.guard_share[b] = bodies.drive[b] == body::Drive::free || std::isfinite(bodies.release_time[b])
+                                     ? 1 / std::max(1.0, scratch.kappa[b])
+                                     : 1.0;
+    }
     for (std::size_t b = 0; b < scratch.inertia.size(); ++b) {
         const Vec3& moments = bodies.principal_moments[b];
         scratch.inertia[b] = bodies.is_planar ? moments.z : (moments.x + moments.y + moments.z) / 3;
@@ -91,11 +98,16 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     const bool is_penalty = water.wall == WallTreatment::penalty;
     if (is_penalty) {
         scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
-                             coupling::penalty_settings(water.sph), state.fluid, scratch.extra_force, scratch.loads);
+                             coupling::penalty_settings(water.sph), {}, state.fluid, scratch.extra_force,
+                             scratch.loads);
     }
     load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), scratch.sph);
     if (!is_penalty) {
         gather_loads(water.samples, scratch.motion, scratch.walls, scratch.loads);
+        for (std::size_t b = 0; b < scratch.guard_loads.pressure_force.size(); ++b) {
+            scratch.loads.pressure_force[b] += scratch.guard_loads.pressure_force[b];
+            scratch.loads.pressure_torque[b] += scratch.guard_loads.pressure_torque[b];
+        }
     }
     const auto count = at(model.bodies.size());
     scratch.force.resize(count);
@@ -143,6 +155,11 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     begin_forces(water.sph, state.fluid, scratch.walls, time, scratch.sph, report.fluid);
     if (!report.ok()) {
         return report;
+    }
+    if (water.wall == WallTreatment::boundary_particles) {
+        scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
+                             coupling::guard_settings(water.sph), scratch.guard_share, state.fluid, scratch.extra_force,
+                             scratch.guard_loads);
     }
     for (bool is_settled = false; !is_settled;) {
         load_bodies(model, state, scratch, guess, dt);

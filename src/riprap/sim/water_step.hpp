@@ -22,12 +22,14 @@ struct WaterScratch {
     coupling::PenaltyWalls penalty;
     coupling::BodyMotion motion;         ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;          ///< at the last kick
+    coupling::FluidLoads guard_loads;    ///< of particles pressed against faces, part of `loads`
     std::vector<Vec3> force, torque;     ///< pressure and viscosity together
     std::vector<Vec3> extra_force;       ///< of penalty walls on particles [N]
     body::BodyState middle;              ///< bodies at mid-step, as predicted
     body::BodyKinematics kinematics;     ///< ... there
     std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
     std::vector<std::uint8_t> is_still;  ///< bodies that never move
+    std::vector<double> guard_share;     ///< of the guard's stiffness, per body
 };
 
 /// What the water's step brings.
