@@ -69,6 +69,10 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
                        mikola::sliding_wedge},
         ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},
+        ValidationCase{"mikola", "submarine_wedge", "A wedge slides under water (Heinrich)", false,
+                       mikola::submarine_wedge},
+        ValidationCase{"mikola", "scott_russell", "A box falls into water and sends off a solitary wave", false,
+                       mikola::scott_russell},
     };
     return cases;
 }

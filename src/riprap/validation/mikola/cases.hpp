@@ -9,5 +9,7 @@ namespace riprap::validation::mikola {
 
 void sliding_wedge(const CaseSetting& setting, CaseReport& report);
 void wave_maker(const CaseSetting& setting, CaseReport& report);
+void submarine_wedge(const CaseSetting& setting, CaseReport& report);
+void scott_russell(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mikola

@@ -75,26 +75,9 @@ double volume_under_surface(const Trial& trial) {
     return volume;
 }
 
-struct Crest {
-    double time, height;  ///< [s], above still water [m]
-};
-
-/// The highest point of a record, by the parabola through it and its neighbours.
-Crest crest_of(const WaterRecords& records, std::size_t gauge) {
-    const std::vector<double>& level = records.gauge[gauge];
-    const auto top = static_cast<std::size_t>(std::max_element(level.begin(), level.end()) - level.begin());
-    if (top == 0 || top + 1 >= level.size()) {
-        return {std::nan(""), std::nan("")};  // still rising: no crest
-    }
-    const double a = level[top - 1], b = level[top], c = level[top + 1];
-    const double bend = a - 2 * b + c, shift = bend < 0 ? 0.5 * (a - c) / bend : 0;
-    const double step = records.time[top] - records.time[top - 1];
-    return {records.time[top] + shift * step, b - 0.25 * (a - c) * shift - depth};
-}
-
 void judge_wave(const WaterRecords& records, CaseReport& report) {
     const Crest near = crest_of(records, 0), far = crest_of(records, 3);
-    const double celerity = 3 / (far.time - near.time), height = 0.5 * (near.height + far.height);
+    const double celerity = 3 / (far.time - near.time), height = 0.5 * (near.level + far.level) - depth;
     report.judge({"mu = 0: celerity of the leading crest between x = 6 and 9 m",
                   "m/s",
                   {},

@@ -14,7 +14,7 @@ struct WaterRecords {
     std::vector<double> time;                ///< [s]
     std::vector<std::vector<double>> gauge;  ///< per gauge of the case, in its order, per time [its unit]
     double energy_residual{0};               ///< largest so far, over the turnover [-]
-    double momentum_residual{0};             ///< largest so far, over the momentum that passed between the two [-]
+    double momentum_residual{0};             ///< largest so far, over weight of water times time [-]
 };
 
 /// Advances a scene with water to `time` and reads its gauges every `interval` [s]; `look` is called as often.
@@ -27,7 +27,15 @@ int count_inside_solids(const Trial& trial, double depth);
 /// Height of the surface above y = 0 at x, from a vertical line between the heights `low` and `high` [m].
 double surface_at(const Trial& trial, double x, double low, double high);
 
-/// Judges both ledgers: energy closes to 1 % of what was turned over, momentum to round-off.
+/// The highest point of a record.
+struct Crest {
+    double time, level;  ///< [s], [m]
+};
+
+/// By the parabola through the highest row and its neighbours; NaN where the record is highest at one of its ends.
+Crest crest_of(const WaterRecords& records, std::size_t gauge);
+
+/// Judges both ledgers: energy closes to 1 % of what was turned over, momentum to the round-off of float.
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records);
 
 /// Particles, thinned to about `count`, and the outlines of the free bodies.
