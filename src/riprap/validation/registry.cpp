@@ -73,6 +73,10 @@ std::span<const ValidationCase> all_cases() {
                        mikola::submarine_wedge},
         ValidationCase{"mikola", "scott_russell", "A box falls into water and sends off a solitary wave", false,
                        mikola::scott_russell},
+        ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
+        ValidationCase{"water", "wall_impact", "Pressure of a dam break on a wall", false, water::wall_impact},
+        ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
+                       water::dam_break_obstacle},
     };
     return cases;
 }

@@ -11,7 +11,10 @@ namespace riprap::validation::water {
 void still_tank(const CaseSetting& setting, CaseReport& report);
 void submerged_square(const CaseSetting& setting, CaseReport& report);
 void floating_box(const CaseSetting& setting, CaseReport& report);
+void floating_stability(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);
 void dam_break_front(const CaseSetting& setting, CaseReport& report);
+void wall_impact(const CaseSetting& setting, CaseReport& report);
+void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

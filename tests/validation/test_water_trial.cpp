@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "riprap/validation/water/water_trial.hpp"
+
+namespace riprap::validation::water {
+namespace {
+
+const std::vector<double> x{0, 1, 3}, y{0, 2, -2};
+
+TEST(WaterRecord, integral_is_exact_for_straight_lines_and_cuts_its_ends) {
+    EXPECT_DOUBLE_EQ(integral(x, y, 0, 2), 0.5 * 1 * 2 + 0.5 * 1 * 2);
+    EXPECT_DOUBLE_EQ(integral(x, y, 0.5, 3), 0.5 * 0.5 * (1 + 2) + 0);
+}
+
+TEST(WaterRecord, values_lie_on_the_line_between_rows_and_stay_beyond_the_ends) {
+    EXPECT_DOUBLE_EQ(interpolated(x, y, 2), 0);
+    EXPECT_DOUBLE_EQ(interpolated(x, y, -1), 0);
+    EXPECT_DOUBLE_EQ(interpolated(x, y, 9), -2);
+}
+
+TEST(WaterRecord, crossings_are_found_up_and_down) {
+    EXPECT_EQ(crossings(x, y, 1), (std::vector<double>{0.5, 1.5}));
+    EXPECT_TRUE(crossings(x, y, 3).empty());
+}
+
+}  // namespace
+}  // namespace riprap::validation::water
