@@ -66,6 +66,10 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
         ValidationCase{"water", "dam_break_front", "Front of a dam break on a dry floor", false,
                        water::dam_break_front},
+        ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
+        ValidationCase{"water", "wall_impact", "Pressure of a dam break on a wall", false, water::wall_impact},
+        ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
+                       water::dam_break_obstacle},
         ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
                        mikola::sliding_wedge},
         ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},
@@ -73,10 +77,6 @@ std::span<const ValidationCase> all_cases() {
                        mikola::submarine_wedge},
         ValidationCase{"mikola", "scott_russell", "A box falls into water and sends off a solitary wave", false,
                        mikola::scott_russell},
-        ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
-        ValidationCase{"water", "wall_impact", "Pressure of a dam break on a wall", false, water::wall_impact},
-        ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
-                       water::dam_break_obstacle},
     };
     return cases;
 }
