@@ -60,6 +60,9 @@ int count_inside_solids(const Trial& trial, double depth) {
     const sim::Model& model = trial.model();
     const auto is_inside = [&](const body::Part& part, const Vec3& x) {
         const auto b = static_cast<std::size_t>(part.body.value);
+        if (b < model.fluid->is_dry.size() && model.fluid->is_dry[b] != 0) {
+            return false;  // water passes through it
+        }
         const Vec3 in_body = to_body({trial.state().bodies.position[b], trial.state().bodies.orientation[b]}, x);
         const Vec3 in_part = to_body(part.local, in_body);
         const geometry::ConvexView shape = model.shapes.view(part.shape);
