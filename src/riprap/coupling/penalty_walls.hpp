@@ -28,7 +28,9 @@ PenaltySettings penalty_settings(const fluid::SphSettings& settings);
 /// A guard behind boundary particles: what squeezes a particle harder than they hold, a block that closes on a wall
 /// say, must not press it through a face. r_0 = dp/5, where particles under pressure do not come (they stand at about
 /// dp/2), k_s = rho_0 c_0^2 dp^(dim-2)/2, so that a particle at speed v is stopped within 1.4 dp v/c_0, and zeta = 0.5.
-/// Its oscillation stays stable at steps up to 1.7 dp/c_0, which is more than the acoustic limit.
+/// Its
+/// oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by default. Where
+/// several parts push one particle, at the seam of a union say, the bound falls.
 PenaltySettings guard_settings(const fluid::SphSettings& settings);
 
 /// The push of faces on particles near them and its reaction, [MikolaSitar2013, eq. 22] completed:

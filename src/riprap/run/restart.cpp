@@ -97,7 +97,8 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
     Restart restart{initial, {}, {}};
     const auto has_fixed_length = [](std::string_view name) {
-        return name.substr(0, 5) == "body." || name == "ledger.totals";
+        return name.starts_with("body.") || name.starts_with("fluid.") || name.starts_with("coupling.") ||
+               name == "ledger.totals";
     };
     io::restore(checkpoint, restart.state, has_fixed_length);
     io::restore(checkpoint, restart.record, [](std::string_view) { return false; });

@@ -183,10 +183,10 @@ void build_output(CaseBuild& build) {
     settings.ledger_tolerance = get_number(output, "ledger_tolerance");
     settings.vtk = get_boolean(output, "vtk");
     settings.contacts = get_boolean(output, "contacts");
-    build_gauges(build, get(output, "gauge"));
     for (const Value& probe : get(output, "probe").items) {
         read_probe(build, probe);
     }
+    build_gauges(build, get(output, "gauge"));  // after the probes, whose names are taken
     for (const Value& expect : get(build.root, "expect").items) {
         read_expect(build, expect);
     }

@@ -159,8 +159,8 @@ void account_water(const fluid::FluidReport& step, double work_seen, double work
     // Density diffuses before the kick, so its loss counts whole; what happens at the kick counts half on either side.
     water.dissipated_diffusion = totals[water_diffusion] += is_first ? 0 : step.dissipated_diffusion;
     water.dissipated_viscous = add_across(totals[water_viscous], step.dissipated_viscous);
+    totals[water_shifted] += step.shifted;  // before the kick, so the potential energy at the kick knows it
     water.shifted = totals[water_shifted];
-    totals[water_shifted] += step.shifted;
     water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids);
     water.wall_exchange = add_across(totals[water_exchange], step.wall_exchange);
     water.work_external = add_across(totals[water_external], step.work_external);
