@@ -92,6 +92,15 @@ TEST(FluidCase, density_at_the_start_is_hydrostatic) {
     }
 }
 
+TEST(FluidCase, a_spacing_beyond_all_counting_is_refused_for_what_it_is) {
+    for (const char* spacing : {"1e-30", "1e-300", "1e-12"}) {
+        EXPECT_THAT(
+            test::problems_of(test::with(test::with(tank, "\"2 cm\"", spacing), ", periodic = [true, false]", "")),
+            ElementsAre(HasSubstr("spacings of")))
+            << spacing;
+    }
+}
+
 TEST(FluidCase, gauges_become_columns_and_can_be_expected) {
     const LoadedCase loaded = test::read(tank + R"(
 [[output.gauge]]

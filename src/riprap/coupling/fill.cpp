@@ -116,8 +116,13 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSett
         const double high = std::min(all.high[axis], settings.domain.high[axis]);
         const double before = std::ceil((low - anchor) / dp - slack);
         lattice.first[axis] = anchor + before * dp;
-        lattice.counts[at(axis)] = std::max<std::int64_t>(
-            0, static_cast<std::int64_t>(std::floor((high - lattice.first[axis]) / dp + slack)) + 1);
+        const double steps = std::floor((high - lattice.first[axis]) / dp + slack);
+        constexpr double most = 1e9;  // beyond any limit of particles, and far from the end of the integers
+        if (!(steps < most)) {
+            refuse(fmt::format("water spans {:.3g} spacings of {:.3g} m along {}", (high - low) / dp, dp, "xyz"[axis]),
+                   fmt::format("a spacing of which at most {:.0g} fit into the water", most));
+        }
+        lattice.counts[at(axis)] = static_cast<std::int64_t>(std::max(-1.0, steps)) + 1;
     }
     return lattice;
 }
