@@ -16,6 +16,7 @@ void collisions(const CaseSetting& setting, CaseReport& report);
 void stacks(const CaseSetting& setting, CaseReport& report);
 void dragged_block(const CaseSetting& setting, CaseReport& report);
 void shaken_block(const CaseSetting& setting, CaseReport& report);
+void rocking(const CaseSetting& setting, CaseReport& report);
 void plane_failure(const CaseSetting& setting, CaseReport& report);
 void keystone(const CaseSetting& setting, CaseReport& report);
 void rock_wedges(const CaseSetting& setting, CaseReport& report);
