@@ -41,10 +41,7 @@ struct PassSide {
             pressure_term.push_back(stiffness * (std::pow(r / c.rest_density, 7) - 1) / (r * r));
         }
     }
-    fluid::SweepSide<4> density_target() const {
-        return {position, {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(excess)}};
-    }
-    fluid::SweepSide<5> density_candidate() const {
+    fluid::SweepSide<5> density_side() const {
         return {position,
                 {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(excess), field(volume)}};
     }
@@ -52,6 +49,9 @@ struct PassSide {
         return {position,
                 {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(pressure_term),
                  field(density)}};
+    }
+    std::array<fluid::FieldSink, 3> force_sinks() {
+        return {sink_component(acceleration, 0), sink_component(acceleration, 1), sink_component(acceleration, 2)};
     }
 };
 
@@ -78,13 +78,15 @@ class Pass {
     /// One pass of a step: the water moves by half a step before each sweep.
     void operator()() {
         move();
-        density(water_, water_, water_water_);
-        density(water_, walls_, water_walls_);
-        density(walls_, water_, walls_water_);
+        const DensityRatePair density{constants_};
+        exchange_within(density, reach_, water_.density_side(), {sink(water_.density_rate)}, water_water_);
+        exchange(density, reach_, water_.density_side(), walls_.density_side(), {sink(water_.density_rate)},
+                 {sink(walls_.density_rate)}, water_walls_);
         move();
-        force(water_, water_, water_water_);
-        force(water_, walls_, water_walls_);
-        force(walls_, water_, walls_water_);
+        const AccelerationPair force{constants_};
+        exchange_within(force, reach_, water_.force_side(), water_.force_sinks(), water_water_);
+        exchange(force, reach_, water_.force_side(), walls_.force_side(), water_.force_sinks(), walls_.force_sinks(),
+                 water_walls_);
     }
     /// Directed pairs that act.
     double count_pairs() {
@@ -92,9 +94,10 @@ class Pass {
         const auto count = [&](const PassSide& a, const PassSide& b, std::vector<double>& sum, SweepScratch& scratch) {
             sweep(CountPair{constants_}, reach_, {a.position, {}}, {b.position, {}}, {sink(sum)}, scratch);
         };
-        count(water_, water_, in_water, water_water_);
-        count(water_, walls_, in_water, water_walls_);
-        count(walls_, water_, in_walls, walls_water_);
+        SweepScratch water_water, water_walls, walls_water;
+        count(water_, water_, in_water, water_water);
+        count(water_, walls_, in_water, water_walls);
+        count(walls_, water_, in_walls, walls_water);
         double pairs = 0;
         for (const auto* counts : {&in_water, &in_walls}) {
             for (const double n : *counts) {
@@ -112,21 +115,11 @@ class Pass {
             column_.water.position[i] += half_step * column_.water.velocity[i];
         }
     }
-    void density(PassSide& targets, const PassSide& candidates, SweepScratch& scratch) {
-        sweep(DensityRatePair{constants_}, reach_, targets.density_target(), candidates.density_candidate(),
-              {sink(targets.density_rate)}, scratch);
-    }
-    void force(PassSide& targets, const PassSide& candidates, SweepScratch& scratch) {
-        std::vector<Vec3>& a = targets.acceleration;
-        sweep(AccelerationPair{constants_}, reach_, targets.force_side(), candidates.force_side(),
-              {sink_component(a, 0), sink_component(a, 1), sink_component(a, 2)}, scratch);
-    }
-
     SphColumn column_;
     SphConstants constants_;
     fluid::SweepReach reach_;
     PassSide water_, walls_;
-    SweepScratch water_water_, water_walls_, walls_water_;
+    SweepScratch water_water_, water_walls_;
 };
 
 /// Whole steps of the default scheme, with everything a step does but output.

@@ -4,8 +4,11 @@
 
 namespace riprap::fluid {
 
-RIPRAP_INSTANTIATE_SWEEP(bench::DensityRatePair);
+RIPRAP_INSTANTIATE_EXCHANGE(bench::DensityRatePair);
 RIPRAP_INSTANTIATE_SWEEP(bench::AccelerationPair);
+RIPRAP_INSTANTIATE_EXCHANGE(bench::AccelerationPair);
+RIPRAP_INSTANTIATE_EXCHANGE_WITHIN(bench::DensityRatePair);
+RIPRAP_INSTANTIATE_EXCHANGE_WITHIN(bench::AccelerationPair);
 RIPRAP_INSTANTIATE_SWEEP(bench::CountPair);
 
 }  // namespace riprap::fluid

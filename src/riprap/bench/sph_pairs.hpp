@@ -23,24 +23,30 @@ struct SphConstants {
 ///
 ///     d rho_i/dt = sum_j V_j (rho_i v_ij . d - 2 delta h c_0 (rho_j - rho_i - rho_0/c_0^2 g . x_ji)) (dW/dr)/r
 struct DensityRatePair {
-    static constexpr int target_fields = 4;     // vx, vy, vz, rho - rho_0
-    static constexpr int candidate_fields = 5;  // the same and the volume
+    static constexpr int target_fields = 5;     // vx, vy, vz, rho - rho_0, volume
+    static constexpr int candidate_fields = 5;  // the same
     static constexpr int sums = 1;
+    static constexpr int back_sums = 1;
     SphConstants c;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
         using namespace fluid;
         const Real slope = c.kernel.slope_over_r(distance(r2));
         Real divergence(0), hydrostatic(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            divergence += (target[axis] - candidate[axis]) * d[axis];
+            divergence += (a[axis] - b[axis]) * d[axis];
             hydrostatic += Real(c.gravity[axis] * c.rest_density / (c.sound_speed * c.sound_speed)) * d[axis];
         }
-        const Real excess = candidate[3] - target[3] + hydrostatic;
-        const Real density = target[3] + Real(c.rest_density);
+        const Real excess = b[3] - a[3] + hydrostatic;
         const Real diffusion = Real(2 * c.density_diffusion * c.smoothing_length * c.sound_speed) * excess;
-        sum[0] += candidate[4] * slope * (density * divergence - diffusion);
+        sum[0] += b[4] * slope * ((a[3] + Real(c.rest_density)) * divergence - diffusion);
+        back[0] += a[4] * slope * ((b[3] + Real(c.rest_density)) * divergence + diffusion);
+    }
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        Real back[back_sums] = {Real(0)};
+        exchange<Dim>(target, candidate, d, r2, sum, back);
     }
 };
 
@@ -52,10 +58,12 @@ struct AccelerationPair {
     static constexpr int target_fields = 5;     // vx, vy, vz, p/rho^2, rho
     static constexpr int candidate_fields = 5;  // the same
     static constexpr int sums = 3;
+    static constexpr int back_sums = 3;
     SphConstants c;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void exchange(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum,
+                            Real* back) const {
         using namespace fluid;
         const Real slope = c.kernel.slope_over_r(distance(r2));
         Real approach(0);
@@ -68,7 +76,13 @@ struct AccelerationPair {
         const Real push = Real(-c.particle_mass) * slope * (target[3] + candidate[3] + viscous);
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] += push * d[axis];
+            back[axis] -= push * d[axis];
         }
+    }
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        Real back[back_sums] = {Real(0), Real(0), Real(0)};
+        exchange<Dim>(target, candidate, d, r2, sum, back);
     }
 };
 

@@ -18,10 +18,7 @@ struct Sample {
     bench::SphConstants constants{};
 
     SweepReach reach() const { return {2 * constants.smoothing_length, domain}; }
-    SweepSide<4> density_targets() const {
-        return {position, {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(excess)}};
-    }
-    SweepSide<5> density_candidates() const {
+    SweepSide<5> density_side() const {
         return {position,
                 {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(excess), field(volume)}};
     }

@@ -34,6 +34,7 @@ class ClusterPlaces {
 
     std::int64_t size() const { return size_; }
     std::int64_t cluster_count() const { return (size_ + cluster_size - 1) / cluster_size; }
+    std::int64_t block_count() const { return (cluster_count() + block_size - 1) / block_size; }
     /// Four places along each axis in turn.
     const std::int32_t* cluster(std::int64_t c) const { return &places_[static_cast<std::size_t>(c * stride_)]; }
 

@@ -176,6 +176,38 @@ inline FloatFour sum_of_candidates(Lanes a) {
         pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
     return __builtin_shufflevector(sums, sums, 0, 4, 8, 12);
 }
+/// Sums over the targets of each candidate, of four numbers: entry 4 k + c adds up lanes c, 4 + c, 8 + c, 12 + c of
+/// number k, in a fixed order.
+inline FloatVector sums_of_targets(Lanes a, Lanes b, Lanes c, Lanes d) {
+    const auto halves = [](FloatVector x, FloatVector y) -> FloatVector {
+        return __builtin_shufflevector(x, y, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23) +
+               __builtin_shufflevector(x, y, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    };
+    const FloatVector x = halves(a.v, b.v), y = halves(c.v, d.v);
+    return __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27) +
+           __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
+}
+/// Of two numbers, and of one.
+inline FloatEight sums_of_targets(Lanes a, Lanes b) {
+    const FloatVector x =
+        __builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23) +
+        __builtin_shufflevector(a.v, b.v, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    return __builtin_shufflevector(x, x, 0, 1, 2, 3, 8, 9, 10, 11) +
+           __builtin_shufflevector(x, x, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+inline FloatFour sums_of_targets(Lanes a) {
+    const FloatEight x = __builtin_shufflevector(a.v, a.v, 0, 1, 2, 3, 4, 5, 6, 7) +
+                         __builtin_shufflevector(a.v, a.v, 8, 9, 10, 11, 12, 13, 14, 15);
+    return __builtin_shufflevector(x, x, 0, 1, 2, 3) + __builtin_shufflevector(x, x, 4, 5, 6, 7);
+}
+/// memory += values
+template <class Vector>
+inline void add_to(float* memory, Vector values) {
+    Vector before;
+    __builtin_memcpy(&before, memory, sizeof before);
+    before += values;
+    __builtin_memcpy(memory, &before, sizeof before);
+}
 /// Writes the values of the lanes whose bits are set one after the other, and garbage up to 16 behind them.
 /// @returns how many
 inline int write_selected(std::uint32_t bits, IntVector values, std::int32_t* out) {

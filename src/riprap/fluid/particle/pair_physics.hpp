@@ -34,4 +34,16 @@ concept PairPhysics = requires {
     { P::sums } -> std::convertible_to<int>;
 };
 
+/// Physics of a pair whose two directions share most of their arithmetic. Besides the above
+///
+///     static constexpr int back_sums = 3;  // numbers gathered per candidate
+///     template <int Dim, class Real>
+///     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const;
+///
+/// which adds to `sum` what b does to a, and to `back` what a does to b. The call operator gives the first alone.
+template <class P>
+concept MutualPhysics = PairPhysics<P> && requires {
+    { P::back_sums } -> std::convertible_to<int>;
+};
+
 }  // namespace riprap::fluid

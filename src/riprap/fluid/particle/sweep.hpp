@@ -85,4 +85,20 @@ void sweep(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::targ
            const SweepSide<Pair::candidate_fields>& candidates,
            const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch);
 
+/// Meets every pair of one particle of `a` and one of `b` once and adds what each does to the other:
+///
+///     sums_a[k][i] += sum over j of exchange_k(i, j),     sums_b[k][j] += sum over i of what comes back.
+///
+/// As sweep() both ways, at little more than half the work, and pair by pair in balance to the last bit of a float.
+template <MutualPhysics Pair>
+void exchange(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& a,
+              const SweepSide<Pair::candidate_fields>& b,
+              const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums_a,
+              const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>& sums_b, SweepScratch& scratch);
+
+/// The same among the particles of one set; a particle meets itself too, once.
+template <MutualPhysics Pair>
+void exchange_within(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& particles,
+                     const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch);
+
 }  // namespace riprap::fluid

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The definition of sweep(). For files of kernels only, see sweep.hpp.
+// The definitions of sweep() and exchange(). For files of kernels only, see sweep.hpp.
 //
 // Particles are taken in clusters of four that follow each other in the State. One evaluation of the pair physics works
 // on 16 lanes: four targets times four candidates. A list, made with a skin and kept for several sweeps, names the
 // clusters of candidates for each cluster of targets, ascending. A candidate out of reach adds exactly zero to its
 // lane, so what else is in a list changes no bit.
+//
+// Work is cut into patches of targets. A patch copies its candidates next to each other, and where pairs act both ways
+// it sums what its targets do to them in a buffer of its own; the buffers are then added up in the order of patches.
+
+#include <cstring>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sweep_scratch.hpp"
@@ -31,49 +36,189 @@ void pack_fields(const std::array<FieldView, FieldCount>& fields, std::int64_t s
     });
 }
 
-/// One sweep, with everything that its inner loop needs.
-template <int Dim, class Pair>
-struct ClusterSweep {
+/// Numbers that a sum over targets takes in a buffer: three are summed as four.
+constexpr std::size_t padded(std::size_t sums) { return sums % 4 == 3 ? sums + 1 : sums; }
+
+/// Adds the sums over targets of all numbers to a buffer: [number][candidate].
+template <std::size_t Sums, std::size_t First = 0>
+inline void add_sums_of_targets(const std::array<Lanes, Sums>& sum, float* buffer) {
+    if constexpr (Sums == 0) {
+        return;
+    } else if constexpr (Sums - First >= 3) {
+        const Lanes last = First + 3 < Sums ? sum[First + 3 < Sums ? First + 3 : 0] : Lanes(0);
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First], sum[First + 1], sum[First + 2], last));
+        if constexpr (First + 4 < Sums) {
+            add_sums_of_targets<Sums, First + 4>(sum, buffer);
+        }
+    } else if constexpr (Sums - First == 2) {
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First], sum[First + 1]));
+    } else if constexpr (Sums - First == 1) {
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First]));
+    }
+}
+
+/// How a sweep uses its pair physics: what candidates do to targets,
+template <class Pair>
+struct OneWay {
+    static constexpr std::size_t back_sums = 0;
+    template <int Dim>
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes* sum, Lanes*) {
+        pair.template operator()<Dim, Lanes>(a, b, d, r2, sum);
+    }
+};
+/// and what both do to each other.
+template <class Pair>
+struct BothWays {
+    static constexpr auto back_sums = static_cast<std::size_t>(Pair::back_sums);
+    template <int Dim>
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes* sum,
+                    Lanes* back) {
+        pair.template exchange<Dim, Lanes>(a, b, d, r2, sum, back);
+    }
+};
+
+/// One patch in a sweep, with everything that its inner loop needs.
+template <int Dim, class Pair, class Way>
+struct PatchSweep {
     static constexpr auto target_fields = static_cast<std::size_t>(Pair::target_fields);
     static constexpr auto candidate_fields = static_cast<std::size_t>(Pair::candidate_fields);
     static constexpr auto sum_count = static_cast<std::size_t>(Pair::sums);
+    static constexpr std::size_t back_sums = Way::back_sums;
+    static constexpr std::size_t record = (Dim + candidate_fields) * cluster_size;  ///< floats per candidate cluster
+    static constexpr std::size_t back_record = padded(back_sums) * cluster_size;
+
+    struct Target {
+        std::array<IntVector, Dim> place;
+        Lanes apart;  ///< added to squares of distances: not zero, where square roots need care; far for absent members
+        std::array<Lanes, target_fields + 1> fields{};
+    };
+    using Sums = std::array<Lanes, sum_count>;
 
     Pair pair;
-    const ClusterList& list;
+    std::array<Lanes, Dim> quantum;
+    const float* records;
+    float* back;           ///< sums of candidates: [place][number][member]
+    std::int32_t partial;  ///< entry of the candidate cluster that is not full, or -1
+    Lanes beyond;          ///< what puts its absent members out of reach [m^2]
+
+    /// Adds what the candidates do to the target, and back.
+    template <class ThisWay>
+    void add(const Target& target, std::span<const std::int32_t> near, Sums& sums_out) const {
+        const Pair physics = pair;
+        const std::array<Lanes, Dim> unit = quantum;
+        const float* const all_records = records;
+        float* const all_back = back;
+        Sums sum = sums_out;
+        using Back = std::array<Lanes, ThisWay::back_sums>;
+        const auto evaluate = [&](std::int32_t entry, Lanes apart) __attribute__((always_inline)) {
+            const float* const four = all_records + static_cast<std::size_t>(entry) * record;
+            std::array<Lanes, Dim> d;
+            Lanes r2 = apart;
+            for (std::size_t axis = 0; axis < Dim; ++axis) {
+                const IntVector there =
+                    candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
+                d[axis] = difference(target.place[axis], there) * unit[axis];
+                r2 += d[axis] * d[axis];
+            }
+            std::array<Lanes, candidate_fields + 1> candidate{};
+            for (std::size_t k = 0; k < candidate_fields; ++k) {
+                candidate[k] = candidates_in_lanes(four + (Dim + k) * cluster_size);
+            }
+            Back other;
+            other.fill(Lanes(0));
+            ThisWay::template act<Dim>(physics, target.fields.data(), candidate.data(), d.data(), r2, sum.data(),
+                                       other.data());
+            return other;
+        };
+        const auto keep = [&](std::int32_t entry, const Back& other) __attribute__((always_inline)) {
+            add_sums_of_targets(other, all_back + static_cast<std::size_t>(entry) * back_record);
+        };
+        // Two at a time, so that the compiler can mix their instructions: one alone is a long chain of dependences. No
+        // branch may part them; the cluster that is not full, last of all, comes by itself.
+        const std::size_t full = near.size() - (!near.empty() && near.back() == partial ? 1 : 0);
+        std::size_t n = 0;
+        for (; n + 1 < full; n += 2) {
+            const std::int32_t one = near[n], two = near[n + 1];
+            const Back first = evaluate(one, target.apart), second = evaluate(two, target.apart);
+            keep(one, first);
+            keep(two, second);
+        }
+        for (; n < near.size(); ++n) {
+            keep(near[n], evaluate(near[n], n < full ? target.apart : target.apart + beyond));
+        }
+        sums_out = sum;
+    }
+};
+
+/// A sweep over all patches.
+template <int Dim, class Pair, class Way>
+struct ClusterSweep {
+    using Patches = PatchSweep<Dim, Pair, Way>;
+    static constexpr std::size_t target_fields = Patches::target_fields;
+    static constexpr std::size_t candidate_fields = Patches::candidate_fields;
+    static constexpr std::size_t sum_count = Patches::sum_count;
+
+    Pair pair;
     const std::array<FieldView, target_fields>& targets;
-    const float* fields;  ///< of the candidates, packed
     const std::array<FieldSink, sum_count>& sums;
+    SweepScratchData& scratch;
+    bool is_each_once;
     float far;  ///< square of a distance without effect [m^2]
 
-    void operator()(std::int64_t begin_chunk, std::int64_t end_chunk) const {
-        const std::int64_t end = std::min(list.targets().cluster_count(), end_chunk * ClusterList::chunk_size);
-        for (std::int64_t t = begin_chunk * ClusterList::chunk_size; t < end; ++t) {
-            if (!list.near(t).empty()) {
-                sweep_cluster(t);
+    void sweep_patch(std::int64_t p) const {
+        const ClusterList& list = scratch.list;
+        const Patch& patch = list.patches()[static_cast<std::size_t>(p)];
+        std::unique_ptr<BufferPool::Buffer> records = scratch.records.take();
+        copy_records(patch, *records);
+        Patches work{pair, {}, records->data(), nullptr, -1, Lanes(0)};
+        const std::int64_t members = list.candidates().size() % cluster_size,
+                           last = list.candidates().cluster_count() - 1;
+        if (members != 0 && !patch.blocks.empty() && patch.blocks.back() == last / BoxTree::branches) {
+            work.partial = static_cast<std::int32_t>(
+                (static_cast<std::int64_t>(patch.blocks.size()) - 1) * BoxTree::branches + last % BoxTree::branches);
+            for (int lane = 0; lane < lane_count; ++lane) {
+                work.beyond.v[lane] = lane % cluster_size < members ? 0.0F : far;
             }
         }
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            work.quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
+        }
+        if constexpr (Way::back_sums > 0) {
+            std::vector<float>& back = scratch.patch_sums[static_cast<std::size_t>(p)];
+            back.assign(patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
+            work.back = back.data();
+        }
+        const std::int64_t first = list.first_cluster(p), end = list.first_cluster(p + 1);
+        for (std::int64_t t = first; t < end; ++t) {
+            std::span<const std::int32_t> near = patch.near(t - first);
+            if (!near.empty()) {
+                sweep_cluster(t, t - first, near, work);
+            }
+        }
+        scratch.records.give(std::move(records));
     }
 
-    void sweep_cluster(std::int64_t t) const {
+    void sweep_cluster(std::int64_t t, std::int64_t local, std::span<const std::int32_t> near,
+                       const Patches& work) const {
+        const ClusterList& list = scratch.list;
         const std::int64_t count = std::min<std::int64_t>(cluster_size, list.targets().size() - t * cluster_size);
-        std::array<IntVector, Dim> place;
-        std::array<Lanes, Dim> quantum;
-        for (std::size_t axis = 0; axis < Dim; ++axis) {
-            place[axis] = targets_in_lanes(list.targets().cluster(t) + axis * cluster_size);
-            quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
-        }
-        std::array<Lanes, target_fields + 1> target{};
-        for (std::size_t k = 0; k < target_fields; ++k) {
-            std::array<float, cluster_size> four;
-            for (std::int64_t member = 0; member < cluster_size; ++member) {
-                four[static_cast<std::size_t>(member)] =
-                    static_cast<float>(targets[k][t * cluster_size + std::min(member, count - 1)]);
-            }
-            target[k] = targets_in_lanes(four.data());
-        }
-        std::array<Lanes, sum_count> sum;
+        const typename Patches::Target target =
+            is_each_once ? target_in(work.records + static_cast<std::size_t>(local) * Patches::record, count)
+                         : target_of(t, count);
+        typename Patches::Sums sum;
         sum.fill(Lanes(0));
-        add_candidates(place, quantum, target, list.near(t), sum);
+        if (is_each_once && near.front() == local) {
+            work.template add<OneWay<Pair>>(target, near.first(1), sum);  // its own members: both directions are here
+            near = near.subspan(1);
+        }
+        work.template add<Way>(target, near, sum);
+        if (is_each_once) {
+            for (std::size_t k = 0; k < sum_count; ++k) {
+                add_to(work.back + static_cast<std::size_t>(local) * Patches::back_record + k * cluster_size,
+                       sum_of_candidates(sum[k]));
+            }
+            return;
+        }
         for (std::size_t k = 0; k < sum_count; ++k) {
             const FloatFour total = sum_of_candidates(sum[k]);
             for (int member = 0; member < count; ++member) {
@@ -82,65 +227,105 @@ struct ClusterSweep {
         }
     }
 
-    void add_candidates(const std::array<IntVector, Dim>& place, const std::array<Lanes, Dim>& quantum,
-                        const std::array<Lanes, target_fields + 1>& target, std::span<const std::int32_t> near,
-                        std::array<Lanes, sum_count>& sums_out) const {
-        const Pair physics = pair;
-        std::array<Lanes, sum_count> sum = sums_out;
-        const std::int64_t size = list.candidates().size();
-        const std::int64_t partial = size % cluster_size == 0 ? -1 : size / cluster_size;
-        const std::int32_t* const places = list.candidates().cluster(0);
-        const auto add = [&](std::int64_t c) __attribute__((always_inline)) {
-            std::array<Lanes, Dim> d;
-            Lanes r2(1e-30F);  // not zero, where square roots need care
-            const std::int32_t* const four_places = places + c * Dim * cluster_size;
-            for (std::size_t axis = 0; axis < Dim; ++axis) {
-                d[axis] =
-                    difference(place[axis], candidates_in_lanes(four_places + axis * cluster_size)) * quantum[axis];
-                r2 += d[axis] * d[axis];
-            }
-            if (c == partial) [[unlikely]] {
-                r2 += beyond(size % cluster_size);
-            }
-            std::array<Lanes, candidate_fields + 1> candidate{};
-            const float* const four_fields = fields + c * Pair::candidate_fields * cluster_size;
-            for (std::size_t k = 0; k < candidate_fields; ++k) {
-                candidate[k] = candidates_in_lanes(four_fields + k * cluster_size);
-            }
-            physics.template operator()<Dim, Lanes>(target.data(), candidate.data(), d.data(), r2, sum.data());
-        };
-        // Two at a time, so that the compiler can mix their instructions: one alone is a long chain of dependences.
-        std::size_t n = 0;
-        for (; n + 1 < near.size(); n += 2) {
-            add(near[n]);
-            add(near[n + 1]);
+    typename Patches::Target target_in(const float* four, std::int64_t count) const {
+        typename Patches::Target target;
+        target.apart = apart(count);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            target.place[axis] = targets_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
         }
-        if (n < near.size()) {
-            add(near[n]);
+        if constexpr (target_fields == candidate_fields) {
+            for (std::size_t k = 0; k < target_fields; ++k) {
+                target.fields[k] = targets_in_lanes(four + (Dim + k) * cluster_size);
+            }
         }
-        sums_out = sum;
+        return target;
+    }
+    Lanes apart(std::int64_t count) const {
+        Lanes square(1e-30F);
+        if (count < cluster_size) {
+            for (int lane = 0; lane < lane_count; ++lane) {
+                square.v[lane] = lane / cluster_size < count ? 1e-30F : far;
+            }
+        }
+        return square;
+    }
+    typename Patches::Target target_of(std::int64_t t, std::int64_t count) const {
+        typename Patches::Target target;
+        target.apart = apart(count);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            target.place[axis] = targets_in_lanes(scratch.list.targets().cluster(t) + axis * cluster_size);
+        }
+        for (std::size_t k = 0; k < target_fields; ++k) {
+            std::array<float, cluster_size> four;
+            for (std::int64_t member = 0; member < cluster_size; ++member) {
+                four[static_cast<std::size_t>(member)] =
+                    static_cast<float>(targets[k][t * cluster_size + std::min(member, count - 1)]);
+            }
+            target.fields[k] = targets_in_lanes(four.data());
+        }
+        return target;
     }
 
-    /// Out of reach for candidates from `first` on.
-    Lanes beyond(std::int64_t first) const {
-        Lanes r2(0);
-        for (int lane = 0; lane < lane_count; ++lane) {
-            r2.v[lane] = lane % cluster_size < first ? 0.0F : far;
+    /// Places and fields of the patch's candidates, cluster by cluster.
+    void copy_records(const Patch& patch, std::vector<float>& records) const {
+        const ClusterPlaces& places = scratch.list.candidates();
+        records.resize(patch.blocks.size() * BoxTree::branches * Patches::record);
+        float* out = records.data();
+        for (const std::int32_t block : patch.blocks) {
+            const std::int64_t first = std::int64_t{block} * BoxTree::branches;
+            const std::int64_t end = std::min(places.cluster_count(), first + BoxTree::branches);
+            for (std::int64_t c = first; c < end; ++c, out += Patches::record) {
+                std::memcpy(out, places.cluster(c), Dim * cluster_size * sizeof(float));
+                std::memcpy(out + Dim * cluster_size,
+                            scratch.fields.data() + static_cast<std::size_t>(c) * candidate_fields * cluster_size,
+                            candidate_fields * cluster_size * sizeof(float));
+            }
         }
-        return r2;
     }
 };
 
-template <int Dim, class Pair>
-void sweep_clusters(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
-                    const SweepSide<Pair::candidate_fields>& candidates,
-                    const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
-                    SweepScratchData& scratch) {
-    scratch.list.update(reach, targets.position, candidates.position);
+/// Adds up what patches have done to candidates.
+template <std::size_t SumCount>
+void add_patch_sums(const SweepScratchData& scratch, const std::array<FieldSink, SumCount>& sums) {
+    constexpr std::size_t stride = padded(SumCount) * cluster_size;
+    const std::int64_t size = scratch.list.candidates().size();
+    parallel::for_each_uneven(scratch.list.candidates().block_count(), 16, [&](std::int64_t block) {
+        const auto mentions = scratch.list.mentions(block);
+        const std::int64_t first = block * BoxTree::branches;
+        const std::int64_t end = std::min(scratch.list.candidates().cluster_count(), first + BoxTree::branches);
+        for (std::int64_t c = first; c < end; ++c) {
+            std::array<DoubleFour, SumCount> total{};
+            for (const ClusterList::Mention& mention : mentions) {
+                const float* const part = &scratch.patch_sums[static_cast<std::size_t>(
+                    mention.patch)][static_cast<std::size_t>(mention.place * BoxTree::branches + c - first) * stride];
+                for (std::size_t k = 0; k < SumCount; ++k) {
+                    FloatFour four;
+                    __builtin_memcpy(&four, part + k * cluster_size, sizeof four);
+                    total[k] += __builtin_convertvector(four, DoubleFour);
+                }
+            }
+            const std::int64_t count = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
+            for (std::size_t k = 0; k < SumCount; ++k) {
+                for (int member = 0; member < count; ++member) {
+                    sums[k][c * cluster_size + member] += total[k][member];
+                }
+            }
+        }
+    });
+}
+
+template <int Dim, template <class> class Way, class Pair>
+void sweep_patches(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
+                   const SweepSide<Pair::candidate_fields>& candidates,
+                   const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, bool is_each_once,
+                   SweepScratchData& scratch) {
+    scratch.list.update(reach, targets.position, candidates.position, is_each_once);
     pack_fields(candidates.fields, static_cast<std::int64_t>(candidates.position.size()), scratch.fields);
+    const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
+    scratch.patch_sums.resize(static_cast<std::size_t>(patches));
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
-    parallel::for_ranges(scratch.list.chunk_count(), 8,
-                         ClusterSweep<Dim, Pair>{pair, scratch.list, targets.fields, scratch.fields.data(), sums, far});
+    const ClusterSweep<Dim, Pair, Way<Pair>> sweep{pair, targets.fields, sums, scratch, is_each_once, far};
+    parallel::for_each_uneven(patches, 1, [&](std::int64_t p) { sweep.sweep_patch(p); });
 }
 
 }  // namespace detail
@@ -153,16 +338,56 @@ void sweep(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::targ
         return;
     }
     if (reach.domain.dimension == 2) {
-        detail::sweep_clusters<2>(pair, reach, targets, candidates, sums, scratch.data());
+        detail::sweep_patches<2, detail::OneWay>(pair, reach, targets, candidates, sums, false, scratch.data());
     } else {
-        detail::sweep_clusters<3>(pair, reach, targets, candidates, sums, scratch.data());
+        detail::sweep_patches<3, detail::OneWay>(pair, reach, targets, candidates, sums, false, scratch.data());
     }
+}
+
+template <MutualPhysics Pair>
+void exchange(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& a,
+              const SweepSide<Pair::candidate_fields>& b,
+              const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums_a,
+              const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>& sums_b, SweepScratch& scratch) {
+    if (a.position.empty() || b.position.empty()) {
+        return;
+    }
+    if (reach.domain.dimension == 2) {
+        detail::sweep_patches<2, detail::BothWays>(pair, reach, a, b, sums_a, false, scratch.data());
+    } else {
+        detail::sweep_patches<3, detail::BothWays>(pair, reach, a, b, sums_a, false, scratch.data());
+    }
+    detail::add_patch_sums(scratch.data(), sums_b);
+}
+
+template <MutualPhysics Pair>
+void exchange_within(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& particles,
+                     const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch) {
+    static_assert(Pair::target_fields == Pair::candidate_fields && Pair::sums == Pair::back_sums);
+    if (particles.position.empty()) {
+        return;
+    }
+    if (reach.domain.dimension == 2) {
+        detail::sweep_patches<2, detail::BothWays>(pair, reach, particles, particles, sums, true, scratch.data());
+    } else {
+        detail::sweep_patches<3, detail::BothWays>(pair, reach, particles, particles, sums, true, scratch.data());
+    }
+    detail::add_patch_sums(scratch.data(), sums);
 }
 
 }  // namespace riprap::fluid
 
-/// Defines the sweep of one type of pair physics here; at namespace scope of riprap::fluid.
+/// Define the sweeps of one type of pair physics here; at namespace scope of riprap::fluid.
 #define RIPRAP_INSTANTIATE_SWEEP(Pair)                                                               \
     template void sweep<Pair>(const Pair&, const SweepReach&, const SweepSide<Pair::target_fields>&, \
                               const SweepSide<Pair::candidate_fields>&,                              \
                               const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&, SweepScratch&)
+#define RIPRAP_INSTANTIATE_EXCHANGE(Pair)                                                                             \
+    template void exchange<Pair>(                                                                                     \
+        const Pair&, const SweepReach&, const SweepSide<Pair::target_fields>&,                                        \
+        const SweepSide<Pair::candidate_fields>&, const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&, \
+        const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>&, SweepScratch&)
+#define RIPRAP_INSTANTIATE_EXCHANGE_WITHIN(Pair)                                                               \
+    template void exchange_within<Pair>(const Pair&, const SweepReach&, const SweepSide<Pair::target_fields>&, \
+                                        const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&,    \
+                                        SweepScratch&)

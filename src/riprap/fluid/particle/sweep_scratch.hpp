@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "riprap/fluid/particle/cluster_list.hpp"
@@ -8,9 +10,23 @@
 
 namespace riprap::fluid {
 
+/// Buffers for the threads of a sweep to borrow.
+class BufferPool {
+ public:
+    using Buffer = std::vector<float>;
+    std::unique_ptr<Buffer> take();
+    void give(std::unique_ptr<Buffer> buffer);
+
+ private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Buffer>> free_;
+};
+
 struct SweepScratchData {
     ClusterList list;
-    std::vector<float> fields;  ///< of the candidates: [cluster][field][member]
+    std::vector<float> fields;                   ///< of the candidates: [cluster][field][member]
+    std::vector<std::vector<float>> patch_sums;  ///< of each patch's candidates: [place][sum][member]
+    BufferPool records;
 };
 
 }  // namespace riprap::fluid

@@ -17,25 +17,36 @@ namespace riprap::fluid {
 /// sums[1] is the diffusion of [Fourtakas2019], of pressure instead of density: exactly nothing in still water under
 /// any state equation, and no volume made or lost by a pair (docs/theory/sph.md, 4). sums[2] is derived there, 7.
 struct Continuity {
-    static constexpr int target_fields = 4;     ///< v, p
-    static constexpr int candidate_fields = 5;  ///< v, p, V
-    static constexpr int sums = 4;
+    static constexpr int target_fields = 5;     ///< v, p, V
+    static constexpr int candidate_fields = 5;  ///< the same
+    static constexpr int sums = 4, back_sums = 4;
     WendlandC2 kernel;
     double weight[3];  ///< rho_0 g [N/m^3]
     double soft;       ///< small against h^2, keeps (v.d)^2/r^2 finite where a particle meets itself [m^2]
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
         Real closing(0), head(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            closing = closing + (target[axis] - candidate[axis]) * d[axis];
+            closing = closing + (a[axis] - b[axis]) * d[axis];
             head = head + Real(weight[axis]) * d[axis];
         }
-        const Real slope = candidate[4] * kernel.slope_over_r(distance(r2));
-        sum[0] = sum[0] + slope * closing;
-        sum[1] = sum[1] - slope * (candidate[3] - target[3] + head);
-        sum[2] = sum[2] - slope * closing * closing * reciprocal(r2 + Real(soft));
-        sum[3] = sum[3] - slope * r2;
+        const Real slope = kernel.slope_over_r(distance(r2)), compression = slope * closing;
+        const Real diffusion = slope * (b[3] - a[3] + head), filling = slope * r2;
+        const Real strain = compression * closing * reciprocal(r2 + Real(soft));
+        sum[0] = sum[0] + b[4] * compression;
+        back[0] = back[0] + a[4] * compression;
+        sum[1] = sum[1] - b[4] * diffusion;
+        back[1] = back[1] + a[4] * diffusion;
+        sum[2] = sum[2] - b[4] * strain;
+        back[2] = back[2] - a[4] * strain;
+        sum[3] = sum[3] - b[4] * filling;
+        back[3] = back[3] - a[4] * filling;
+    }
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+        Real back[back_sums] = {Real(0), Real(0), Real(0), Real(0)};
+        exchange<Dim>(target, candidate, d, r2, sum, back);
     }
 };
 

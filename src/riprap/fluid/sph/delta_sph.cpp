@@ -74,10 +74,9 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    add_pair_sums(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
-                  {state.position, {v(0), v(1), v(2), field(s.pressure)}},
-                  {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
-                  {sink(s.compression), sink(s.diffusion), sink(s.strain), sink(s.divergence)}, s.fluid_fluid);
+    add_pair_sums_within(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
+                         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
+                         {sink(s.compression), sink(s.diffusion), sink(s.strain), sink(s.divergence)}, s.fluid_fluid);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),

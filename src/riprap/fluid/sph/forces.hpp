@@ -34,8 +34,8 @@ void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const P
         state.position,
         {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
     std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
-    add_pair_sums(
-        settings, Momentum<Kernel, Law>{kernel, law}, force_targets(state, s), fluid_with_surface,
+    add_pair_sums_within(
+        settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
         {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
          sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
         s.fluid_fluid);

@@ -22,15 +22,33 @@ void add_pair_sums(const SphSettings& settings, const Pair& pair, const SweepSid
     }
 }
 
+template <MutualPhysics Pair>
+void add_pair_sums_within(const SphSettings& settings, const Pair& pair,
+                          const SweepSide<Pair::target_fields>& particles,
+                          const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
+                          SweepScratch& scratch) {
+    const SweepReach reach{settings.support_radius(), settings.domain};
+    if (settings.is_plain) {
+        sweep_plain(pair, reach, particles, particles, sums);
+    } else {
+        exchange_within(pair, reach, particles, sums, scratch);
+    }
+}
+
+#define RIPRAP_INSTANTIATE_WITHIN(Pair)                                                                              \
+    template void add_pair_sums_within<Pair>(const SphSettings&, const Pair&, const SweepSide<Pair::target_fields>&, \
+                                             const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&,     \
+                                             SweepScratch&)
 #define RIPRAP_INSTANTIATE(Pair)                                                                              \
     template void add_pair_sums<Pair>(const SphSettings&, const Pair&, const SweepSide<Pair::target_fields>&, \
                                       const SweepSide<Pair::candidate_fields>&,                               \
                                       const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&,     \
                                       SweepScratch&)
-RIPRAP_INSTANTIATE(Continuity);
+RIPRAP_INSTANTIATE_WITHIN(Continuity);
 RIPRAP_INSTANTIATE(ContinuityAtWalls);
 RIPRAP_INSTANTIATE(WallAverages);
 RIPRAP_INSTANTIATE(DensitySum);
+RIPRAP_INSTANTIATE_WITHIN(DensitySum);
 // a comma in a template argument list would be one in the macro's
 template <class Kernel, class Viscosity>
 struct Forces {
@@ -42,18 +60,19 @@ using Artificial = Forces<WendlandC2, ArtificialViscosity>;
 using Laminar = Forces<WendlandC2, LaminarViscosity>;
 using MullerArtificial = Forces<SpikyKernel, ArtificialViscosity>;
 using MullerLaminar = Forces<SpikyKernel, MullerViscosity>;
-RIPRAP_INSTANTIATE(Artificial::InFluid);
+RIPRAP_INSTANTIATE_WITHIN(Artificial::InFluid);
 RIPRAP_INSTANTIATE(Artificial::FromWalls);
 RIPRAP_INSTANTIATE(Artificial::OnWalls);
-RIPRAP_INSTANTIATE(Laminar::InFluid);
+RIPRAP_INSTANTIATE_WITHIN(Laminar::InFluid);
 RIPRAP_INSTANTIATE(Laminar::FromWalls);
 RIPRAP_INSTANTIATE(Laminar::OnWalls);
-RIPRAP_INSTANTIATE(MullerArtificial::InFluid);
+RIPRAP_INSTANTIATE_WITHIN(MullerArtificial::InFluid);
 RIPRAP_INSTANTIATE(MullerArtificial::FromWalls);
 RIPRAP_INSTANTIATE(MullerArtificial::OnWalls);
-RIPRAP_INSTANTIATE(MullerLaminar::InFluid);
+RIPRAP_INSTANTIATE_WITHIN(MullerLaminar::InFluid);
 RIPRAP_INSTANTIATE(MullerLaminar::FromWalls);
 RIPRAP_INSTANTIATE(MullerLaminar::OnWalls);
 #undef RIPRAP_INSTANTIATE
+#undef RIPRAP_INSTANTIATE_WITHIN
 
 }  // namespace riprap::fluid

@@ -17,28 +17,42 @@ namespace riprap::fluid {
 /// one and the same kernel.
 template <class Kernel, class Viscosity>
 struct Momentum {
-    static constexpr int target_fields = 5;     ///< v, p, mu
-    static constexpr int candidate_fields = 7;  ///< v, p, V, mu, b
-    static constexpr int sums = 10;
+    static constexpr int target_fields = 7;     ///< v, p, V, mu, b
+    static constexpr int candidate_fields = 7;  ///< the same
+    static constexpr int sums = 10, back_sums = 10;
     Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
+        const Real slope = kernel.slope_over_r(distance(r2)), push = (a[3] + b[3]) * slope;
+        Real v[3], viscous[3], heat(0);
+        for (int axis = 0; axis < Dim; ++axis) {
+            v[axis] = a[axis] - b[axis];
+        }
+        viscosity.template add<Dim>(v, d, r2, slope, Real(1), a[5] + b[5], viscous);
+        const Real slope_a = a[4] * slope, slope_b = b[4] * slope;
+        const Real bare_a = slope_a * a[6], bare_b = slope_b * b[6];
+        for (int axis = 0; axis < Dim; ++axis) {
+            const Real force = viscous[axis] - push * d[axis];
+            heat = heat + viscous[axis] * v[axis];
+            sum[axis] = sum[axis] + b[4] * force;
+            back[axis] = back[axis] - a[4] * force;
+            sum[4 + axis] = sum[4 + axis] + slope_b * d[axis];
+            back[4 + axis] = back[4 + axis] - slope_a * d[axis];
+            sum[7 + axis] = sum[7 + axis] + bare_b * d[axis];
+            back[7 + axis] = back[7 + axis] - bare_a * d[axis];
+        }
+        sum[3] = sum[3] - b[4] * heat;
+        back[3] = back[3] - a[4] * heat;
+    }
+    template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
-        Real v[3], viscous[3];
-        for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = target[axis] - candidate[axis];
+        Real back[back_sums];
+        for (Real& number : back) {
+            number = Real(0);
         }
-        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4], target[4] + candidate[5], viscous);
-        const Real push = (target[3] + candidate[3]) * slope;
-        for (int axis = 0; axis < Dim; ++axis) {
-            sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
-            sum[3] = sum[3] - viscous[axis] * v[axis];
-            const Real gradient = slope * d[axis];
-            sum[4 + axis] = sum[4 + axis] + gradient;
-            sum[7 + axis] = sum[7 + axis] + gradient * candidate[6];
-        }
+        exchange<Dim>(target, candidate, d, r2, sum, back);
     }
 };
 

@@ -33,10 +33,9 @@ void sum_density(const SphSettings& settings, ParticleState& state, const Bounda
         s.wall_mass[w] = scale * settings.rest_density * walls.volume[w];
     }
     state.density.assign(state.position.size(), 0);
-    add_pair_sums(settings, pair, {state.position, {}}, {state.position, {field(s.mass)}}, {sink(state.density)},
-                  s.fluid_fluid);
-    add_pair_sums(settings, pair, {state.position, {}}, {walls.position, {field(s.wall_mass)}}, {sink(state.density)},
-                  s.fluid_walls);
+    add_pair_sums_within(settings, pair, {state.position, {field(s.mass)}}, {sink(state.density)}, s.fluid_fluid);
+    add_pair_sums(settings, pair, {state.position, {field(s.mass)}}, {walls.position, {field(s.wall_mass)}},
+                  {sink(state.density)}, s.fluid_walls);
 }
 
 /// Calls work(law) with the viscosity of the case.

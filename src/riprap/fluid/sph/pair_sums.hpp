@@ -14,4 +14,11 @@ void add_pair_sums(const SphSettings& settings, const Pair& pair, const SweepSid
                    const SweepSide<Pair::candidate_fields>& candidates,
                    const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch);
 
+/// exchange_within(), or the plain sweep where the settings ask for it.
+template <MutualPhysics Pair>
+void add_pair_sums_within(const SphSettings& settings, const Pair& pair,
+                          const SweepSide<Pair::target_fields>& particles,
+                          const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
+                          SweepScratch& scratch);
+
 }  // namespace riprap::fluid

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/particle/list_search.hpp"
+
+#include <algorithm>
+
+namespace riprap::fluid {
+
+namespace {
+
+/// The places of a target cluster in lanes.
+struct TargetPlaces {
+    std::array<IntVector, 3> places;
+    std::array<Lanes, 3> quantum;
+    int dimension;
+
+    TargetPlaces(const std::int32_t* four, const FixedPoint& fixed, int dim) : dimension(dim) {
+        for (int axis = 0; axis < dimension; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            places[k] = targets_in_lanes(four + static_cast<std::ptrdiff_t>(axis) * cluster_size);
+            quantum[k] = Lanes(fixed.quantum()[axis]);
+        }
+    }
+    bool has_pair_within(const std::int32_t* candidates, float within) const {
+        Lanes square(0);
+        for (int axis = 0; axis < dimension; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            const Lanes d = difference(places[k], candidates_in_lanes(candidates + static_cast<std::ptrdiff_t>(axis) *
+                                                                                       cluster_size)) *
+                            quantum[k];
+            square += d * d;
+        }
+        return bits_below(square, within * within) != 0;
+    }
+};
+
+}  // namespace
+
+ListSearch::ListSearch(const Question& question)
+    : question_(question),
+      box_distance_(question.distance + question.target_boxes.slack() + question.candidate_boxes.slack()) {
+    const std::int64_t clusters = question.candidates.cluster_count();
+    place_of_block_.assign(static_cast<std::size_t>((clusters + BoxTree::branches - 1) / BoxTree::branches), -1);
+}
+
+void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch& patch) {
+    patch.entries.clear();
+    patch.start.assign(1, 0);
+    patch.watched.resize(static_cast<std::size_t>(block_count));
+    for (std::int64_t b = first_block; b < first_block + block_count; ++b) {
+        find_around(b);
+        patch.watched[static_cast<std::size_t>(b - first_block)].assign(blocks_.begin(), blocks_.end());
+        const std::int64_t end = std::min((b + 1) * BoxTree::branches, question_.targets.cluster_count());
+        for (std::int64_t target = b * BoxTree::branches; target < end; ++target) {
+            find(target, patch.entries);
+            patch.start.push_back(static_cast<std::int32_t>(patch.entries.size()));
+        }
+    }
+    patch.blocks.clear();
+    if (question_.is_each_once) {
+        for (std::int64_t b = first_block; b < first_block + block_count; ++b) {
+            patch.blocks.push_back(static_cast<std::int32_t>(b));  // its own come first, whether named or not
+            place_of_block_[static_cast<std::size_t>(b)] = 0;
+        }
+    }
+    number_blocks(patch);
+}
+
+/// Blocks that a block of targets may meet, with their boxes side by side.
+void ListSearch::find_around(std::int64_t target_block) {
+    const BoxTree& candidates = question_.candidate_boxes;
+    blocks_.clear();
+    candidates.find_blocks(question_.target_boxes.box_of_block(target_block), box_distance_ + question_.watched,
+                           blocks_);
+    if (question_.is_each_once) {
+        blocks_.erase(blocks_.begin(), std::lower_bound(blocks_.begin(), blocks_.end(), target_block));
+    }
+    block_boxes_.assign((blocks_.size() + BoxTree::branches - 1) / BoxTree::branches, {});
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const BoxTree::Box box = candidates.box_of_block(blocks_[b]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int lane = static_cast<int>(b % BoxTree::branches);
+            block_boxes_[b / BoxTree::branches].centre[axis][lane] = box.centre[axis];
+            block_boxes_[b / BoxTree::branches].half[axis][lane] = box.half[axis];
+        }
+    }
+    near_blocks_.resize(blocks_.size() + BoxTree::branches);
+    near_clusters_.resize((blocks_.size() + 1) * BoxTree::branches);
+}
+
+void ListSearch::find(std::int64_t target, std::vector<std::int32_t>& found) {
+    const BoxTree& candidates = question_.candidate_boxes;
+    const BoxTree::Box box = question_.target_boxes.box_of_cluster(target);
+    IntVector steps;
+    for (int lane = 0; lane < lane_count; ++lane) {
+        steps[lane] = lane;
+    }
+    int block_count = 0;
+    for (std::size_t k = 0; k < block_boxes_.size(); ++k) {
+        const std::size_t here = k * BoxTree::branches;
+        const std::size_t rest = std::min<std::size_t>(BoxTree::branches, blocks_.size() - here);
+        const std::uint32_t hits = candidates.near(block_boxes_[k], box, box_distance_) & ((1U << rest) - 1U);
+        for (std::uint32_t left = hits; left != 0; left &= left - 1) {
+            near_blocks_[static_cast<std::size_t>(block_count++)] =
+                blocks_[here + static_cast<std::size_t>(__builtin_ctz(left))];
+        }
+    }
+    int cluster_count = 0;
+    for (int k = 0; k < block_count; ++k) {
+        const std::int32_t block = near_blocks_[static_cast<std::size_t>(k)];
+        cluster_count +=
+            write_selected(candidates.near(candidates.clusters_of(block), box, box_distance_),
+                           steps + block * BoxTree::branches, &near_clusters_[static_cast<std::size_t>(cluster_count)]);
+    }
+    int first = 0;
+    if (question_.is_each_once) {
+        while (first < cluster_count && near_clusters_[static_cast<std::size_t>(first)] < target) {
+            ++first;
+        }
+    }
+    const TargetPlaces here(question_.targets.cluster(target), question_.fixed, question_.dimension);
+    std::size_t size = found.size();
+    found.resize(size + static_cast<std::size_t>(cluster_count - first));
+    for (int k = first; k < cluster_count; ++k) {
+        const std::int32_t c = near_clusters_[static_cast<std::size_t>(k)];
+        found[size] = c;
+        size += here.has_pair_within(question_.candidates.cluster(c), question_.distance) ? 1 : 0;
+    }
+    found.resize(size);
+}
+
+/// Lists the blocks that the entries name and makes entries places in that list.
+void ListSearch::number_blocks(Patch& patch) {
+    for (const std::int32_t cluster : patch.entries) {
+        const std::int32_t block = cluster / BoxTree::branches;
+        if (place_of_block_[static_cast<std::size_t>(block)] < 0) {
+            place_of_block_[static_cast<std::size_t>(block)] = 0;
+            patch.blocks.push_back(block);
+        }
+    }
+    std::sort(patch.blocks.begin(), patch.blocks.end());
+    for (std::size_t place = 0; place < patch.blocks.size(); ++place) {
+        place_of_block_[static_cast<std::size_t>(patch.blocks[place])] = static_cast<std::int32_t>(place);
+    }
+    for (std::int32_t& entry : patch.entries) {
+        entry = place_of_block_[static_cast<std::size_t>(entry / BoxTree::branches)] * BoxTree::branches +
+                entry % BoxTree::branches;
+    }
+    for (const std::int32_t block : patch.blocks) {
+        place_of_block_[static_cast<std::size_t>(block)] = -1;
+    }
+    patch.entries.shrink_to_fit();
+}
+
+}  // namespace riprap::fluid
