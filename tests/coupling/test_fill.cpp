@@ -41,6 +41,14 @@ TEST(Fill, a_box_that_the_lattice_fits_is_filled_to_its_volume) {
     EXPECT_EQ(filling.particles.position[0], (Vec3{0.025, 0.025, 0.025}));
 }
 
+TEST(Fill, a_region_below_whose_level_nothing_lies_does_not_move_the_lattice_of_others) {
+    const std::vector<FillRegion> regions{{{box({0, 0, 0}, {0.5, 0.5, 0.5})}, -1},
+                                          {{box({0, 0, 0}, {0.5, 0.25, 0.4})}}};
+    const Filling filling = fill({}, settings_of({0, 0, 0}, {2, 2, 2}), regions);
+    EXPECT_EQ(filling.particles.size(), 10 * 5 * 8);
+    EXPECT_EQ(filling.lattice_corner, (Vec3{0, 0, 0}));
+}
+
 TEST(Fill, water_stays_half_a_spacing_away_from_every_solid) {
     Scene scene;
     scene.add(geometry::icosahedron(0.2), {{0.5, 0.5, 0.5}, from_rotation_vector({0.3, 0.2, 0.1})});

@@ -93,11 +93,18 @@ struct Lattice {
     }
 };
 
+/// Where the lattice starts: at the low corner of the first region that has any extent, or else of the domain.
+Vec3 lattice_corner(std::span<const RegionPlanes> regions, const fluid::Domain& domain) {
+    const auto has_extent = [](const RegionPlanes& region) { return !region.pieces.empty(); };
+    const auto first = std::find_if(regions.begin(), regions.end(), has_extent);
+    return first != regions.end() ? first->bounds.low : domain.low;
+}
+
 [[noreturn]] void refuse(std::string message, std::string allowed) {
     throw CaseError(Diagnostic{{}, std::move(message), std::move(allowed)});
 }
 
-Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSettings& settings) {
+Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSettings& settings, const Vec3& corner) {
     const double dp = settings.spacing;
     Lattice lattice{{}, {1, 1, 1}, dp};
     Bounds all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
@@ -111,7 +118,7 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSett
                                "xyz"[axis], period / dp),
                    "a whole number of spacings");
         }
-        const double anchor = regions[0].bounds.low[axis] + 0.5 * dp;
+        const double anchor = corner[axis] + 0.5 * dp;
         const double low = std::max(all.low[axis], settings.domain.low[axis]);
         const double high = std::min(all.high[axis], settings.domain.high[axis]);
         const double before = std::ceil((low - anchor) / dp - slack);
@@ -195,7 +202,8 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     if (cut.empty()) {
         return filling;
     }
-    const Lattice lattice = lattice_over(cut, settings);
+    filling.lattice_corner = lattice_corner(cut, settings.domain);
+    const Lattice lattice = lattice_over(cut, settings, filling.lattice_corner);
     double places = 1;
     for (const std::int64_t count : lattice.counts) {
         places *= static_cast<double>(count);

@@ -34,6 +34,7 @@ struct Filling {
     fluid::ParticleState particles;
     std::vector<std::int8_t> region;  ///< of each particle
     std::vector<FillReport> regions;  ///< one per region
+    Vec3 lattice_corner{};  ///< low corner of a cell of the lattice; particles start in the middle of cells [m]
 };
 
 /// Fills regions with particles on one lattice of spacing dp for all of them, so regions that touch or overlap join

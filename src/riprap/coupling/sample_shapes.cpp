@@ -10,6 +10,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/face_layers.hpp"
+#include "riprap/coupling/seams.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/geometry/chebyshev.hpp"
 #include "riprap/geometry/clip.hpp"
@@ -26,28 +27,29 @@ namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this are equal
+constexpr double same_count = 1e-6;  ///< of a spacing: a length that is a whole number of them but for round-off
 constexpr double same_plane = 1e-9;  ///< of the domain: a face on a plane that cuts is the cut
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The box that fixed bodies are sampled in: the domain, grown by at least the reach and by whole spacings where it
-/// does not repeat.
+/// The box that fixed bodies are sampled in: the domain, grown by at least the reach and a spacing where it does not
+/// repeat, to the next cells of the lattice that water starts on. Walls on that lattice then continue it.
 struct Box {
     Vec3 low, high;
 };
 
 Box grown_domain(const SampleSettings& settings) {
-    const double margin = (std::ceil(settings.reach / settings.spacing - same_depth) + 1) * settings.spacing;
+    const double dp = settings.spacing, layers = std::ceil(settings.reach / dp - same_count) + 1;
     Box box{settings.domain.low, settings.domain.high};
     for (int axis = 0; axis < 3; ++axis) {
         if (settings.domain.is_periodic[at(axis)]) {
             continue;  // the images of what is inside stand outside
         }
         const bool is_flat = axis == 2 && settings.domain.dimension == 2;
-        const double length = box.high[axis] - box.low[axis];
-        const double intervals = std::ceil(length / settings.spacing - same_depth);
-        box.high[axis] = is_flat ? 0.5 * settings.spacing : box.low[axis] + intervals * settings.spacing + margin;
-        box.low[axis] = is_flat ? -0.5 * settings.spacing : box.low[axis] - margin;
+        const double corner = settings.lattice_corner[axis];
+        const double first = std::floor((box.low[axis] - corner) / dp + same_count) - layers;
+        const double last = std::ceil((box.high[axis] - corner) / dp - same_count) + layers;
+        box.low[axis] = is_flat ? -0.5 * dp : corner + first * dp;
+        box.high[axis] = is_flat ? 0.5 * dp : corner + last * dp;
     }
     return box;
 }
@@ -173,94 +175,6 @@ std::vector<LayerPoint> sample_part(const CutPart& part, const SampleSettings& s
                               {settings.spacing, settings.reach, is_planar});
 }
 
-/// World bounds of a body, to look only where something can be.
-struct Ball {
-    Vec3 centre;
-    double radius;
-};
-
-Ball ball_of(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state, BodyId body) {
-    Ball ball{state.position[at(body.value)], 0};
-    for (std::int32_t p = bodies.part_begin[at(body.value)]; p < bodies.part_begin[at(body.value) + 1]; ++p) {
-        const body::Part& part = bodies.parts[at(p)];
-        ball.radius = std::max(ball.radius, norm(part.local.position) + shapes.view(part.shape).circumradius);
-    }
-    return ball;
-}
-
-/// Takes out samples of still bodies that lie deeper in another still body.
-void keep_deepest(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                  const SampleSettings& settings, SampleSet& samples) {
-    std::vector<BodyId> still;
-    std::vector<Ball> balls;
-    for (std::int32_t b = 0; b < bodies.size(); ++b) {
-        const bool is_dry = !settings.is_dry.empty() && settings.is_dry[at(b)] != 0;
-        if (is_still(bodies, BodyId{b}) && !is_dry) {
-            still.push_back(BodyId{b});
-            balls.push_back(ball_of(shapes, bodies, state, BodyId{b}));
-        }
-    }
-    std::vector<std::uint8_t> is_kept(at(samples.size()), 1);
-    const double tolerance = same_depth * settings.spacing;
-    parallel::for_each_uneven(samples.size(), 256, [&](std::int64_t i) {
-        const BodyId owner = samples.body[at(i)];
-        if (!is_still(bodies, owner)) {
-            return;
-        }
-        const Pose pose{state.position[at(owner.value)], state.orientation[at(owner.value)]};
-        const Vec3 x = to_world(pose, samples.anchor[at(i)]);
-        for (std::size_t k = 0; k < still.size() && is_kept[at(i)] != 0; ++k) {
-            if (still[k] == owner || norm_squared(x - balls[k].centre) > balls[k].radius * balls[k].radius) {
-                continue;
-            }
-            const double more = depth_in_body(shapes, bodies, state, still[k], x) - samples.depth[at(i)];
-            is_kept[at(i)] = more > tolerance || (more > -tolerance && still[k] < owner) ? 0 : 1;
-        }
-    });
-    const auto keep = [&is_kept](auto& field) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < is_kept.size(); ++i) {
-            if (is_kept[i] != 0) {
-                field[kept++] = field[i];
-            }
-        }
-        field.resize(kept);
-    };
-    keep(samples.body);
-    keep(samples.anchor);
-    keep(samples.normal);
-    keep(samples.depth);
-    keep(samples.volume);
-    keep(samples.is_slippery);
-}
-
-}  // namespace
-
-bool is_still(const body::BodySet& bodies, BodyId body) {
-    return bodies.drive[at(body.value)] == body::Drive::fixed && bodies.release_time[at(body.value)] == infinity;
-}
-
-double depth_in_body(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                     BodyId body, const Vec3& x) {
-    const Pose pose{state.position[at(body.value)], state.orientation[at(body.value)]};
-    const Vec3 in_body = to_body(pose, x);
-    double deepest = -infinity;
-    for (std::int32_t p = bodies.part_begin[at(body.value)]; p < bodies.part_begin[at(body.value) + 1]; ++p) {
-        const body::Part& part = bodies.parts[at(p)];
-        const ConvexView view = shapes.view(part.shape);
-        const Vec3 local = to_body(part.local, in_body);
-        double depth = infinity;
-        for (std::int32_t j = 0; j < view.face_count; ++j) {
-            const bool is_end = bodies.is_planar && std::abs(view.normal_z[j]) > 0.5;
-            depth = is_end ? depth : std::min(depth, view.offset[j] - dot(view.normal(j), local));
-        }
-        deepest = std::max(deepest, depth);
-    }
-    return deepest;
-}
-
-namespace {
-
 void append(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyId body, const CutPart& cut,
             const SampleSettings& settings, SampleSet& samples) {
     for (const LayerPoint& point : sample_part(cut, settings, bodies.is_planar)) {
@@ -344,7 +258,7 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
             append(shapes, bodies, body, cut, settings, samples);
         }
     }
-    keep_deepest(shapes, bodies, initial, settings, samples);
+    share_seams(shapes, bodies, initial, settings, samples);
     sort_by_place(settings, samples);
     return samples;
 }

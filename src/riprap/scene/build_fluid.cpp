@@ -224,9 +224,10 @@ void build_fluid(CaseBuild& build) {
     });
     if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
         is_good = place_problems(build, *table, [&] {
-            fluid.samples = coupling::sample_shapes(build.model.shapes, bodies, build.state.bodies,
-                                                    {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
-                                                     limits::particles, fluid.is_dry, is_slippery});
+            fluid.samples =
+                coupling::sample_shapes(build.model.shapes, bodies, build.state.bodies,
+                                        {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
+                                         filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
         });
     }
     if (!is_good) {
