@@ -107,6 +107,22 @@ void add_validate(CLI::App& app, Action& action) {
     });
 }
 
+void add_view(CLI::App& app, Action& action) {
+    auto options = std::make_shared<ViewOptions>();
+    CLI::App* command = app.add_subcommand("view", "Write one page that shows a run in a browser, offline");
+    command->add_option("RUN", options->folder, "The run folder")->required();
+    CLI::Option* out = command->add_option("--out", options->out, "The page (default: RUN/index.html)");
+    CLI::Option* serve = command->add_flag("--serve", options->is_served,
+                                           "Show it to browsers on this machine instead of writing it, until Ctrl-C");
+    serve->excludes(out);
+    command->add_option("--port", options->port, "With --serve (default: a free one)")
+        ->check(CLI::Range(1, 65535))
+        ->needs(serve);
+    command->add_option("--budget", options->budget_mb, "Size of the page [MB]; water is rounded to fit (default: 60)")
+        ->check(CLI::Range(1.0, 2000.0));
+    command->callback([&action, options] { action = [options] { return view_run(*options); }; });
+}
+
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -155,6 +171,7 @@ int command_line(int argument_count, char** arguments) {
     add_check(app, action);
     add_resume(app, action);
     add_validate(app, action);
+    add_view(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,16 @@ int print_list(bool as_json);
 /// Everything about a case short of stepping. With `as_json` a bad case is an answer as well: its problems, and the
 /// exit code for a bad case.
 int print_check(const std::string& case_text, const std::vector<std::string>& overrides, bool as_json);
+
+struct ViewOptions {
+    std::filesystem::path folder;  ///< of the run
+    std::filesystem::path out;     ///< empty: index.html in the folder of the run
+    double budget_mb{60};          ///< bytes of the page [MB]
+    bool is_served{false};         ///< to browsers on this machine, instead of written
+    int port{0};                   ///< 0 = a free one
+};
+
+/// One page with everything that a run left.
+int view_run(const ViewOptions& options);
 
 }  // namespace riprap

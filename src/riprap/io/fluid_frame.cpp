@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/io/fluid_frame.hpp"
 
+#include <array>
+
 #include "riprap/fluid/sph/state_equation.hpp"
 
 namespace riprap::io {
@@ -18,6 +20,7 @@ PolyData draw_fluid(const fluid::SphSettings& settings, const fluid::ParticleSta
         density.push_back(static_cast<float>(particles.density[i]));
         pressure.push_back(static_cast<float>(pressure_of(settings, particles.density[i])));
     }
+    data.add_field_array("spacing", std::array{settings.spacing});
     data.add_point_array("id", particles.id);
     data.add_point_array("velocity", velocity, 3);
     data.add_point_array("speed", speed);

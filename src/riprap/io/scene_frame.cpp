@@ -85,6 +85,19 @@ int append_part(const sim::Model& model, const body::Part& part, const Pose& pos
     return count;
 }
 
+/// Where every body is, to the last bit.
+void add_poses(const sim::State& state, PolyData& data) {
+    std::vector<double> position, orientation;
+    for (const Vec3& x : state.bodies.position) {
+        position.insert(position.end(), {x.x, x.y, x.z});
+    }
+    for (const Quat& q : state.bodies.orientation) {
+        orientation.insert(orientation.end(), {q.w, q.x, q.y, q.z});
+    }
+    data.add_field_array("body_position", position, 3);
+    data.add_field_array("body_orientation", orientation, 4);
+}
+
 /// Values per body, spread over the polygons of each.
 class CellValues {
  public:
@@ -166,6 +179,7 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
         cells.vectors([&](std::size_t b) { return body::angular_velocity(bodies, state.bodies, id(b)); }), 3);
     data.add_cell_array("displacement", cells.vectors(displacement), 3);
     data.add_cell_array("distance", cells.scalars<float>([&](std::size_t b) { return norm(displacement(b)); }));
+    add_poses(state, data);
     if (contact_force.size() == state.bodies.position.size()) {
         data.add_cell_array("contact_force", cells.vectors([&](std::size_t b) { return contact_force[b]; }), 3);
     }

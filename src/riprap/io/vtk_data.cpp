@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <vector>
 
 #include "riprap/core/error.hpp"
@@ -22,14 +23,17 @@ std::span<const unsigned char> as_bytes_of(std::span<const T> values) {
     return {reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes()};
 }
 
-std::string element(std::string_view name, std::string_view type, int components,
-                    std::span<const unsigned char> bytes) {
+std::string element(std::string_view name, std::string_view type, int components, std::span<const unsigned char> bytes,
+                    std::size_t tuples = 0) {
     std::string text = "        <DataArray type=\"";
     text += type;
     text += "\" Name=\"";
     text += name;
     if (components > 1) {
         text += "\" NumberOfComponents=\"" + std::to_string(components);
+    }
+    if (tuples > 0) {
+        text += "\" NumberOfTuples=\"" + std::to_string(tuples);
     }
     text += "\" format=\"binary\">";
     text += encode_vtk_array(bytes);
@@ -114,6 +118,53 @@ std::string encode_vtk_array(std::span<const unsigned char> bytes) {
     return encode_base64(as_bytes_of(std::span<const std::uint64_t>(head))) + encode_base64(packed);
 }
 
+std::string decode_vtk_array(std::string_view text) {
+    constexpr std::size_t word = sizeof(std::uint64_t);
+    constexpr std::size_t max_ratio = 1032;  // of zlib: a block cannot unpack to more
+    constexpr std::size_t max_block = std::size_t{1} << 28U;
+    const auto words_of = [](const std::string& bytes) {
+        std::vector<std::uint64_t> words(bytes.size() / word);
+        std::memcpy(words.data(), bytes.data(), words.size() * word);
+        return words;
+    };
+    const std::size_t start = text.find_first_not_of(" \n\r\t");
+    const std::size_t stop = text.find_last_not_of(" \n\r\t");
+    text = start == std::string_view::npos ? std::string_view{} : text.substr(start, stop - start + 1);
+    if (text.size() < 12) {
+        throw FileError("no header");
+    }
+    const std::uint64_t block_count = words_of(decode_base64(text.substr(0, 12)))[0];
+    const std::uint64_t max_count = text.size() / word;  // a size per block stands in the header
+    if (block_count > max_count) {
+        throw FileError("a header that promises more blocks than there are bytes");
+    }
+    const std::size_t head_characters = (word * (3 + block_count) + 2) / 3 * 4;
+    if (text.size() < head_characters) {
+        throw FileError("it ends within its header");
+    }
+    const std::vector<std::uint64_t> head = words_of(decode_base64(text.substr(0, head_characters)));
+    const std::string packed = decode_base64(text.substr(head_characters));
+    std::string bytes;
+    std::size_t from = 0;
+    for (std::size_t block = 0; block < block_count; ++block) {
+        const bool is_last = block + 1 == block_count;
+        const std::uint64_t packed_size = head[3 + block], size = is_last && head[2] != 0 ? head[2] : head[1];
+        if (packed_size > packed.size() - from || size > max_block || size > max_ratio * packed_size) {
+            throw FileError("it ends within a block, or its header is damaged");
+        }
+        const std::size_t at = bytes.size();
+        bytes.resize(at + size);
+        auto unpacked_size = static_cast<uLongf>(size);
+        const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data() + at), &unpacked_size,
+                                      reinterpret_cast<const Bytef*>(packed.data() + from), packed_size);
+        if (status != Z_OK || unpacked_size != size) {
+            throw FileError("a damaged block");
+        }
+        from += packed_size;
+    }
+    return bytes;
+}
+
 std::string vtk_array(std::string_view name, std::span<const float> values, int components) {
     return element(name, "Float32", components, as_bytes_of(values));
 }
@@ -132,6 +183,11 @@ std::string vtk_array(std::string_view name, std::span<const std::uint8_t> value
 std::string vtk_array(std::string_view name, std::span<const Vec3> values) {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     return vtk_array(name, std::span(reinterpret_cast<const double*>(values.data()), 3 * values.size()), 3);
+}
+
+std::string vtk_field_array(std::string_view name, std::span<const double> values, int components) {
+    return element(name, "Float64", components, as_bytes_of(values),
+                   values.size() / static_cast<std::size_t>(components));
 }
 
 }  // namespace riprap::io

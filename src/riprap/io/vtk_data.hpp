@@ -21,6 +21,8 @@ std::string decode_base64(std::string_view text);
 /// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the
 /// compressed blocks.
 std::string encode_vtk_array(std::span<const unsigned char> bytes);
+/// The bytes again. @throws FileError when the text is not that
+std::string decode_vtk_array(std::string_view text);
 
 /// One DataArray element, indented for readers. The entry type decides VTK's name for it.
 std::string vtk_array(std::string_view name, std::span<const float> values, int components = 1);
@@ -29,5 +31,8 @@ std::string vtk_array(std::string_view name, std::span<const std::int32_t> value
 std::string vtk_array(std::string_view name, std::span<const std::int64_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const Vec3> values);
+
+/// The same for FieldData, where the number of tuples is said by the element itself.
+std::string vtk_field_array(std::string_view name, std::span<const double> values, int components = 1);
 
 }  // namespace riprap::io

@@ -38,6 +38,10 @@ void PolyData::add_point_array(std::string_view name, std::span<const std::int32
     point_arrays += vtk_array(name, values);
 }
 
+void PolyData::add_field_array(std::string_view name, std::span<const double> values, int components) {
+    field_arrays += vtk_field_array(name, values, components);
+}
+
 std::string encode_vtp(const PolyData& data, double time) {
     const std::size_t point_count = data.points.size();
     std::string text = fmt::format(file_head, "PolyData");
@@ -45,7 +49,7 @@ std::string encode_vtp(const PolyData& data, double time) {
     text += fmt::format(
         "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
         time);
-    text += "    </FieldData>\n";
+    text += data.field_arrays + "    </FieldData>\n";
     text += fmt::format(
         "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
         " NumberOfPolys=\"{}\">\n",

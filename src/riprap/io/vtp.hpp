@@ -25,8 +25,10 @@ struct PolyData {
     void add_cell_array(std::string_view name, std::span<const std::int32_t> values);
     void add_point_array(std::string_view name, std::span<const float> values, int components = 1);
     void add_point_array(std::string_view name, std::span<const std::int32_t> values);
+    /// Values of the frame as a whole, of any number: one tuple per body, for example.
+    void add_field_array(std::string_view name, std::span<const double> values, int components = 1);
 
-    std::string cell_arrays, point_arrays;  ///< DataArray elements, encoded
+    std::string cell_arrays, point_arrays, field_arrays;  ///< DataArray elements, encoded
 };
 
 /// The text of one frame. `time` is stored as TimeValue [s].

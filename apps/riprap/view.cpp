@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/view/page.hpp"
+#include "riprap/view/serve.hpp"
+
+namespace riprap {
+
+namespace {
+
+constexpr double megabyte = 1e6;
+
+void tell_notices(const view::PageContent& content) {
+    for (const std::string& notice : content.notices) {
+        fmt::print(stderr, "riprap: {}\n", notice);
+    }
+}
+
+}  // namespace
+
+int view_run(const ViewOptions& options) {
+    const auto page = [&options] {
+        const view::PageContent content =
+            view::pack_run(view::read_run(options.folder), static_cast<std::size_t>(options.budget_mb * megabyte));
+        tell_notices(content);
+        return view::page_of(content);
+    };
+    if (options.is_served) {
+        view::serve(page, options.port);
+        return 0;
+    }
+    const std::filesystem::path out = options.out.empty() ? options.folder / "index.html" : options.out;
+    const std::string text = page();
+    io::write_file(out, text);
+    fmt::print("{}: {:.2f} MB; open it in a browser, nothing else is needed\n", out.string(),
+               static_cast<double>(text.size()) / megabyte);
+    return 0;
+}
+
+}  // namespace riprap

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices.
+
+import * as THREE from 'three';
+import {MAPS, MATERIALS, colourAt} from './colours.js';
+import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
+
+const SELECTED = new THREE.Color(0xff5a36);
+
+const EDGE_VERTEX = `
+  attribute mat4 block;
+  void main() {
+    vec4 place = modelViewMatrix * block * vec4(position, 1.0);
+    place.xyz *= 0.9995;  // towards the eye, so that a face does not hide its own edges
+    gl_Position = projectionMatrix * place;
+  }`;
+const EDGE_FRAGMENT = `
+  uniform vec3 colour;
+  uniform float opacity;
+  void main() { gl_FragColor = vec4(colour, opacity); }`;
+
+function trianglesOf(shape) {
+  const positions = [];
+  for (const face of shape.faces) {
+    for (let k = 1; k + 1 < face.length; ++k) {
+      for (const corner of [face[0], face[k], face[k + 1]]) {
+        positions.push(...shape.corners.slice(3 * corner, 3 * corner + 3));
+      }
+    }
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+  geometry.computeVertexNormals();  // no corner is shared, so every face keeps its own
+  return geometry;
+}
+
+function edgesOf(shape) {
+  const seen = new Set(), positions = [];
+  for (const face of shape.faces) {
+    face.forEach((a, k) => {
+      const b = face[(k + 1) % face.length];
+      const key = a < b ? `${a} ${b}` : `${b} ${a}`;
+      if (!seen.has(key)) {
+        seen.add(key);
+        positions.push(...shape.corners.slice(3 * a, 3 * a + 3), ...shape.corners.slice(3 * b, 3 * b + 3));
+      }
+    });
+  }
+  return positions;
+}
+
+export class Blocks {
+  constructor(contents, shapes) {
+    this.contents = contents;
+    this.group = new THREE.Group();
+    this.meshes = [];
+    this.colourBy = 'material';
+    this.selected = -1;
+    this.edgeColour = new THREE.Color(0x000000);
+    const bodies = contents.bodies;
+    shapes.forEach((shape, s) => {
+      const members = bodies.shape.flatMap((of, body) => of === s ? [body] : []);
+      if (members.length > 0) {
+        this.#add(shape, members);
+      }
+    });
+  }
+
+  #add(shape, members) {
+    const isPlane = shape.faces.length === 1;
+    const material = new THREE.MeshLambertMaterial({side: THREE.FrontSide, flatShading: true});
+    if (isPlane) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
+      Object.assign(material, {transparent: true, opacity: 0.55, depthWrite: false});
+    }
+    const mesh = new THREE.InstancedMesh(trianglesOf(shape), material, members.length);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = isPlane ? -1 : 0;
+    mesh.userData = {members, isPlane};
+    mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * members.length), 3);
+    const lines = new THREE.InstancedBufferGeometry();
+    lines.setAttribute('position', new THREE.Float32BufferAttribute(edgesOf(shape), 3));
+    lines.setAttribute('block', mesh.instanceMatrix);
+    lines.instanceCount = members.length;
+    const edges = new THREE.LineSegments(lines, new THREE.ShaderMaterial({
+      vertexShader: EDGE_VERTEX, fragmentShader: EDGE_FRAGMENT, transparent: true,
+      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane ? 0.35 : 0.8}}}));
+    edges.frustumCulled = false;
+    edges.visible = !isPlane;
+    this.group.add(mesh, edges);
+    this.meshes.push(mesh);
+  }
+
+  show(frame) {
+    this.frame = frame;
+    const matrix = new THREE.Matrix4(), place = new THREE.Vector3(), turn = new THREE.Quaternion();
+    const one = new THREE.Vector3(1, 1, 1);
+    for (const mesh of this.meshes) {
+      mesh.userData.members.forEach((body, i) => {
+        const p = frame.pose, at = POSE * body;
+        place.set(p[at], p[at + 1], p[at + 2]);
+        turn.set(p[at + 4], p[at + 5], p[at + 6], p[at + 3]);
+        mesh.setMatrixAt(i, matrix.compose(place, turn, one));
+      });
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.boundingSphere = null;  // of the picking ray; the blocks have moved
+    }
+    this.paint();
+  }
+
+  /** The range of what the blocks are coloured by: {unit, high}, or null for materials. */
+  range() {
+    const bodies = this.contents.bodies;
+    switch (this.colourBy) {
+      case 'speed': return {label: 'speed of blocks', unit: 'm/s', high: bodies.most_speed};
+      case 'displacement': return {label: 'displacement of blocks', unit: 'm', high: bodies.most_displacement};
+      case 'force': return {label: 'contact force on blocks', unit: 'N', high: bodies.most_force};
+      default: return null;
+    }
+  }
+
+  #valueOf(body) {
+    const m = this.frame.motion, p = this.frame.pose, first = this.first;
+    switch (this.colourBy) {
+      case 'speed': return Math.hypot(...m.subarray(MOTION * body, MOTION * body + 3));
+      case 'force': return Math.hypot(...m.subarray(MOTION * body + 6, MOTION * body + 9));
+      default: return Math.hypot(...[0, 1, 2].map(k => p[POSE * body + k] - first[POSE * body + k]));
+    }
+  }
+
+  paint() {
+    const range = this.range(), colour = new THREE.Color();
+    for (const mesh of this.meshes) {
+      mesh.userData.members.forEach((body, i) => {
+        const isFixed = this.frame.motion[MOTION * body + 9] === 0;
+        if (body === this.selected) {
+          colour.copy(SELECTED);
+        } else if (range && !isFixed) {
+          colour.setRGB(...colourAt(MAPS.cividis, this.#valueOf(body) / (range.high || 1)).map(c => c / 255),
+                        THREE.SRGBColorSpace);
+        } else {
+          colour.setHex(isFixed ? 0x9a9a96 : MATERIALS[this.contents.bodies.material[body] % MATERIALS.length]);
+        }
+        mesh.setColorAt(i, colour);
+      });
+      mesh.instanceColor.needsUpdate = true;
+    }
+  }
+
+  /** See-through blocks, so that what lies between them can be seen. */
+  setGlass(isGlass) {
+    for (const mesh of this.meshes.filter(m => !m.userData.isPlane)) {
+      Object.assign(mesh.material, {transparent: isGlass, opacity: isGlass ? 0.3 : 1, depthWrite: !isGlass});
+      mesh.material.needsUpdate = true;
+    }
+  }
+
+  /** The body under a ray, or -1. */
+  pick(raycaster) {
+    const hit = raycaster.intersectObjects(this.meshes.filter(m => !m.userData.isPlane), false)[0];
+    return hit ? hit.object.userData.members[hit.instanceId] : -1;
+  }
+
+  isPlane(body) {
+    return this.meshes.some(mesh => mesh.userData.isPlane && mesh.userData.members.includes(body));
+  }
+}

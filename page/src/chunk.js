@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packed pieces of the page, back to bytes. src/riprap/view/chunk.hpp says how they were made.
+
+function fromBase64(text) {
+  if (Uint8Array.fromBase64) {
+    return Uint8Array.fromBase64(text);
+  }
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) {
+    bytes[i] = binary.charCodeAt(i);
+  }
+  return bytes;
+}
+
+export async function inflate(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The bytes of the piece `name`; null where the page has none of that name. Its text is given back to the browser. */
+export async function takeChunk(name) {
+  const element = document.getElementById(name);
+  if (!element) {
+    return null;
+  }
+  const packed = fromBase64(element.textContent);
+  element.remove();
+  return inflate(packed);
+}
+
+export function joinPlanes(planes, width) {
+  const count = Math.floor(planes.length / width);
+  const words = new Uint8Array(count * width);
+  for (let k = 0; k < width; ++k) {
+    for (let i = 0, from = k * count, to = k; i < count; ++i, ++from, to += width) {
+      words[to] = planes[from];
+    }
+  }
+  return words;
+}
+
+/** Undoes the exclusive-or of each row with the row before, in place. */
+export function restoreRows(bytes, row) {
+  for (let i = row; i < bytes.length; ++i) {
+    bytes[i] ^= bytes[i - row];
+  }
+  return bytes;
+}

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joins the parts: one time for the scene, the plots and the block that is selected.
+
+import './style.css';
+import {MAPS, gradient} from './colours.js';
+import {reading, short} from './numbers.js';
+import {HELP, showBody, showCase, showRun} from './panel.js';
+import {Plots} from './plots.js';
+import {Recording, readContents} from './recording.js';
+import {Scene} from './scene.js';
+
+const $ = id => document.getElementById(id);
+const FRAMES_PER_SECOND = 30;
+const LONGEST_PLAY = 12, SHORTEST_PLAY = 4;  // seconds from the first frame to the last at pace 1
+
+class Page {
+  constructor(contents) {
+    this.contents = contents;
+    this.recording = new Recording(contents);
+    this.index = 0;
+    this.wanted = 0;
+    this.selected = -1;
+    this.isPlaying = false;
+    document.title = $('title').textContent = contents.title || 'Riprap';
+    $('status').textContent = contents.status;
+    $('status').className = contents.status.replace(' ', '-');
+  }
+
+  async open() {
+    const {contents, recording} = this;
+    showCase($('tab-case'), contents);
+    showRun($('tab-run'), contents);
+    showBody($('tab-body'), contents, null, -1);
+    this.#wire();
+    this.openTab(contents.notices.length > 0 || recording.frameCount === 0 ? 'run' : 'plots');
+    this.setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+    if (contents.notices.length > 0) {
+      $('trouble').textContent = contents.notices[0];
+    }
+    if (recording.frameCount > 0) {
+      await this.#openScene();
+    } else {
+      $('trouble').textContent = 'The run has no frames to show. ' + (contents.notices[0] ?? '');
+    }
+    const tables = await Promise.all(contents.tables.map(t => recording.table(t)));
+    this.plots = new Plots($('tab-plots'), tables, time => this.goToTime(time));
+    this.plots.at(recording.times[this.index] ?? 0);
+    recording.loadAll().then(() => { document.documentElement.dataset.loaded = 'all'; });
+  }
+
+  async #openScene() {
+    const {contents, recording} = this;
+    const last = recording.frameCount - 1;
+    // The last frame of the first group, too: a scene that spreads should fit its window for a while.
+    const ends = [await recording.frame(0), await recording.frame(Math.min(last, contents.group - 1))];
+    this.scene = new Scene($('scene'), contents, await recording.shapes(), ends);
+    this.scene.setTheme(this.theme);
+    $('time').max = last;
+    $('water-choice').hidden = !contents.water;
+    $('block-choice').hidden = !contents.bodies;
+    $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
+    this.#legends();
+    await this.show(0);
+  }
+
+  /** Shows one frame; of several asked for in a hurry the last one wins. */
+  async show(index) {
+    const {recording} = this;
+    this.wanted = Math.min(Math.max(Math.round(index), 0), recording.frameCount - 1);
+    const wanted = this.wanted;
+    const frame = await recording.frame(wanted);
+    if (wanted !== this.wanted) {
+      return;
+    }
+    this.index = wanted;
+    this.frame = frame;
+    this.scene.show(frame);
+    $('time').value = wanted;
+    const time = reading(frame.time, 5), clock = `t = ${time} s`;
+    $('clock').textContent = `${clock}  (${wanted + 1} of ${recording.frameCount})`;
+    $('caption').textContent = `${this.contents.title}   ${clock}`;
+    $('time').setAttribute('aria-valuetext', clock);
+    this.plots?.at(frame.time);
+    if (this.selected >= 0) {
+      showBody($('tab-body'), this.contents, frame, this.selected);
+    }
+  }
+
+  goToTime(time) {
+    const {times} = this.recording;
+    let best = 0;
+    times.forEach((t, k) => { best = Math.abs(t - time) < Math.abs(times[best] - time) ? k : best; });
+    return this.show(best);
+  }
+
+  play(isPlaying = !this.isPlaying) {
+    if (isPlaying === this.isPlaying || this.recording.frameCount < 2) {
+      return;
+    }
+    this.isPlaying = isPlaying;
+    $('play').innerHTML = isPlaying ? '&#10074;&#10074;' : '&#9654;';
+    $('play').setAttribute('aria-label', isPlaying ? 'pause' : 'play');
+    if (isPlaying) {
+      this.#run(this.index === this.recording.frameCount - 1 ? 0 : this.index);
+    }
+  }
+
+  #run(from) {
+    const {frameCount} = this.recording;
+    const seconds = Math.min(Math.max(frameCount / FRAMES_PER_SECOND, SHORTEST_PLAY), LONGEST_PLAY);
+    let at = from, before = performance.now();
+    const tick = async now => {
+      if (!this.isPlaying) {
+        return;
+      }
+      // A page in the background, or a group that is still being unpacked, may not make the play jump.
+      at += Math.min(now - before, 200) / 1000 * (frameCount - 1) / seconds * Number($('pace').value);
+      before = now;
+      const index = Math.min(Math.floor(at), frameCount - 1);
+      if (index !== this.index) {
+        await this.show(index);
+        before = Math.max(before, performance.now() - 40);
+      }
+      if (index === frameCount - 1) {
+        this.play(false);
+      } else {
+        requestAnimationFrame(tick);
+      }
+    };
+    requestAnimationFrame(tick);
+  }
+
+  select(body) {
+    this.selected = body;
+    if (this.scene?.blocks) {
+      this.scene.blocks.selected = body;
+      this.scene.blocks.paint();
+      this.scene.draw();
+    }
+    showBody($('tab-body'), this.contents, this.frame, body);
+    if (body >= 0) {
+      this.openTab('body');
+    }
+  }
+
+  step(by) {
+    const bodies = this.recording.bodyCount;
+    if (bodies > 0) {
+      this.select(((this.selected < 0 ? (by > 0 ? -1 : 0) : this.selected) + by + bodies) % bodies);
+    }
+  }
+
+  openTab(name) {
+    for (const button of $('tabs').children) {
+      const isOpen = button.dataset.tab === name;
+      button.setAttribute('aria-selected', isOpen);
+      $(`tab-${button.dataset.tab}`).hidden = !isOpen;
+    }
+    if (name === 'plots') {
+      this.plots?.draw();
+    }
+  }
+
+  setTheme(theme) {
+    this.theme = document.documentElement.dataset.theme = theme;
+    this.scene?.setTheme(theme);
+    this.plots?.draw();
+  }
+
+  setContacts(isOn) {
+    if (this.scene?.forces) {
+      $('contacts').checked = isOn;
+      this.scene.forces.group.visible = isOn;
+      this.scene.blocks.setGlass(isOn);
+      this.#legends();
+      this.scene.draw();
+    }
+  }
+
+  colourWater(by) {
+    if (this.scene?.particles) {
+      $('water-by').value = by;
+      this.scene.particles.colourBy(by);
+      this.#legends();
+      this.scene.draw();
+    }
+  }
+
+  colourBlocks(by) {
+    if (this.scene?.blocks) {
+      $('block-by').value = by;
+      this.scene.blocks.colourBy = by;
+      this.scene.blocks.paint();
+      this.#legends();
+      this.scene.draw();
+    }
+  }
+
+  setCamera(name) {
+    $('camera').value = name;
+    this.scene?.setPreset(name);
+  }
+
+  #legends() {
+    const {particles, blocks, forces} = this.scene;
+    const bars = [];
+    if (particles?.points.visible) {
+      const range = particles.range();
+      bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.viridis), short(range.low), short(range.high)]);
+    }
+    const range = blocks?.range();
+    if (range) {
+      bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.cividis), '0', short(range.high)]);
+    }
+    $('legends').innerHTML = bars.map(([label, colours, low, high]) =>
+      `<figure><figcaption>${label}</figcaption><div style="background:${colours}"></div>` +
+      `<span>${low}</span><span>${high}</span></figure>`).join('');
+    if (forces?.group.visible) {
+      $('legends').insertAdjacentHTML('beforeend',
+          `<figure><figcaption>contact force [N]</figcaption><span class="bar"></span>` +
+          `<span>longest bar ${short(forces.most)}</span></figure>`);
+    }
+  }
+
+  #wire() {
+    const choose = (id, act) => $(id).addEventListener('change', event => act(event.target.value));
+    choose('camera', value => this.setCamera(value));
+    choose('water-by', value => this.colourWater(value));
+    choose('block-by', value => this.colourBlocks(value));
+    $('contacts').addEventListener('change', event => this.setContacts(event.target.checked));
+    $('time').addEventListener('input', event => { this.play(false); this.show(Number(event.target.value)); });
+    $('play').addEventListener('click', () => this.play());
+    $('theme').addEventListener('click', () => this.setTheme(this.theme === 'dark' ? 'light' : 'dark'));
+    $('panel-button').addEventListener('click', () => this.#togglePanel());
+    $('help').innerHTML = HELP;
+    $('help-button').addEventListener('click', () => $('help').showModal());
+    $('tabs').addEventListener('click', event => event.target.dataset.tab && this.openTab(event.target.dataset.tab));
+    let down = [0, 0];
+    $('scene').addEventListener('pointerdown', event => { down = [event.clientX, event.clientY]; });
+    $('scene').addEventListener('click', event => {
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4 && this.scene) {
+        this.select(this.scene.bodyAt(event.clientX, event.clientY));
+      }
+    });
+    document.addEventListener('keydown', event => this.#key(event));
+  }
+
+  #togglePanel() {
+    document.body.classList.toggle('wide');
+    this.scene?.resize();
+  }
+
+  #key(event) {
+    const isControl = event.target.matches('select, dialog *') || event.ctrlKey || event.metaKey || event.altKey;
+    if (isControl || (event.key === ' ' && event.target.matches('button, summary, input[type=checkbox]'))) {
+      return;
+    }
+    const next = (id, act) => {
+      const options = [...$(id).options].map(o => o.value);
+      act(options[(options.indexOf($(id).value) + 1) % options.length]);
+    };
+    const far = event.shiftKey ? 10 : 1;
+    const move = to => { this.play(false); this.show(to); };
+    const actions = {
+      ' ': () => this.play(), 'ArrowLeft': () => move(this.index - far), 'ArrowRight': () => move(this.index + far),
+      'Home': () => move(0), 'End': () => move(this.recording.frameCount - 1),
+      '1': () => this.setCamera('corner'), '2': () => this.setCamera('front'), '3': () => this.setCamera('side'),
+      '4': () => this.setCamera('top'), '[': () => this.step(-1), ']': () => this.step(1),
+      'Escape': () => this.select(-1), 'c': () => this.setContacts(!$('contacts').checked),
+      'w': () => next('water-by', v => this.colourWater(v)), 'b': () => next('block-by', v => this.colourBlocks(v)),
+      'd': () => $('theme').click(), 'f': () => this.#togglePanel(), '?': () => $('help').showModal(),
+    };
+    const action = actions[event.key];
+    if (action && (this.scene || !'ArrowLeft ArrowRight Home End'.includes(event.key))) {
+      event.preventDefault();
+      action();
+    }
+  }
+}
+
+/** What `riprap render` and the tests drive the page by. */
+function remote(page, opened) {
+  return {
+    opened,
+    get frameCount() { return page.recording.frameCount; },
+    get times() { return page.recording.times; },
+    get index() { return page.index; },
+    get scene() { return page.scene; },
+    show: index => page.show(index),
+    showTime: time => page.goToTime(time),
+    select: body => page.select(body),
+    camera: name => page.setCamera(name),
+    /** Only the scene, its caption and its legends. */
+    picture: async theme => {
+      document.body.classList.add('picture');
+      page.setTheme(theme);
+      page.scene?.resize();
+    },
+  };
+}
+
+try {
+  const page = new Page(readContents());
+  const opened = page.open();
+  window.riprap = remote(page, opened);
+  await opened;
+  document.documentElement.dataset.opened = Math.round(performance.now());
+} catch (error) {
+  $('trouble').textContent = `This page cannot be shown: ${error.message}`;
+  document.documentElement.dataset.failed = error.message;
+  throw error;
+}

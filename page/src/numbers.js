@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/** Digits that a reading shows; the end-to-end tests compare as many with the tables of the run. */
+export const DIGITS = 7;
+
+export function reading(value, digits = DIGITS) {
+  if (value === undefined || Number.isNaN(value)) {
+    return 'not known';
+  }
+  return value === 0 ? '0' : Number(value.toPrecision(digits)).toString().replace('-', '\u2212');
+}
+
+/** Short, for axes and legends. */
+export function short(value) {
+  return reading(value, 3);
+}
+
+/** Round numbers that cut an interval into about `count` parts. */
+export function ticks(low, high, count) {
+  const rough = (high - low) / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough * 0.999);
+  const marks = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+    marks.push(Number((k * step).toPrecision(12)));
+  }
+  return marks;
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene: what is drawn, from where, and what lies under the pointer.
+
+import * as THREE from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import {Blocks} from './blocks.js';
+import {Forces} from './forces.js';
+import {Particles} from './particles.js';
+import {POSE_VALUES as POSE} from './recording.js';
+
+const FIELD_OF_VIEW = 35;  // degrees
+const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
+
+/** The axis nearest to "against gravity"; without gravity z, in a planar scene y. */
+function upOf(contents) {
+  const g = contents.gravity, k = [0, 1, 2].reduce((a, b) => Math.abs(g[b]) > Math.abs(g[a]) ? b : a);
+  const up = new THREE.Vector3();
+  if (g[k] === 0) {
+    return contents.is_planar ? up.set(0, 1, 0) : up.set(0, 0, 1);
+  }
+  return up.setComponent(k, g[k] > 0 ? -1 : 1);
+}
+
+/** The box that a reader wants to see: bodies with a size and water, of the given frames. */
+function boundsOf(contents, shapes, frames) {
+  const box = new THREE.Box3(), corner = new THREE.Vector3();
+  const addBodies = (frame, reach) => {
+    contents.bodies.shape.forEach((s, body) => {
+      if (shapes[s].faces.length === 1) {
+        return;  // a half-space, drawn as a square around the scene
+      }
+      const p = frame.pose.subarray(POSE * body, POSE * (body + 1));
+      const turn = new THREE.Quaternion(p[4], p[5], p[6], p[3]);
+      const own = new THREE.Box3();
+      for (let k = 0; k < shapes[s].corners.length; k += 3) {
+        own.expandByPoint(corner.fromArray(shapes[s].corners, k).applyQuaternion(turn).add(
+            new THREE.Vector3(p[0], p[1], p[2])));
+      }
+      if (!reach || reach.intersectsBox(own)) {  // a block that flew away does not make the rest small
+        box.union(own);
+      }
+    });
+  };
+  const addWater = frame => {
+    const w = contents.water, cells = frame.water ?? [];
+    for (let at = 0; at < cells.length; at += 4) {
+      box.expandByPoint(corner.set(cells[at], cells[at + 1], cells[at + 2]).multiplyScalar(w.step).add(
+          new THREE.Vector3(...w.origin)));
+    }
+  };
+  frames.forEach((frame, k) => {
+    const reach = k === 0 || box.isEmpty() ? null : box.clone().expandByVector(box.getSize(corner.clone()));
+    if (frame.pose) {
+      addBodies(frame, reach);
+    }
+    if (k === 0) {
+      addWater(frame);
+    }
+  });
+  return box.isEmpty() ? new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1)) : box;
+}
+
+export class Scene {
+  constructor(canvas, contents, shapes, frames) {
+    this.canvas = canvas;
+    this.isPlanar = contents.is_planar;
+    // The drawing is kept so that a picture of the page shows it at any moment.
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    this.world = new THREE.Scene();
+    this.up = upOf(contents);
+    this.box = boundsOf(contents, shapes, frames);
+    this.size = this.box.getSize(new THREE.Vector3()).length() || 1;
+    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
+    this.camera.up.copy(this.up);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('start', () => { this.preset = null; });
+    this.#light();
+    this.#fill(contents, shapes, frames[0]);
+    this.setPreset(contents.is_planar ? 'front' : 'corner');
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  #light() {
+    const sky = new THREE.HemisphereLight(0xffffff, 0x888f99, 1.6);
+    sky.position.copy(this.up);
+    this.lamp = new THREE.DirectionalLight(0xffffff, 1.9);
+    this.world.add(sky, this.lamp, this.lamp.target);
+  }
+
+  #fill(contents, shapes, first) {
+    if (contents.bodies) {
+      this.blocks = new Blocks(contents, shapes);
+      this.blocks.first = first.pose;
+      this.forces = new Forces(contents, this.size);
+      this.world.add(this.blocks.group, this.forces.group);
+    }
+    if (contents.water) {
+      this.particles = new Particles(contents.water);
+      this.world.add(this.particles.points);
+    }
+  }
+
+  show(frame) {
+    if (frame.pose) {
+      this.blocks?.show(frame);
+    }
+    this.forces?.show(frame);
+    this.particles?.show(frame);
+    this.draw();
+  }
+
+  draw() {
+    const {camera} = this;
+    this.lamp.position.copy(camera.position).addScaledVector(this.up, 0.6 * this.size)
+        .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
+    this.lamp.target.position.copy(this.controls.target);
+    this.renderer.render(this.world, camera);
+  }
+
+  resize() {
+    const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
+    if (width === 0 || height === 0) {
+      return;
+    }
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.particles) {
+      this.particles.material.uniforms.pixels.value = height * ratio / 2;
+    }
+    if (this.preset) {
+      this.setPreset(this.preset);
+    }
+    this.draw();
+  }
+
+  setTheme(theme) {
+    this.renderer.setClearColor(BACKGROUND[theme]);
+    this.blocks?.edgeColour.setHex(theme === 'dark' ? 0x0c0d0f : 0x222222);
+    this.draw();
+  }
+
+  /** Looks at the whole scene from a corner, the front, a side or above. */
+  setPreset(name) {
+    this.preset = name;
+    const right = new THREE.Vector3(1, 0, 0);
+    if (Math.abs(this.up.x) > 0.5) {
+      right.set(0, 1, 0);
+    }
+    const forward = new THREE.Vector3().crossVectors(this.up, right);  // into the picture of the front view
+    const from = {
+      front: forward.clone().negate(),
+      side: right.clone(),
+      top: this.up.clone().addScaledVector(forward, -1e-3),
+      corner: forward.clone().multiplyScalar(-1).addScaledVector(right, 0.55).addScaledVector(this.up, 0.5),
+    }[name].normalize();
+    const center = this.box.getCenter(new THREE.Vector3());
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(from, this.#distanceFor(from, center));
+    this.controls.update();
+    this.preset = name;
+    this.draw();
+  }
+
+  /** How far away the eye must be to see every corner of the box. */
+  #distanceFor(from, center) {
+    const camera = this.camera.clone();
+    camera.position.copy(center).add(from);
+    camera.lookAt(center);
+    const toCamera = camera.quaternion.clone().invert(), tan = Math.tan(FIELD_OF_VIEW * Math.PI / 360);
+    let distance = 0;
+    for (let k = 0; k < 8; ++k) {
+      const corner = new THREE.Vector3(k & 1 ? this.box.max.x : this.box.min.x, k & 2 ? this.box.max.y : this.box.min.y,
+                                       k & 4 ? this.box.max.z : this.box.min.z).sub(center).applyQuaternion(toCamera);
+      distance = Math.max(distance, corner.z + Math.abs(corner.y) / tan,
+                          corner.z + Math.abs(corner.x) / (tan * this.camera.aspect));
+    }
+    return 1.12 * distance;
+  }
+
+  /** The body at a place of the canvas, in pixels of the page; -1 where there is none. */
+  bodyAt(x, y) {
+    const place = this.canvas.getBoundingClientRect();
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(new THREE.Vector2(2 * (x - place.left) / place.width - 1, 1 - 2 * (y - place.top) / place.height),
+                         this.camera);
+    return this.blocks ? this.blocks.pick(caster) : -1;
+  }
+
+  /** Where a point of the scene is on the page, in pixels. */
+  pixelOf(point) {
+    const place = this.canvas.getBoundingClientRect();
+    const seen = new THREE.Vector3(...point).project(this.camera);
+    return [place.left + (seen.x + 1) / 2 * place.width, place.top + (1 - seen.y) / 2 * place.height];
+  }
+}

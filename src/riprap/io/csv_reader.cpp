@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/csv_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace riprap::io {
+
+namespace {
+
+constexpr std::size_t table_limit = std::size_t{1} << 30U;  // bytes
+
+/// The fields of one line; `is_whole` is false when a quote is not closed.
+std::vector<std::string> fields_of(std::string_view line, bool& is_whole) {
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == '"') {
+            if (is_quoted && i + 1 < line.size() && line[i + 1] == '"') {
+                fields.back() += c;
+                ++i;
+            } else {
+                is_quoted = !is_quoted;
+            }
+        } else if (c == ',' && !is_quoted) {
+            fields.emplace_back();
+        } else {
+            fields.back() += c;
+        }
+    }
+    is_whole = !is_quoted;
+    return fields;
+}
+
+CsvColumn column_of(const std::string& heading) {
+    const std::size_t unit = heading.rfind(" [");
+    if (unit == std::string::npos || heading.back() != ']') {
+        return {heading, ""};
+    }
+    return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3)};
+}
+
+double number_of(const std::string& field) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    return error == std::errc{} && end == field.data() + field.size() ? value
+                                                                      : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& path, std::string_view text_column) {
+    const std::string text = read_file(path, table_limit);
+    CsvTable table;
+    std::size_t at = text.find('\n');
+    bool is_whole = false;
+    for (const std::string& heading : fields_of(std::string_view(text).substr(0, at), is_whole)) {
+        table.columns.push_back(column_of(heading));
+    }
+    if (at == std::string::npos || !is_whole || table.columns.front().name != "time") {
+        throw FileError(
+            fmt::format("cannot read '{}': it is no table of a run; its first line does not begin with "
+                        "'time [s]'",
+                        path.string()));
+    }
+    const auto named = std::find_if(table.columns.begin(), table.columns.end(),
+                                    [&](const CsvColumn& column) { return column.name == text_column; });
+    const auto text_index = static_cast<std::size_t>(named - table.columns.begin());
+    table.values.resize(table.columns.size());
+    for (++at; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        std::vector<std::string> fields = fields_of(std::string_view(text).substr(at, end - at), is_whole);
+        if (end == std::string::npos || !is_whole || fields.size() != table.columns.size()) {
+            table.is_cut = true;
+            break;
+        }
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            table.values[k].push_back(number_of(fields[k]));
+        }
+        if (text_index < fields.size()) {
+            table.texts.push_back(std::move(fields[text_index]));
+        }
+        at = end + 1;
+    }
+    return table;
+}
+
+}  // namespace riprap::io

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/io/csv.hpp"
+
+namespace riprap::io {
+
+/// A table as csv.hpp writes it.
+struct CsvTable {
+    std::vector<CsvColumn> columns;
+    std::vector<std::vector<double>> values;  ///< per column, a value per row; NaN where the field is empty or a text
+    std::vector<std::string> texts;           ///< fields of the column that was asked for as text, a field per row
+    bool is_cut{false};                       ///< the last line had no end or too few fields and was left out
+
+    std::size_t row_count() const { return values.empty() ? 0 : values.front().size(); }
+};
+
+/// Reads a table with headings `name [unit]`. A last line that is cut is left out: a run may be writing it.
+/// `text_column` names the column whose fields are kept as texts.
+/// @throws FileError for a file that is not such a table
+CsvTable read_csv(const std::filesystem::path& path, std::string_view text_column = {});
+
+}  // namespace riprap::io

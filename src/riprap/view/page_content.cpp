@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/view/page_content.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "riprap/run/provenance.hpp"
+#include "riprap/view/chunk.hpp"
+#include "riprap/view/pack_bodies.hpp"
+#include "riprap/view/pack_water.hpp"
+
+namespace riprap::view {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 1;                   ///< of the contents; page/src/content.js asks for the same
+constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told apart on a screen
+constexpr std::size_t told_notices = 6;
+constexpr double base64_growth = 4.0 / 3;
+
+/// Packs one run piece by piece.
+class Packer {
+ public:
+    explicit Packer(const RecordedRun& run) : run_(run) { content_.notices = run.notices; }
+
+    PageContent pack(std::size_t budget) {
+        pack_frames();
+        pack_table("gauges and bodies", run_.probes);
+        pack_table("ledger", run_.ledger);
+        pack_all_water(budget);
+        write_contents();
+        return std::move(content_);
+    }
+
+ private:
+    void add_chunk(std::string name, std::string packed) {
+        content_.chunks.push_back({std::move(name), std::move(packed)});
+    }
+
+    /// Bodies and contacts, group by group. A frame whose bodies cannot be read is left out.
+    void pack_frames() {
+        for (const FrameFiles& files : run_.frames) {
+            try {
+                add_frame(files);
+            } catch (const FileError& error) {
+                content_.notices.push_back(fmt::format("t = {:.6g} s: {}", files.time, error.what()));
+            }
+        }
+        flush_group();
+        if (!bodies_.shape.empty()) {
+            Json shapes = Json::array();
+            for (const DrawnShape& shape : bodies_.shapes) {
+                Json corners = Json::array();
+                for (const Vec3& x : shape.corners) {
+                    corners.insert(corners.end(), {x.x, x.y, x.z});
+                }
+                shapes.push_back({{"corners", corners}, {"faces", shape.faces}});
+            }
+            add_chunk("shapes", compress(shapes.dump()));
+        }
+    }
+
+    void add_frame(const FrameFiles& files) {
+        if (!files.bodies.empty()) {
+            const io::VtpFile frame = io::read_vtp(files.bodies);
+            if (bodies_.shape.empty()) {
+                bodies_ = read_shapes(frame);
+            }
+            BodyFrame body_frame = read_body_frame(frame, bodies_);
+            note_extremes(body_frame);
+            poses_.push_back(std::move(body_frame.pose));
+            motions_.push_back(std::move(body_frame.motion));
+        } else if (!bodies_.shape.empty()) {
+            throw FileError("the frame has no file of bodies");
+        }
+        shown_.push_back(files);
+        add_contacts(files);
+        if (shown_.size() % frames_per_group == 0) {
+            flush_group();
+        }
+    }
+
+    /// The largest values of what blocks can be coloured by.
+    void note_extremes(const BodyFrame& frame) {
+        if (first_pose_.empty()) {
+            first_pose_ = frame.pose;
+        }
+        const auto length = [](const auto* v) {
+            return std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+        };
+        for (std::size_t body = 0; body < bodies_.body_count(); ++body) {
+            const float* motion = &frame.motion[motion_values * body];
+            const double* pose = &frame.pose[pose_values * body];
+            const double* first = &first_pose_[pose_values * body];
+            most_.speed = std::fmax(most_.speed, length(motion));
+            const double moved[3] = {pose[0] - first[0], pose[1] - first[1], pose[2] - first[2]};
+            most_.displacement = std::fmax(most_.displacement, length(moved));
+            if (motion[9] > 0) {  // what a fixed body carries would drown the others
+                most_.force = std::fmax(most_.force, length(motion + 6));
+            }
+        }
+    }
+
+    void add_contacts(const FrameFiles& files) {
+        std::vector<float> rows;
+        if (!files.contacts.empty()) {
+            try {
+                rows = read_contacts(io::read_vtp(files.contacts));
+            } catch (const FileError& error) {
+                content_.notices.emplace_back(error.what());
+            }
+        }
+        contact_counts_.push_back(rows.size() / contact_values);
+        for (std::size_t at = 0; at < rows.size(); at += contact_values) {
+            most_.contact =
+                std::fmax(most_.contact, static_cast<double>(std::hypot(rows[at + 3], rows[at + 4], rows[at + 5])));
+        }
+        contacts_.insert(contacts_.end(), rows.begin(), rows.end());
+    }
+
+    void flush_group() {
+        const std::size_t group = (shown_.size() - 1) / frames_per_group;
+        if (shown_.empty() || group < groups_done_) {
+            return;
+        }
+        groups_done_ = group + 1;
+        if (!poses_.empty()) {
+            add_chunk(fmt::format("poses-{}", group), pack_rows(std::span<const std::vector<double>>(poses_)));
+            add_chunk(fmt::format("motion-{}", group), pack_rows(std::span<const std::vector<float>>(motions_)));
+        }
+        add_chunk(fmt::format("contacts-{}", group),
+                  compress(split_planes(bytes_of(std::span<const float>(contacts_)), sizeof(float))));
+        poses_.clear();
+        motions_.clear();
+        contacts_.clear();
+    }
+
+    void pack_table(const std::string& name, const io::CsvTable& table) {
+        const std::size_t rows = table.row_count(), stride = rows / plotted_rows + 1;
+        if (rows == 0) {
+            return;
+        }
+        std::vector<double> values;
+        Json columns = Json::array();
+        for (std::size_t k = 0; k < table.columns.size(); ++k) {
+            columns.push_back({{"name", table.columns[k].name}, {"unit", table.columns[k].unit}});
+            for (std::size_t i = 0; i < rows; i += stride) {
+                values.push_back(table.values[k][i]);
+            }
+        }
+        const std::string chunk = fmt::format("table-{}", tables_.size());
+        add_chunk(chunk, compress(split_planes(bytes_of(std::span<const double>(values)), sizeof(double))));
+        tables_.push_back(
+            {{"name", name}, {"chunk", chunk}, {"rows", (rows + stride - 1) / stride}, {"columns", columns}});
+    }
+
+    WaterFrame read_water(std::size_t f) {
+        const FrameFiles& files = shown_[f];
+        if (files.water.empty()) {
+            return {};
+        }
+        try {
+            const io::VtpFile frame = io::read_vtp(files.water);
+            const std::size_t count = frame.point_count();
+            if (frame.has(io::VtpSection::field, "spacing")) {
+                spacing_ = frame.numbers(io::VtpSection::field, "spacing", 1)[0];
+            }
+            return {frame.integers(io::VtpSection::point_data, "id", count), frame.points(),
+                    frame.floats(io::VtpSection::point_data, "pressure", count),
+                    frame.floats(io::VtpSection::point_data, "speed", count)};
+        } catch (const FileError& error) {
+            const auto is_known = std::find(content_.notices.begin(), content_.notices.end(), error.what());
+            if (is_known == content_.notices.end()) {  // water is read more than once
+                content_.notices.emplace_back(error.what());
+            }
+            return {};
+        }
+    }
+
+    void pack_all_water(std::size_t budget) {
+        if (std::all_of(shown_.begin(), shown_.end(), [](const FrameFiles& files) { return files.water.empty(); })) {
+            return;
+        }
+        read_water(0);  // for the spacing
+        const double others = base64_growth * static_cast<double>(content_.packed_bytes());
+        const double left = std::max(0.0, static_cast<double>(budget) - others) / base64_growth;
+        const PackedWater water = pack_water([this](std::size_t f) { return read_water(f); }, shown_.size(), spacing_,
+                                             static_cast<std::size_t>(left));
+        for (std::size_t group = 0; group < water.groups.size(); ++group) {
+            add_chunk(fmt::format("water-{}", group), water.groups[group]);
+        }
+        if (water.groups.empty()) {
+            return;
+        }
+        if (water.stride > 1) {
+            content_.notices.push_back(fmt::format("of the water one particle in {} is shown", water.stride));
+        }
+        content_.water_error = water.error();
+        const Vec3& origin = water.scale.origin;
+        water_ = {{"origin", {origin.x, origin.y, origin.z}},
+                  {"step", water.scale.step},
+                  {"pressure", {water.scale.pressure_low, water.scale.pressure_high}},
+                  {"speed", water.scale.speed_high},
+                  {"spacing", spacing_ * std::cbrt(static_cast<double>(water.stride))},
+                  {"particles", water.most_particles},
+                  {"stride", water.stride}};
+    }
+
+    void write_contents() {
+        std::vector<std::string>& notices = content_.notices;
+        if (notices.size() > told_notices) {
+            const std::size_t more = notices.size() - told_notices;
+            notices.resize(told_notices);
+            notices.push_back(fmt::format("and {} more like these", more));
+        }
+        std::vector<double> times;
+        for (const FrameFiles& files : shown_) {
+            times.push_back(files.time);
+        }
+        Json json{{"format", format},
+                  {"title", run_.title},
+                  {"status", run_.status},
+                  {"gravity", {run_.gravity.x, run_.gravity.y, run_.gravity.z}},
+                  {"is_planar", run_.is_planar},
+                  {"group", frames_per_group},
+                  {"times", times},
+                  {"bodies", nullptr},
+                  {"contacts", contact_counts_},
+                  {"water", water_},
+                  {"tables", tables_},
+                  {"notices", notices},
+                  {"case", run_.case_text},
+                  {"resolved", run_.resolved_text},
+                  {"summary", run_.summary_json.empty() ? Json() : Json::parse(run_.summary_json)},
+                  {"ticket", run_.ticket_json.empty() ? Json() : Json::parse(run_.ticket_json)},
+                  {"page_made_by", run::build_info().version}};
+        if (!bodies_.shape.empty()) {
+            const bool has_names = run_.body_names.size() == bodies_.body_count();
+            json["bodies"] = {{"shape", bodies_.shape},
+                              {"material", bodies_.material},
+                              {"most_speed", most_.speed},
+                              {"most_displacement", most_.displacement},
+                              {"most_force", most_.force},
+                              {"most_contact_force", most_.contact},
+                              {"names", has_names ? Json(run_.body_names) : Json()},
+                              {"mass", has_names ? Json(run_.body_mass) : Json()}};
+        }
+        content_.contents_json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    const RecordedRun& run_;
+    PageContent content_;
+    DrawnBodies bodies_;
+    std::vector<FrameFiles> shown_;  ///< frames that could be read
+    std::vector<std::vector<double>> poses_;
+    std::vector<std::vector<float>> motions_;
+    std::vector<float> contacts_;
+    std::vector<std::size_t> contact_counts_;
+    std::vector<double> first_pose_;
+    struct {
+        double speed{0}, displacement{0}, force{0}, contact{0};  // [m/s], [m], [N], [N]
+    } most_;
+    std::size_t groups_done_{0};
+    double spacing_{0};  ///< [m]
+    Json water_, tables_ = Json::array();
+};
+
+}  // namespace
+
+std::size_t PageContent::packed_bytes() const {
+    std::size_t sum = 0;
+    for (const Chunk& chunk : chunks) {
+        sum += chunk.packed.size();
+    }
+    return sum;
+}
+
+PageContent pack_run(const RecordedRun& run, std::size_t budget) { return Packer(run).pack(budget); }
+
+}  // namespace riprap::view

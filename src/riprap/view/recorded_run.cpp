@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/view/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "riprap/io/vtp_reader.hpp"
+#include "riprap/run/run_folder.hpp"
+#include "riprap/scene/toml_reader.hpp"
+
+namespace riprap::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t text_limit = std::size_t{64} << 20U;  // bytes of a case, a summary
+
+/// Does one part of the reading; what goes wrong becomes a notice.
+void attempt(RecordedRun& run, const std::function<void()>& part) {
+    try {
+        part();
+    } catch (const FileError& error) {
+        run.notices.emplace_back(error.what());
+    }
+}
+
+std::string json_text(const fs::path& path) {
+    std::string text = io::read_file(path, text_limit);
+    if (!nlohmann::json::accept(text)) {
+        throw FileError(fmt::format("cannot read '{}': it is no JSON, or ends in the middle", path.string()));
+    }
+    return text;
+}
+
+using Frames = std::map<double, FrameFiles>;
+
+void add_frame(Frames& frames, double time, const fs::path& file) {
+    FrameFiles& frame = frames[time];
+    frame.time = time;
+    const std::string name = file.filename().string();
+    if (name.starts_with("bodies_")) {
+        frame.bodies = file;
+    } else if (name.starts_with("water_")) {
+        frame.water = file;
+    } else if (name.starts_with("contacts_")) {
+        frame.contacts = file;
+    }
+}
+
+/// A frame lies in the folder of frames: an entry that points elsewhere is not one of ours.
+void add_listed(const run::RunFolder& folder, const fs::path& list, Frames& frames) {
+    for (const io::PvdEntry& entry : io::read_pvd(list)) {
+        const fs::path file(entry.file);
+        if (file.parent_path() == "frames") {
+            add_frame(frames, entry.time, folder.frames() / file.filename());
+        }
+    }
+}
+
+/// Without a list: every frame there is, by the time that it carries.
+void add_found(RecordedRun& run, const run::RunFolder& folder, Frames& frames) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.frames())) {
+        if (entry.path().extension() == ".vtp" && entry.path().filename().string().front() != '.') {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        attempt(run, [&] { add_frame(frames, io::read_vtp(file).time(), file); });
+    }
+}
+
+void find_frames(RecordedRun& run, const run::RunFolder& folder) {
+    Frames frames;
+    const fs::path list = folder.root / "out.pvd", contacts = folder.root / "contacts.pvd";
+    attempt(run, [&] { add_listed(folder, list, frames); });
+    if (frames.empty() && fs::is_directory(folder.frames())) {
+        run.notices.push_back(fmt::format("'{}' lists no frames; those found in '{}' are shown", list.string(),
+                                          folder.frames().string()));
+        add_found(run, folder, frames);
+    } else if (fs::exists(contacts)) {
+        attempt(run, [&] { add_listed(folder, contacts, frames); });
+    }
+    for (const auto& [time, frame] : frames) {
+        run.frames.push_back(frame);
+    }
+}
+
+io::CsvTable read_table(RecordedRun& run, const fs::path& path) {
+    io::CsvTable table;
+    attempt(run, [&] { table = io::read_csv(path); });
+    if (table.is_cut) {
+        run.notices.push_back(fmt::format("the last line of '{}' is not whole and was left out", path.string()));
+    }
+    return table;
+}
+
+void read_bodies(RecordedRun& run, const fs::path& path) {
+    if (!fs::exists(path)) {
+        return;  // written at the end of a run
+    }
+    attempt(run, [&] {
+        io::CsvTable table = io::read_csv(path, "name");
+        run.body_names = std::move(table.texts);
+        for (std::size_t k = 0; k < table.columns.size(); ++k) {
+            if (table.columns[k].name == "mass") {
+                run.body_mass = std::move(table.values[k]);
+            }
+        }
+        run.body_mass.resize(run.body_names.size());
+    });
+}
+
+/// A vector of three numbers; nothing else counts.
+bool read_vector(const scene::Value* value, Vec3& vector) {
+    if (value == nullptr || !value->is_array() || value->items.size() != 3 ||
+        !std::all_of(value->items.begin(), value->items.end(), [](const scene::Value& v) { return v.is_number(); })) {
+        return false;
+    }
+    vector = scene::to_vector(*value);
+    return true;
+}
+
+void read_resolved(RecordedRun& run, const fs::path& path) {
+    run.resolved_text = io::read_file(path, text_limit);
+    std::vector<Diagnostic> problems;
+    const scene::Value root = scene::parse_toml(run.resolved_text, path.string(), problems);
+    if (!problems.empty()) {
+        throw FileError(to_string(problems.front()));
+    }
+    if (const scene::Value* title = root.find("title"); title != nullptr && title->is_text()) {
+        run.title = title->text;
+    }
+    const scene::Value* dimension = root.find("dimension");
+    run.is_planar = dimension != nullptr && dimension->is_number() && dimension->as_number() == 2;
+    const scene::Value* gravity = root.find("gravity");
+    if (!read_vector(gravity, run.gravity) && gravity != nullptr && gravity->is_table()) {
+        read_vector(gravity->find("value"), run.gravity);
+    }
+}
+
+void read_status(RecordedRun& run, const fs::path& summary) {
+    run.status = "not finished";
+    if (!fs::exists(summary)) {
+        run.notices.emplace_back("there is no summary.json: the run goes on, or was killed");
+        return;
+    }
+    attempt(run, [&] {
+        run.summary_json = json_text(summary);
+        const auto json = nlohmann::json::parse(run.summary_json);
+        if (json.is_object() && json.contains("status") && json["status"].is_string()) {
+            run.status = json["status"].get<std::string>();
+        }
+    });
+}
+
+}  // namespace
+
+RecordedRun read_run(const fs::path& path) {
+    const run::RunFolder folder{path};
+    if (!fs::is_directory(path)) {
+        throw FileError(fmt::format("'{}' is no folder; give the folder that `riprap run` wrote", path.string()));
+    }
+    if (!fs::exists(folder.ticket()) && !fs::exists(path / "out.pvd")) {
+        throw FileError(
+            fmt::format("'{}' holds no run: there is neither run.json nor out.pvd; `riprap run CASE --out "
+                        "{}` makes one",
+                        path.string(), path.string()));
+    }
+    RecordedRun run;
+    run.root = path;
+    attempt(run, [&] { read_resolved(run, folder.resolved_case()); });
+    attempt(run, [&] { run.case_text = io::read_file(folder.case_file(), text_limit); });
+    attempt(run, [&] { run.ticket_json = json_text(folder.ticket()); });
+    read_status(run, folder.summary());
+    run.probes = read_table(run, folder.probes());
+    run.ledger = read_table(run, folder.ledger());
+    read_bodies(run, folder.bodies());
+    find_frames(run, folder);
+    return run;
+}
+
+}  // namespace riprap::view

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What is in a run folder, for looking at it. Reads what is there: a file that is missing, cut or not ours is left out
+// with a notice, and everything else still works.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "riprap/core/vec3.hpp"
+#include "riprap/io/csv_reader.hpp"
+
+namespace riprap::view {
+
+/// The files of one moment; empty where there is none.
+struct FrameFiles {
+    double time{0};  ///< [s]
+    std::filesystem::path bodies, water, contacts;
+};
+
+/// A run folder without the content of its frames.
+struct RecordedRun {
+    std::filesystem::path root;
+    std::string title;
+    std::string status;  ///< "finished", "interrupted", "failed", or "not finished"
+    std::vector<FrameFiles> frames;
+    io::CsvTable probes, ledger;
+    std::vector<std::string> body_names;  ///< empty while the run goes on
+    std::vector<double> body_mass;        ///< [kg]; as long as body_names
+    std::string case_text, resolved_text;
+    std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
+    Vec3 gravity;                           ///< at the start [m/s^2]
+    bool is_planar{false};
+    std::vector<std::string> notices;  ///< what could not be read, for the user
+};
+
+/// @throws FileError when the folder does not exist or nothing in it was written by a run
+RecordedRun read_run(const std::filesystem::path& folder);
+
+}  // namespace riprap::view

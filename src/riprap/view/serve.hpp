@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace riprap::view {
+
+/// Serves one page to browsers on this machine until SIGINT or SIGTERM, made anew for every visit so that a run that
+/// goes on can be looked at again. Listens on the loopback interface only and answers only requests that name it
+/// (a page elsewhere cannot reach in by giving its own name this address). `port` 0 takes a free one.
+/// @throws FileError when it cannot listen
+void serve(const std::function<std::string()>& page, int port);
+
+/// The whole answer to one HTTP request.
+std::string answer_to(const std::string& request, const std::function<std::string()>& page);
+
+}  // namespace riprap::view

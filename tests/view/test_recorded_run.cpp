@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/temporary_folder.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/io/vtp_reader.hpp"
+#include "riprap/run/run_case.hpp"
+#include "riprap/view/chunk.hpp"
+#include "riprap/view/pack_bodies.hpp"
+#include "riprap/view/page_content.hpp"
+#include "run/falling_blocks.hpp"
+
+namespace riprap::view {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+constexpr std::size_t plenty = 1U << 30U;
+
+/// One short run of blocks on a floor, copied for each test that damages it.
+class ARunFolder : public ::testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        original_ = std::make_unique<TemporaryFolder>();
+        std::ofstream(*original_ / "case.toml") << falling_blocks_text();
+        run::run_case({.case_path = (*original_ / "case.toml").string(),
+                       .overrides = {"end=0.05", "time_step=0.00025", "output.interval=0.005"},
+                       .out = *original_ / "run",
+                       .threads = 1,
+                       .quiet = true});
+    }
+    static void TearDownTestSuite() { original_.reset(); }
+    ARunFolder() { fs::copy(*original_ / "run", run_, fs::copy_options::recursive); }
+
+    static void cut(const fs::path& file) { fs::resize_file(file, fs::file_size(file) / 2); }
+    nlohmann::json contents(std::size_t budget = plenty) const {
+        return nlohmann::json::parse(pack_run(read_run(run_), budget).contents_json);
+    }
+    /// The last frame in the run's own order.
+    fs::path last_frame() const { return run_ / "frames" / "bodies_000010.vtp"; }
+
+    const TemporaryFolder folder_;
+    const fs::path run_{folder_ / "run"};
+
+ private:
+    static inline std::unique_ptr<TemporaryFolder> original_;
+};
+
+TEST_F(ARunFolder, IsReadWholeWithoutANotice) {
+    const RecordedRun run = read_run(run_);
+    EXPECT_THAT(run.notices, IsEmpty());
+    EXPECT_EQ(run.title, "Blocks fall on a floor");
+    EXPECT_EQ(run.status, "finished");
+    EXPECT_EQ(run.frames.size(), 11U);
+    EXPECT_NEAR(run.frames.back().time, 0.05, 1e-12);
+    EXPECT_EQ(run.body_names, (std::vector<std::string>{"floor", "low", "high", "lone"}));
+    EXPECT_EQ(run.body_mass[1], 1250);
+    EXPECT_EQ(run.gravity, (Vec3{0, 0, -9.81}));
+    EXPECT_FALSE(run.is_planar);
+    EXPECT_GT(run.ledger.row_count(), 10U);
+    EXPECT_THAT(run.case_text, HasSubstr("name     = \"floor\""));
+    const PageContent content = pack_run(run, plenty);
+    EXPECT_THAT(content.notices, IsEmpty());
+    EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), 11U);
+}
+
+TEST_F(ARunFolder, IsPackedWithThePosesThatBodiesCsvSays) {
+    const PageContent content = pack_run(read_run(run_), plenty);
+    const io::CsvTable bodies = io::read_csv(run_ / "bodies.csv");
+    for (const Chunk& chunk : content.chunks) {
+        if (chunk.name != "poses-0") {
+            continue;
+        }
+        std::string bytes = join_planes(decompress(chunk.packed, plenty), sizeof(double));
+        restore_rows(bytes, 4 * pose_values * sizeof(double));
+        const std::vector<double> poses = values_of<double>(bytes);
+        ASSERT_EQ(poses.size(), 11 * 4 * pose_values);
+        for (std::size_t body = 0; body < 4; ++body) {
+            for (std::size_t k = 0; k < pose_values; ++k) {
+                EXPECT_EQ(poses[(10 * 4 + body) * pose_values + k], bodies.values[4 + k][body]) << body << ' ' << k;
+            }
+        }
+    }
+}
+
+TEST_F(ARunFolder, HasEveryShapeInTheFrameOfItsBody) {
+    const DrawnBodies bodies = read_shapes(io::read_vtp(last_frame()));
+    const DrawnBodies at_start = read_shapes(io::read_vtp(run_ / "frames" / "bodies_000000.vtp"));
+    ASSERT_EQ(bodies.body_count(), 4U);
+    const DrawnShape& high = bodies.shapes[static_cast<std::size_t>(bodies.shape[2])];
+    ASSERT_EQ(high.corners.size(), 8U);
+    for (const Vec3& x : high.corners) {
+        EXPECT_NEAR(norm(x), 0.5 * std::sqrt(0.6 * 0.6 + 0.7 * 0.7 + 0.5 * 0.5), 1e-12);
+    }
+    const DrawnShape& before = at_start.shapes[static_cast<std::size_t>(at_start.shape[2])];
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_NEAR(norm(high.corners[i] - before.corners[i]), 0, 1e-12);
+    }
+}
+
+TEST_F(ARunFolder, ThatIsNoneIsRefusedWithWhatToDo) {
+    EXPECT_THAT([&] { read_run(folder_ / "nowhere"); }, ThrowsMessage<FileError>(HasSubstr("is no folder")));
+    fs::create_directory(folder_ / "foreign");
+    std::ofstream(folder_ / "foreign" / "letter.txt") << "Dear all";
+    EXPECT_THAT([&] { read_run(folder_ / "foreign"); }, ThrowsMessage<FileError>(HasSubstr("holds no run")));
+}
+
+TEST_F(ARunFolder, WithAHalfWrittenLastFrameShowsTheOthers) {
+    cut(last_frame());
+    const nlohmann::json json = contents();
+    EXPECT_EQ(json["times"].size(), 10U);
+    ASSERT_EQ(json["notices"].size(), 1U);
+    EXPECT_THAT(json["notices"][0].get<std::string>(), HasSubstr("bodies_000010.vtp"));
+}
+
+TEST_F(ARunFolder, WithDamagedFilesShowsTheRest) {
+    cut(run_ / "summary.json");
+    cut(run_ / "ledger.csv");
+    std::ofstream(run_ / "probes.csv") << "something else\n";
+    cut(run_ / "bodies.csv");
+    std::ofstream(run_ / "resolved.toml") << "title = \"half";
+    fs::remove(run_ / "case" / "case.toml");
+    const RecordedRun run = read_run(run_);
+    EXPECT_GE(run.notices.size(), 4U);
+    EXPECT_EQ(run.status, "not finished");
+    EXPECT_GT(run.ledger.row_count(), 5U);
+    EXPECT_EQ(contents()["times"].size(), 11U);
+}
+
+TEST_F(ARunFolder, WithoutItsListOfFramesShowsThoseItFinds) {
+    fs::remove(run_ / "out.pvd");
+    const RecordedRun run = read_run(run_);
+    EXPECT_EQ(run.frames.size(), 11U);
+    EXPECT_THAT(run.notices, Not(IsEmpty()));
+    EXPECT_FALSE(run.frames[3].contacts.empty());
+}
+
+TEST_F(ARunFolder, WithoutFramesStillHasItsTables) {
+    fs::remove_all(run_ / "frames");
+    const nlohmann::json json = contents();
+    EXPECT_EQ(json["times"].size(), 0U);
+    EXPECT_EQ(json["tables"].size(), 2U);
+    EXPECT_GE(json["notices"].size(), 1U);
+}
+
+TEST_F(ARunFolder, WhoseListPointsElsewhereIsNotFollowed) {
+    std::string list = io::read_file(run_ / "out.pvd", plenty);
+    const std::string inside = "frames/bodies_000003.vtp";
+    list.replace(list.find(inside), inside.size(), "../../etc/hostname");
+    std::ofstream(run_ / "out.pvd") << list;
+    EXPECT_EQ(read_run(run_).frames.size(), 11U);  // its contacts are still listed
+    for (const FrameFiles& frame : read_run(run_).frames) {
+        EXPECT_THAT(frame.bodies.string(), Not(HasSubstr("etc")));
+    }
+}
+
+}  // namespace
+}  // namespace riprap::view

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <random>
+
+#include "riprap/core/error.hpp"
+#include "riprap/view/chunk.hpp"
+#include "riprap/view/pack_water.hpp"
+
+namespace riprap::view {
+namespace {
+
+constexpr double spacing = 0.01;  // [m]
+
+/// Water that sloshes and stirs in a box: steady rolls of three sizes under a swaying motion, advected in short steps.
+/// Shuffled, as a run writes it: in the order of its cells, not of ids.
+class StirredWater {
+ public:
+    explicit StirredWater(int per_side) {
+        for (int i = 0; i < per_side; ++i) {
+            for (int j = 0; j < per_side; ++j) {
+                for (int k = 0; k < per_side; ++k) {
+                    frame_.id.push_back(static_cast<std::int32_t>(frame_.id.size()));
+                    frame_.position.push_back(spacing * Vec3{1.0 * i, 1.0 * j, 1.0 * k});
+                }
+            }
+        }
+        frame_.pressure.resize(frame_.id.size());
+        frame_.speed.resize(frame_.id.size());
+    }
+    std::size_t count() const { return frame_.id.size(); }
+
+    const WaterFrame& advance(double interval) {
+        constexpr int substeps = 4;
+        for (int s = 0; s < substeps; ++s) {
+            time_ += interval / substeps;
+            for (std::size_t i = 0; i < count(); ++i) {
+                const Vec3 u = velocity(frame_.position[i]);
+                frame_.position[i] += interval / substeps * u;
+                frame_.speed[i] = static_cast<float>(norm(u));
+                frame_.pressure[i] = static_cast<float>(9810 * (0.4 - frame_.position[i].z) + 300 * jitter_(random_));
+            }
+        }
+        return frame_;
+    }
+    WaterFrame shuffled() {
+        std::vector<std::size_t> order(count());
+        std::iota(order.begin(), order.end(), 0U);
+        std::shuffle(order.begin(), order.end(), random_);
+        WaterFrame out;
+        for (const std::size_t i : order) {
+            out.id.push_back(frame_.id[i]);
+            out.position.push_back(frame_.position[i]);
+            out.pressure.push_back(frame_.pressure[i]);
+            out.speed.push_back(frame_.speed[i]);
+        }
+        return out;
+    }
+
+ private:
+    Vec3 velocity(const Vec3& x) const {
+        Vec3 u{0.5 * std::cos(7 * time_), 0, 0};  // [m/s]
+        for (const double k : {7.0, 19.0, 53.0}) {
+            const double size = 3 / k;
+            u += size * Vec3{std::sin(k * x.z) + std::cos(k * x.y + time_),
+                             std::sin(k * x.x) + std::cos(k * x.z - time_), std::sin(k * x.y) + std::cos(k * x.x)};
+        }
+        return u;
+    }
+    WaterFrame frame_;
+    double time_{0};
+    std::mt19937 random_{7};
+    std::normal_distribution<double> jitter_;
+};
+
+std::vector<WaterFrame> stirred(int per_side, std::size_t frame_count) {
+    StirredWater water(per_side);
+    std::vector<WaterFrame> frames;
+    for (std::size_t f = 0; f < frame_count; ++f) {
+        water.advance(0.01);
+        frames.push_back(water.shuffled());
+    }
+    return frames;
+}
+
+WaterSource source_of(const std::vector<WaterFrame>& frames) {
+    return [&frames](std::size_t f) { return frames[f]; };
+}
+
+/// Where particle `id` of a frame is, told by the frame itself.
+std::vector<Vec3> by_id(const WaterFrame& frame) {
+    std::vector<Vec3> places(frame.id.size());
+    for (std::size_t i = 0; i < frame.id.size(); ++i) {
+        places[static_cast<std::size_t>(frame.id[i])] = frame.position[i];
+    }
+    return places;
+}
+
+/// The largest difference of a coordinate between what was packed and what comes back [m].
+double largest_error(const std::vector<WaterFrame>& frames, const PackedWater& water) {
+    double largest = 0;
+    for (std::size_t g = 0; g < water.groups.size(); ++g) {
+        const std::vector<WaterNumbers> group = decode_group(water.groups[g]);
+        for (std::size_t f = 0; f < group.size(); ++f) {
+            const std::vector<Vec3> places = by_id(frames[g * frames_per_group + f]);
+            EXPECT_EQ(group[f].channel[0].size(), places.size());
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const Vec3 d = position_of(group[f], i, water.scale) - places[i];
+                largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+            }
+        }
+    }
+    return largest;
+}
+
+TEST(WaterStream, EveryCoordinateComesBackWithinHalfAStep) {
+    const std::vector<WaterFrame> frames = stirred(12, 40);
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    EXPECT_DOUBLE_EQ(water.scale.step, spacing / 32);
+    EXPECT_EQ(water.groups.size(), 2U);
+    EXPECT_EQ(water.stride, 1U);
+    EXPECT_LE(largest_error(frames, water), water.error() * (1 + 1e-9));
+    EXPECT_GT(largest_error(frames, water), 0.9 * water.error());  // the bound is not idle either
+}
+
+TEST(WaterStream, PressureAndSpeedComeBackWithinAHalfOfA255thOfTheirRange) {
+    const std::vector<WaterFrame> frames = stirred(8, 3);
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    const std::vector<WaterNumbers> group = decode_group(water.groups[0]);
+    const WaterScale& scale = water.scale;
+    const double range = scale.pressure_high - scale.pressure_low;
+    for (std::size_t i = 0; i < frames[2].id.size(); ++i) {
+        const auto at = static_cast<std::size_t>(frames[2].id[i]);
+        const double pressure = scale.pressure_low + range * group[2].channel[3][at] / 255.0;
+        const double shown =
+            std::clamp(static_cast<double>(frames[2].pressure[i]), scale.pressure_low, scale.pressure_high);
+        EXPECT_NEAR(pressure, shown, range / 509);
+        const double speed = scale.speed_high * group[2].channel[4][at] / 255.0;
+        EXPECT_NEAR(speed, std::min(static_cast<double>(frames[2].speed[i]), scale.speed_high), scale.speed_high / 509);
+    }
+}
+
+TEST(WaterStream, ParticlesThatComeAndGoAreShownWhereTheyAre) {
+    std::vector<WaterFrame> frames = stirred(5, 4);
+    WaterFrame& fewer = frames[2];
+    for (int k = 0; k < 30; ++k) {
+        fewer.id.pop_back();
+        fewer.position.pop_back();
+        fewer.pressure.pop_back();
+        fewer.speed.pop_back();
+    }
+    frames[3] = {};  // and none at all
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    const std::vector<WaterNumbers> group = decode_group(water.groups[0]);
+    ASSERT_EQ(group.size(), 4U);
+    EXPECT_EQ(group[2].channel[0].size(), frames[2].id.size());
+    EXPECT_EQ(group[3].channel[0].size(), 0U);
+    std::vector<std::size_t> order(fewer.id.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fewer.id[a] < fewer.id[b]; });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        EXPECT_LE(norm(position_of(group[2], i, water.scale) - fewer.position[order[i]]), 2 * water.error());
+    }
+}
+
+// 100 000 particles over 200 frames stay under 60 MB as they stand in a page, in base64: 3 bytes for a particle and
+// frame. Short by default: a tenth of the frames and a fifth of the particles, and so much less of the bytes.
+TEST(WaterStream, StaysWithinThreeBytesForAParticleAndFrameAtTheFinestStep) {
+    const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
+    const std::size_t frame_count = is_full ? 200 : 25;
+    const std::vector<WaterFrame> frames = stirred(is_full ? 47 : 20, frame_count);
+    const double particle_frames = static_cast<double>(frames[0].id.size() * frame_count);
+    const auto budget = static_cast<std::size_t>(3 * particle_frames * 3 / 4);
+    const PackedWater water = pack_water(source_of(frames), frame_count, spacing, budget);
+    const double in_page = 4.0 / 3 * static_cast<double>(water.bytes());
+    RecordProperty("bytes_per_particle_and_frame", std::to_string(in_page / particle_frames));
+    std::printf("%.3f bytes per particle and frame in the page, step spacing/%.0f\n", in_page / particle_frames,
+                spacing / water.scale.step);
+    EXPECT_LE(in_page, 3 * particle_frames);
+    EXPECT_EQ(water.stride, 1U);
+    EXPECT_LE(water.scale.step, spacing / 16);  // a particle is at most 1/32 of the spacing out of place
+}
+
+TEST(WaterStream, WhatCannotBeGuessedStillFitsWithACoarserStepOrFewerParticles) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(0, 0.3);
+    std::vector<WaterFrame> frames(6);
+    for (WaterFrame& frame : frames) {
+        for (std::int32_t i = 0; i < 2000; ++i) {
+            frame.id.push_back(i);
+            frame.position.push_back({anywhere(random), anywhere(random), anywhere(random)});
+            frame.pressure.push_back(static_cast<float>(anywhere(random)));
+            frame.speed.push_back(static_cast<float>(anywhere(random)));
+        }
+    }
+    const PackedWater coarse = pack_water(source_of(frames), frames.size(), spacing, 75'000);
+    EXPECT_LE(coarse.bytes(), 75'000U);
+    EXPECT_GT(coarse.scale.step, spacing / 32);
+    EXPECT_LE(largest_error(frames, coarse), coarse.error() * (1 + 1e-9));
+    const PackedWater thinned = pack_water(source_of(frames), frames.size(), spacing, 20'000);
+    EXPECT_LE(thinned.bytes(), 20'000U);
+    EXPECT_GT(thinned.stride, 1U);
+}
+
+TEST(WaterStream, ADamagedGroupIsRefused) {
+    const std::vector<WaterFrame> frames = stirred(4, 3);
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    const std::string& good = water.groups[0];
+    EXPECT_THROW(decode_group(good.substr(0, good.size() / 2)), FileError);
+    EXPECT_THROW(decode_group("not zlib"), FileError);
+    std::string bytes = decompress(good, 1U << 30U);
+    bytes.resize(bytes.size() - 1);
+    EXPECT_THROW(decode_group(compress(bytes)), FileError);
+    bytes[8] = 2;  // the first frame cannot look back
+    EXPECT_THROW(decode_group(compress(bytes)), FileError);
+}
+
+TEST(Chunk, RowsAndPlanesComeBack) {
+    std::string bytes;
+    for (int i = 0; i < 480; ++i) {
+        bytes += static_cast<char>(i * i);
+    }
+    std::string rows = bytes;
+    difference_rows(rows, 48);
+    restore_rows(rows, 48);
+    EXPECT_EQ(rows, bytes);
+    EXPECT_EQ(join_planes(split_planes(bytes, 8), 8), bytes);
+    EXPECT_EQ(decompress(compress(bytes), 480), bytes);
+    EXPECT_THROW(decompress(compress(bytes), 479), FileError);
+}
+
+}  // namespace
+}  // namespace riprap::view
