@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <functional>
 #include <memory>
 
@@ -14,6 +15,7 @@
 #include "riprap/run/run_case.hpp"
 #include "riprap/scene/key_text.hpp"
 #include "riprap/validation/validate.hpp"
+#include "riprap/view/render.hpp"
 
 namespace riprap {
 
@@ -123,6 +125,40 @@ void add_view(CLI::App& app, Action& action) {
     command->callback([&action, options] { action = [options] { return view_run(*options); }; });
 }
 
+void read_size(const std::string& text, view::RenderOptions& options) {
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &options.width, &options.height, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || options.width < 64 || options.height < 64 ||
+        options.width > 8192 || options.height > 8192) {
+        throw CLI::ValidationError("--size", "WIDTHxHEIGHT in pixels, 64 to 8192 each, such as 1280x720");
+    }
+}
+
+void add_render(CLI::App& app, Action& action) {
+    auto options = std::make_shared<view::RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
+    command->add_option("RUN", options->folder, "The run folder")->required();
+    command->add_option("--out", options->out, "The picture (default: RUN/picture.png or RUN/movie.mp4)");
+    CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default)");
+    CLI::Option* time = command->add_option("--time", options->time, "The frame nearest to this time [s]");
+    frame->excludes(time);
+    command->add_flag("--movie", options->is_movie, "All frames, as MP4 where ffmpeg is installed, else as pictures")
+        ->excludes(frame)
+        ->excludes(time);
+    command->add_option_function<std::string>(
+        "--size", [options](const std::string& text) { read_size(text, *options); }, "WIDTHxHEIGHT [pixels]");
+    command->add_option("--camera", options->camera, "Where from")
+        ->check(CLI::IsMember({"corner", "front", "side", "top"}));
+    command->add_option("--water", options->water, "Colour of the water")
+        ->check(CLI::IsMember({"pressure", "speed", "none"}));
+    command->add_option("--blocks", options->blocks, "Colour of the blocks")
+        ->check(CLI::IsMember({"material", "speed", "displacement", "force"}));
+    command->add_flag("--contacts", options->shows_contacts, "Draw contact forces");
+    command->add_flag("--page", options->shows_page, "The whole page, with its plots");
+    command->add_option("--theme", options->theme, "light or dark")->check(CLI::IsMember({"light", "dark"}));
+    command->callback([&action, options] { action = [options] { return print_render(*options); }; });
+}
+
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -172,6 +208,7 @@ int command_line(int argument_count, char** arguments) {
     add_resume(app, action);
     add_validate(app, action);
     add_view(app, action);
+    add_render(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);

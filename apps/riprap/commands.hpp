@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+namespace riprap::view {
+struct RenderOptions;
+}
+
 namespace riprap {
 
 // One function per subcommand that is more than a call into riprap::run. All return the exit code.
@@ -28,5 +32,8 @@ struct ViewOptions {
 
 /// One page with everything that a run left.
 int view_run(const ViewOptions& options);
+
+/// A picture or a movie of a run.
+int print_render(const view::RenderOptions& options);
 
 }  // namespace riprap

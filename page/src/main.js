@@ -51,9 +51,7 @@ class Page {
   async #openScene() {
     const {contents, recording} = this;
     const last = recording.frameCount - 1;
-    // The last frame of the first group, too: a scene that spreads should fit its window for a while.
-    const ends = [await recording.frame(0), await recording.frame(Math.min(last, contents.group - 1))];
-    this.scene = new Scene($('scene'), contents, await recording.shapes(), ends);
+    this.scene = new Scene($('scene'), contents, await recording.shapes(), await recording.frame(0));
     this.scene.setTheme(this.theme);
     $('time').max = last;
     $('water-choice').hidden = !contents.water;
@@ -290,6 +288,17 @@ function remote(page, opened) {
     showTime: time => page.goToTime(time),
     select: body => page.select(body),
     camera: name => page.setCamera(name),
+    theme: theme => page.setTheme(theme),
+    /** What is drawn and coloured how; an empty choice leaves what is. */
+    choose: ({water, blocks, contacts}) => {
+      if (water) {
+        page.colourWater(water);
+      }
+      if (blocks) {
+        page.colourBlocks(blocks);
+      }
+      page.setContacts(contacts);
+    },
     /** Only the scene, its caption and its legends. */
     picture: async theme => {
       document.body.classList.add('picture');

@@ -201,8 +201,10 @@ export class Plots {
     this.charts = [];
     for (const table of tables) {
       const byUnit = Map.groupBy ? Map.groupBy(table.columns, c => c.unit) : groupBy(table.columns, c => c.unit);
-      for (const [unit, columns] of byUnit) {
-        const curves = columns.filter(column => column.values.some(v => v !== 0 && Number.isFinite(v)));
+      const units = [...byUnit.keys()].sort((a, b) => rank(a) - rank(b));
+      for (const unit of units) {
+        const curves = byUnit.get(unit).filter(
+            column => column.name !== 'step' && column.values.some(v => v !== 0 && Number.isFinite(v)));
         if (curves.length > 0) {
           const heading = `${table.name} [${unit}]`;
           this.charts.push(new Chart(parent, heading, table.time, curves, this.charts.length < OPEN_AT_FIRST, onTime));
@@ -222,6 +224,11 @@ export class Plots {
   at(time) {
     this.charts.forEach(chart => chart.at(time));
   }
+}
+
+/** What is looked at first: energies, then quantities with a unit, then counts and ratios. */
+function rank(unit) {
+  return unit === 'J' ? 0 : unit === '-' ? 2 : 1;
 }
 
 function groupBy(list, key) {

@@ -6,7 +6,6 @@ import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {Blocks} from './blocks.js';
 import {Forces} from './forces.js';
 import {Particles} from './particles.js';
-import {POSE_VALUES as POSE} from './recording.js';
 
 const FIELD_OF_VIEW = 35;  // degrees
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
@@ -21,54 +20,25 @@ function upOf(contents) {
   return up.setComponent(k, g[k] > 0 ? -1 : 1);
 }
 
-/** The box that a reader wants to see: bodies with a size and water, of the given frames. */
-function boundsOf(contents, shapes, frames) {
-  const box = new THREE.Box3(), corner = new THREE.Vector3();
-  const addBodies = (frame, reach) => {
-    contents.bodies.shape.forEach((s, body) => {
-      if (shapes[s].faces.length === 1) {
-        return;  // a half-space, drawn as a square around the scene
-      }
-      const p = frame.pose.subarray(POSE * body, POSE * (body + 1));
-      const turn = new THREE.Quaternion(p[4], p[5], p[6], p[3]);
-      const own = new THREE.Box3();
-      for (let k = 0; k < shapes[s].corners.length; k += 3) {
-        own.expandByPoint(corner.fromArray(shapes[s].corners, k).applyQuaternion(turn).add(
-            new THREE.Vector3(p[0], p[1], p[2])));
-      }
-      if (!reach || reach.intersectsBox(own)) {  // a block that flew away does not make the rest small
-        box.union(own);
-      }
-    });
-  };
-  const addWater = frame => {
-    const w = contents.water, cells = frame.water ?? [];
-    for (let at = 0; at < cells.length; at += 4) {
-      box.expandByPoint(corner.set(cells[at], cells[at + 1], cells[at + 2]).multiplyScalar(w.step).add(
-          new THREE.Vector3(...w.origin)));
-    }
-  };
-  frames.forEach((frame, k) => {
-    const reach = k === 0 || box.isEmpty() ? null : box.clone().expandByVector(box.getSize(corner.clone()));
-    if (frame.pose) {
-      addBodies(frame, reach);
-    }
-    if (k === 0) {
-      addWater(frame);
-    }
-  });
-  return box.isEmpty() ? new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1)) : box;
+/** The box that a reader wants to see: where everything was at the start, and went, if it did not fly away. */
+function boundsOf(contents) {
+  const boxOf = six => new THREE.Box3(new THREE.Vector3(...six.slice(0, 3)), new THREE.Vector3(...six.slice(3)));
+  if (!contents.box_at_start) {
+    return new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
+  }
+  const start = boxOf(contents.box_at_start);
+  const reach = start.clone().expandByScalar(start.getSize(new THREE.Vector3()).length());
+  return start.union(boxOf(contents.box).intersect(reach));
 }
 
 export class Scene {
-  constructor(canvas, contents, shapes, frames) {
+  constructor(canvas, contents, shapes, first) {
     this.canvas = canvas;
     this.isPlanar = contents.is_planar;
-    // The drawing is kept so that a picture of the page shows it at any moment.
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
     this.world = new THREE.Scene();
     this.up = upOf(contents);
-    this.box = boundsOf(contents, shapes, frames);
+    this.box = boundsOf(contents);
     this.size = this.box.getSize(new THREE.Vector3()).length() || 1;
     this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
     this.camera.up.copy(this.up);
@@ -76,7 +46,7 @@ export class Scene {
     this.controls.addEventListener('change', () => this.draw());
     this.controls.addEventListener('start', () => { this.preset = null; });
     this.#light();
-    this.#fill(contents, shapes, frames[0]);
+    this.#fill(contents, shapes, first);
     this.setPreset(contents.is_planar ? 'front' : 'corner');
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();

@@ -117,6 +117,7 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
     const double extent = std::max({size.x, size.y, size.z});
     water.stride = (bounds.most_particles + most_drawn - 1) / most_drawn;
     water.scale.origin = bounds.low;
+    water.high = bounds.high;
     water.scale.pressure_low = std::min(0.0, quantile(bounds.pressure, outliers));
     water.scale.pressure_high = std::max(quantile(bounds.pressure, 1 - outliers), water.scale.pressure_low + 1e-9);
     water.scale.speed_high = std::max(quantile(bounds.speed, 1 - outliers), 1e-9);

@@ -16,9 +16,10 @@ using WaterSource = std::function<WaterFrame(std::size_t)>;
 /// Water of a whole run, packed.
 struct PackedWater {
     WaterScale scale;
-    std::vector<std::string> groups;                 ///< of frames_per_group frames each
-    std::size_t most_particles{0};                   ///< in a frame, as stored
-    std::size_t stride{1};                           ///< every so many-th particle was kept
+    Vec3 high;                        ///< upper corner of the box from scale.origin that holds all water [m]
+    std::vector<std::string> groups;  ///< of frames_per_group frames each
+    std::size_t most_particles{0};    ///< in a frame, as stored
+    std::size_t stride{1};            ///< every so many-th particle was kept
     double error() const { return scale.step / 2; }  ///< bound per coordinate [m]
     std::size_t bytes() const;
 };

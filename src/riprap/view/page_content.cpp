@@ -23,6 +23,16 @@ constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told
 constexpr std::size_t told_notices = 6;
 constexpr double base64_growth = 4.0 / 3;
 
+/// What a scene reaches over.
+struct Box {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};  // [m]
+    void add(const Vec3& x) {
+        low = min(low, x);
+        high = max(high, x);
+    }
+    Json json() const { return low.x > high.x ? Json() : Json{low.x, low.y, low.z, high.x, high.y, high.z}; }
+};
+
 /// Packs one run piece by piece.
 class Packer {
  public:
@@ -87,7 +97,8 @@ class Packer {
 
     /// The largest values of what blocks can be coloured by.
     void note_extremes(const BodyFrame& frame) {
-        if (first_pose_.empty()) {
+        const bool is_first = first_pose_.empty();
+        if (is_first) {
             first_pose_ = frame.pose;
         }
         const auto length = [](const auto* v) {
@@ -97,6 +108,16 @@ class Packer {
             const float* motion = &frame.motion[motion_values * body];
             const double* pose = &frame.pose[pose_values * body];
             const double* first = &first_pose_[pose_values * body];
+            const DrawnShape& shape = bodies_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
+            if (shape.faces.size() > 1) {  // a half-space is drawn as a square around the scene, and has no size
+                const Vec3 x{pose[0], pose[1], pose[2]};
+                for (const Vec3& corner : shape.corners) {
+                    box_all_.add(x + rotate({pose[3], pose[4], pose[5], pose[6]}, corner));
+                }
+                if (is_first) {
+                    box_first_ = box_all_;
+                }
+            }
             most_.speed = std::fmax(most_.speed, length(motion));
             const double moved[3] = {pose[0] - first[0], pose[1] - first[1], pose[2] - first[2]};
             most_.displacement = std::fmax(most_.displacement, length(moved));
@@ -201,6 +222,10 @@ class Packer {
             content_.notices.push_back(fmt::format("of the water one particle in {} is shown", water.stride));
         }
         content_.water_error = water.error();
+        for (Box* box : {&box_first_, &box_all_}) {
+            box->add(water.scale.origin);
+            box->add(water.high);
+        }
         const Vec3& origin = water.scale.origin;
         water_ = {{"origin", {origin.x, origin.y, origin.z}},
                   {"step", water.scale.step},
@@ -228,6 +253,8 @@ class Packer {
                   {"gravity", {run_.gravity.x, run_.gravity.y, run_.gravity.z}},
                   {"is_planar", run_.is_planar},
                   {"group", frames_per_group},
+                  {"box_at_start", box_first_.json()},
+                  {"box", box_all_.json()},
                   {"times", times},
                   {"bodies", nullptr},
                   {"contacts", contact_counts_},
@@ -262,6 +289,7 @@ class Packer {
     std::vector<float> contacts_;
     std::vector<std::size_t> contact_counts_;
     std::vector<double> first_pose_;
+    Box box_first_, box_all_;
     struct {
         double speed{0}, displacement{0}, force{0}, contact{0};  // [m/s], [m], [N], [N]
     } most_;

@@ -148,8 +148,7 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
 void read_status(RecordedRun& run, const fs::path& summary) {
     run.status = "not finished";
     if (!fs::exists(summary)) {
-        run.notices.emplace_back("there is no summary.json: the run goes on, or was killed");
-        return;
+        return;  // it is written at the end: the run goes on, or was killed
     }
     attempt(run, [&] {
         run.summary_json = json_text(summary);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A Chromium without a window that draws one page, driven over two pipes with its DevTools protocol: no port is
+// opened, and no other program can talk to it.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "riprap/io/atomic_file.hpp"
+
+namespace riprap::view {
+
+/// A program on PATH. @returns nothing when there is none
+std::optional<std::filesystem::path> find_program(const std::string& name);
+
+/// What $RIPRAP_CHROMIUM names, else Debian's chromium or a Chrome on PATH. @throws FileError with what to install
+std::filesystem::path find_browser();
+
+/// A folder that goes with the object.
+class ScratchFolder {
+ public:
+    ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    ~ScratchFolder();
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+};
+
+class Browser {
+ public:
+    /// Starts it with a window of this size [pixels]. @throws FileError when it does not start
+    Browser(const std::filesystem::path& program, int width, int height);
+    Browser(const Browser&) = delete;
+    Browser& operator=(const Browser&) = delete;
+    ~Browser();
+
+    /// Loads a page and waits until its root element has data-opened. @throws FileError with what the page says
+    void open(const std::filesystem::path& page);
+
+    /// The value of an expression of JavaScript; a promise is waited for. @throws FileError when it throws
+    nlohmann::json evaluate(const std::string& expression);
+
+    /// The window as PNG.
+    std::string picture();
+
+ private:
+    nlohmann::json call(const std::string& method, nlohmann::json parameters);
+    void send(const nlohmann::json& message);
+    nlohmann::json receive();
+    [[noreturn]] void fail(const std::string& why) const;
+
+    ScratchFolder scratch_;
+    io::FileDescriptor to_, from_;
+    pid_t child_{-1};
+    std::string session_, received_;
+    int last_id_{0};
+};
+
+}  // namespace riprap::view

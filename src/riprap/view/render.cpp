@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/view/render.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "riprap/view/browser.hpp"
+#include "riprap/view/page.hpp"
+
+namespace riprap::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+/// The page of the run in a browser, set up as the options say.
+class Stage {
+ public:
+    explicit Stage(const RenderOptions& options)
+        : browser_(find_browser(), options.width, options.height), page_(scratch_.path() / "page.html") {
+        const PageContent content = pack_run(read_run(options.folder), default_budget);
+        for (const std::string& notice : content.notices) {
+            fmt::print(stderr, "riprap: {}\n", notice);
+        }
+        io::write_file(page_, page_of(content), io::Durability::later);
+        browser_.open(page_);
+        frame_count_ = browser_.evaluate("riprap.frameCount").get<int>();
+        if (frame_count_ == 0) {
+            throw FileError(fmt::format("'{}' has no frames to draw", options.folder.string()));
+        }
+        browser_.evaluate(options.shows_page ? fmt::format("riprap.theme({})", quoted(options.theme))
+                                             : fmt::format("riprap.picture({})", quoted(options.theme)));
+        browser_.evaluate(fmt::format("riprap.choose({{water: {}, blocks: {}, contacts: {}}})", quoted(options.water),
+                                      quoted(options.blocks), options.shows_contacts));
+        if (!options.camera.empty()) {
+            browser_.evaluate(fmt::format("riprap.camera({})", quoted(options.camera)));
+        }
+    }
+
+    int frame_count() const { return frame_count_; }
+
+    void show_time(double time) { browser_.evaluate(fmt::format("riprap.showTime({})", time)); }
+    void show(int frame) {
+        const int index = frame < 0 ? frame_count_ + frame : frame;
+        if (index < 0 || index >= frame_count_) {
+            throw FileError(fmt::format("there is no frame {}: the run has {}, from 0 to {}, or from -1 backwards",
+                                        frame, frame_count_, frame_count_ - 1));
+        }
+        browser_.evaluate(fmt::format("riprap.show({})", index));
+    }
+    std::string picture() { return browser_.picture(); }
+
+ private:
+    ScratchFolder scratch_;
+    Browser browser_;
+    fs::path page_;
+    int frame_count_{0};
+};
+
+/// Takes pictures and makes a movie of them.
+class Encoder {
+ public:
+    Encoder(const fs::path& ffmpeg, const fs::path& out, int frames_per_second) {
+        std::array<int, 2> ends{};
+        if (::pipe(ends.data()) != 0) {
+            throw FileError(fmt::format("cannot make a pipe to ffmpeg: {}", std::strerror(errno)));
+        }
+        const std::string rate = std::to_string(frames_per_second);
+        child_ = ::fork();
+        if (child_ == 0) {
+            ::dup2(ends[0], 0);
+            ::close(ends[0]);
+            ::close(ends[1]);
+            // H.264 halves colours in pairs of pixels: odd sizes lose a line.
+            ::execl(ffmpeg.c_str(), ffmpeg.c_str(), "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate",
+                    rate.c_str(), "-c:v", "png", "-i", "-", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v",
+                    "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", out.c_str(),
+                    static_cast<char*>(nullptr));
+            ::_exit(127);
+        }
+        ::close(ends[0]);
+        pipe_ = io::FileDescriptor(ends[1]);
+    }
+    void add(const std::string& png) { io::write_all(pipe_, png.data(), png.size(), "the pipe to ffmpeg"); }
+    bool finish() {
+        pipe_.close();
+        int status = 0;
+        return ::waitpid(child_, &status, 0) == child_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+
+ private:
+    pid_t child_{-1};
+    io::FileDescriptor pipe_;
+};
+
+std::string render_movie(Stage& stage, const RenderOptions& options) {
+    const auto ffmpeg = find_program("ffmpeg");
+    if (!ffmpeg) {
+        const fs::path folder = options.out.empty() ? options.folder / "movie" : options.out;
+        io::make_folder(folder);
+        for (int frame = 0; frame < stage.frame_count(); ++frame) {
+            stage.show(frame);
+            io::write_file(folder / fmt::format("{:06}.png", frame), stage.picture(), io::Durability::later);
+        }
+        return fmt::format("there is no ffmpeg to make a movie (Debian's package ffmpeg); its {} pictures are in {}",
+                           stage.frame_count(), folder.string());
+    }
+    const fs::path out = options.out.empty() ? options.folder / "movie.mp4" : options.out;
+    const fs::path partial = out.string() + ".partial";
+    Encoder encoder(*ffmpeg, partial, options.frames_per_second);
+    for (int frame = 0; frame < stage.frame_count(); ++frame) {
+        stage.show(frame);
+        encoder.add(stage.picture());
+    }
+    if (!encoder.finish()) {
+        std::error_code ignored;
+        fs::remove(partial, ignored);
+        throw FileError("ffmpeg could not make the movie; what it said is above");
+    }
+    fs::rename(partial, out);
+    return fmt::format("{}: {} frames", out.string(), stage.frame_count());
+}
+
+}  // namespace
+
+std::string render_run(const RenderOptions& options) {
+    Stage stage(options);
+    if (options.is_movie) {
+        return render_movie(stage, options);
+    }
+    if (options.time) {
+        stage.show_time(*options.time);
+    } else {
+        stage.show(options.frame.value_or(-1));
+    }
+    const fs::path out = options.out.empty() ? options.folder / "picture.png" : options.out;
+    io::write_file(out, stage.picture());
+    return out.string();
+}
+
+}  // namespace riprap::view
