@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// A page of blocks, driven as a reader drives it.
+
+import assert from 'node:assert/strict';
+import {readFileSync, truncateSync, statSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {Stage, differs, lookAt, table} from './stage.js';
+
+const DIGITS = 7;
+let stage, run, page;
+
+before(async () => {
+  stage = await Stage.open();
+  run = stage.run('blocks', 'cases/hello_block', ['end=0.3', 'output.interval=0.01']);
+  page = await stage.visit(run);
+});
+after(() => stage?.close());
+
+const goTo = index => page.evaluate(k => window.riprap.show(k), index);
+const shown = field => page.textContent(`#tab-body [data-field="${field}"]`);
+
+test('the page opens and asks nobody for anything', async t => {
+  const milliseconds = await page.evaluate(() => Number(document.documentElement.dataset.opened));
+  t.diagnostic(`opened in ${milliseconds} ms (3000 wanted; drawn by the processor, beside whatever else runs here)`);
+  await page.evaluate(() => new Promise(resolve => setTimeout(resolve, 500)));
+  assert.deepEqual(page.requests, [page.address]);
+  assert.deepEqual(page.errors, []);
+});
+
+test('no frame is empty', async () => {
+  for (let k = 0; k < await page.evaluate(() => window.riprap.frameCount); k += 6) {
+    await goTo(k);
+    const {share} = await lookAt(page);
+    assert.ok(share > 0.05, `frame ${k}: ${share} of the scene is drawn`);
+  }
+});
+
+test('the slider moves the scene to the time that it shows', async () => {
+  const slider = page.locator('#time');
+  for (const index of [7, 0, 20]) {
+    await slider.fill(String(index));
+    await page.waitForFunction(k => window.riprap.index === k, index);
+    const time = await page.evaluate(k => window.riprap.times[k], index);
+    assert.match(await page.textContent('#clock'), new RegExp(`t = ${Number(time.toPrecision(5))} s`));
+  }
+});
+
+test('play runs on to the last frame and stops there', async () => {
+  await goTo(0);
+  await page.selectOption('#pace', '4');
+  await page.click('#play');
+  await page.waitForFunction(() => window.riprap.index > 0);
+  assert.equal(await page.getAttribute('#play', 'aria-label'), 'pause');
+  await page.waitForFunction(() => window.riprap.index === window.riprap.frameCount - 1);
+  await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'play');
+});
+
+test('a block that is clicked shows the position and the velocity that the table has, to the printed digits', async () => {
+  const last = await page.evaluate(() => window.riprap.frameCount - 1);
+  await goTo(last);
+  const body = table(readFileSync(join(run, 'bodies.csv'), 'utf8')).find(row => row.name === 'block');
+  const place = ['x', 'y', 'z'].map(axis => Number(body[`position.${axis}`]));
+  const [x, y] = await page.evaluate(p => window.riprap.scene.pixelOf(p), place);
+  await page.mouse.click(x, y);
+  assert.equal(await shown('name'), 'block');
+  const printed = text => Number(Number(text).toPrecision(DIGITS));
+  const read = text => Number(text.replace('\u2212', '-'));
+  for (const quantity of ['position', 'velocity']) {
+    for (const axis of ['x', 'y', 'z']) {
+      // Positions are doubles all the way. Velocities are stored as singles, which have the printed digits but for the last.
+      const wanted = printed(body[`${quantity}.${axis}`]), got = read(await shown(`${quantity}.${axis}`));
+      const slack = quantity === 'position' ? 0 : Math.abs(wanted) * 1e-6;
+      assert.ok(Math.abs(got - wanted) <= slack, `${quantity}.${axis}: ${got} is shown for ${wanted}`);
+    }
+  }
+  await page.mouse.click(x, 60);  // the sky
+  assert.match(await page.textContent('#tab-body'), /Click a block/);
+});
+
+test('the block is drawn where it is, and nothing where it is not', async () => {
+  await page.evaluate(() => { window.riprap.camera('front'); window.riprap.select(-1); });
+  for (const index of [0, 30]) {
+    await goTo(index);
+    // The front view looks along y: 1 m wide, 0.5 m high about its centre. Measured on its front face.
+    const [center, inside, left, above] = await page.evaluate(() => {
+      const {scene} = window.riprap, [x, y, z] = scene.blocks.frame.pose.subarray(7, 10);
+      return [[x, y - 0.5, z], [x + 0.4, y - 0.5, z + 0.2], [x - 0.6, y - 0.5, z + 0.2], [x, y - 0.5, z + 0.4]]
+          .map(p => scene.pixelOf(p));
+    });
+    const {colours, background} = await lookAt(page, [center, inside, left, above]);
+    assert.ok(differs(colours[0], background), `frame ${index}: the centre is empty`);
+    assert.ok(!differs(colours[0], colours[1]), `frame ${index}: the face has two colours`);
+    assert.ok(differs(colours[2], colours[0]), `frame ${index}: the block reaches too far left`);
+    assert.ok(differs(colours[3], colours[0]), `frame ${index}: the block reaches too high`);
+  }
+  await page.evaluate(() => window.riprap.camera('corner'));
+});
+
+test('the keyboard plays, steps, turns, selects and changes the light', async () => {
+  await goTo(5);
+  const index = () => page.evaluate(() => window.riprap.index);
+  const press = async (key, wanted) => {
+    await page.keyboard.press(key);
+    await page.waitForFunction(wanted);
+  };
+  await page.focus('#scene');
+  await press('ArrowRight', () => window.riprap.index === 6);
+  await press('Shift+ArrowRight', () => window.riprap.index === 16);
+  await press('Home', () => window.riprap.index === 0);
+  await press('End', () => window.riprap.index === window.riprap.frameCount - 1);
+  await press('ArrowLeft', () => window.riprap.index === window.riprap.frameCount - 2);
+  await press('4', () => document.getElementById('camera').value === 'top');
+  await press('1', () => document.getElementById('camera').value === 'corner');
+  await press(']', () => document.querySelector('#tab-body [data-field=name]')?.textContent === 'plane');
+  await press(']', () => document.querySelector('#tab-body [data-field=name]')?.textContent === 'block');
+  await press('Escape', () => !document.querySelector('#tab-body [data-field=name]'));
+  await press('c', () => document.getElementById('contacts').checked);
+  await press('c', () => !document.getElementById('contacts').checked);
+  await press('b', () => document.getElementById('block-by').value === 'speed');
+  const theme = await page.evaluate(() => document.documentElement.dataset.theme);
+  await page.keyboard.press('d');
+  await page.waitForFunction(was => document.documentElement.dataset.theme !== was, theme);
+  await page.keyboard.press('d');
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'pause');
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'play');
+  assert.ok(await index() >= 0);
+});
+
+test('everything fits on the screen of a small laptop', async () => {
+  for (const [width, height] of [[1280, 720], [1024, 600]]) {
+    await page.setViewportSize({width, height});
+    const over = await page.evaluate(() => [document.documentElement.scrollWidth - window.innerWidth,
+                                            document.documentElement.scrollHeight - window.innerHeight,
+                                            document.getElementById('view').clientHeight]);
+    assert.ok(over[0] <= 0 && over[1] <= 0, `${width} x ${height}: the page is larger by ${over}`);
+    assert.ok(over[2] > 0.6 * height, `${width} x ${height}: the scene has ${over[2]} pixels of height`);
+  }
+  await page.setViewportSize({width: 1280, height: 720});
+});
+
+test('a run whose last frame is half written shows the others and says so', async () => {
+  const frame = join(run, 'frames', 'bodies_000030.vtp');
+  truncateSync(frame, statSync(frame).size / 2);
+  const damaged = await stage.visit(run);
+  assert.equal(await damaged.evaluate(() => window.riprap.frameCount), 30);
+  assert.match(await damaged.textContent('#trouble'), /bodies_000030\.vtp.*ends in the middle/);
+  assert.ok((await lookAt(damaged)).share > 0.05);
+});

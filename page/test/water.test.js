@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// A page with water, and pictures drawn by the program.
+
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {inflateSync} from 'node:zlib';
+import {Stage, lookAt, riprap} from './stage.js';
+
+let stage, run, page;
+
+before(async () => {
+  stage = await Stage.open();
+  run = stage.run('water', 'cases/floating_box', ['fluid.spacing=0.04', 'end=0.3', 'output.interval=0.01']);
+  page = await stage.visit(run);
+});
+after(() => stage?.close());
+
+/** An array of a VTP file, read independently of the program. */
+function vtpArray(xml, name, Type) {
+  const text = xml.match(new RegExp(`<DataArray[^>]*Name="${name}"[^>]*>([^<]*)<`))[1];
+  const blocks = Number(Buffer.from(text.slice(0, 12), 'base64').readBigUInt64LE(0));
+  const headCharacters = Math.ceil(8 * (3 + blocks) / 3) * 4;
+  const head = Buffer.from(text.slice(0, headCharacters), 'base64');
+  const packed = Buffer.from(text.slice(headCharacters), 'base64');
+  const parts = [];
+  for (let k = 0, at = 0; k < blocks; ++k) {
+    const size = Number(head.readBigUInt64LE(8 * (3 + k)));
+    parts.push(inflateSync(packed.subarray(at, at + size)));
+    at += size;
+  }
+  return new Type(new Uint8Array(Buffer.concat(parts)).buffer);
+}
+
+test('every particle is where its frame says, within half a step', async () => {
+  await page.waitForFunction(() => document.documentElement.dataset.loaded === 'all');
+  for (const index of [0, 13, 29]) {
+    const xml = readFileSync(join(run, 'frames', `water_${String(index).padStart(6, '0')}.vtp`), 'utf8');
+    const ids = vtpArray(xml, 'id', Int32Array), points = vtpArray(xml, 'Points', Float64Array);
+    await page.evaluate(k => window.riprap.show(k), index);
+    const {places, step} = await page.evaluate(() => {
+      const {geometry, water} = window.riprap.scene.particles, cells = geometry.getAttribute('cell').array;
+      const places = [];
+      for (let k = 0; k < cells.length; k += 4) {
+        places.push([0, 1, 2].map(axis => water.origin[axis] + water.step * cells[k + axis]));
+      }
+      return {places, step: water.step};
+    });
+    assert.equal(places.length, ids.length);
+    [...ids.keys()].sort((a, b) => ids[a] - ids[b]).forEach((row, k) => {
+      for (let axis = 0; axis < 3; ++axis) {
+        const error = Math.abs(places[k][axis] - points[3 * row + axis]);
+        assert.ok(error <= 0.5001 * step, `frame ${index}, particle ${ids[row]}: ${error} m`);
+      }
+    });
+  }
+});
+
+test('water is drawn in every frame, in other colours by speed, and not at all when it is hidden', async () => {
+  const share = async by => {
+    await page.selectOption('#water-by', by);
+    return (await lookAt(page)).share;
+  };
+  for (const index of [0, 15, 29]) {
+    await page.evaluate(k => window.riprap.show(k), index);
+    const withWater = await share('pressure'), without = await share('none');
+    assert.ok(withWater > without + 0.1, `frame ${index}: ${withWater} of the scene with water, ${without} without`);
+  }
+  await share('speed');
+  assert.match(await page.textContent('#legends'), /speed of water \[m\/s\]/);
+  await share('pressure');
+  assert.match(await page.textContent('#legends'), /pressure of water \[Pa\]/);
+});
+
+test('the page of the water asks nobody for anything either', () => {
+  assert.deepEqual(page.requests, [page.address]);
+  assert.deepEqual(page.errors, []);
+});
+
+test('a click in a plot goes to its time', async () => {
+  await page.click('[data-tab=plots]');
+  const box = await page.locator('#tab-plots canvas').first().boundingBox();
+  await page.mouse.click(box.x + box.width - 11, box.y + 60);
+  await page.waitForFunction(() => window.riprap.index >= window.riprap.frameCount - 2);
+});
+
+test('render draws a picture of the asked size that is not empty', async () => {
+  const out = join(stage.folder, 'picture.png');
+  const {status, stderr} = riprap(['render', run, '--out', out, '--size', '640x360', '--frame', '10']);
+  assert.equal(status, 0, stderr);
+  const blank = await stage.browser.newPage();
+  const seen = await blank.evaluate(async data => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height});
+    const pen = canvas.getContext('2d');
+    pen.drawImage(image, 0, 0);
+    const {data: pixels} = pen.getImageData(0, 0, image.width, image.height);
+    let drawn = 0;
+    for (let k = 0; k < pixels.length; k += 4) {
+      drawn += Math.abs(pixels[k] - pixels[0]) + Math.abs(pixels[k + 2] - pixels[2]) > 12 ? 1 : 0;
+    }
+    return [image.width, image.height, drawn / (image.width * image.height)];
+  }, readFileSync(out).toString('base64'));
+  assert.deepEqual(seen.slice(0, 2), [640, 360]);
+  assert.ok(seen[2] > 0.15, `${seen[2]} of the picture is drawn`);
+});
+
+test('a frame that is not there, a browser that is not there, a run that is none: each is told', () => {
+  const there = riprap(['render', run, '--frame', '99']);
+  assert.equal(there.status, 5);
+  assert.match(there.stderr, /there is no frame 99: the run has 31, from 0 to 30/);
+  const without = riprap(['render', run], {env: {...process.env, PATH: '/nonexistent', RIPRAP_CHROMIUM: ''}});
+  assert.equal(without.status, 5);
+  assert.match(without.stderr, /there is no Chromium.*install Debian's package chromium/);
+  const none = riprap(['view', stage.folder]);
+  assert.equal(none.status, 5);
+  assert.match(none.stderr, /holds no run/);
+});
