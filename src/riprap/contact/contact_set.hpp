@@ -88,7 +88,8 @@ struct ContactRow {
     double elastic_energy;  ///< stored in the overlap [J]
     double friction_loss;   ///< dissipated by sliding in this step [J]
     Vec3 dashpot;           ///< part of `force` that dashpots add [N]
-    double dashpot_power;   ///< dashpot . (v_A - v_B) before the kick; what they take is negative [W]
+    Vec3 dashpot_couple;    ///< part of `moment` that they add [N m]
+    double dashpot_power;   ///< of both before the kick; what they take is negative [W]
     float omega_squared_a;  ///< share in the highest omega^2 of A's body, see stability.hpp [1/s^2]
     float omega_squared_b;
     float damping_a;  ///< the same of the dashpots [1/s]

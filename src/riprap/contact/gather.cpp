@@ -53,22 +53,27 @@ void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodySt
 
 double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::BodyState& state,
                                      const body::BodyKinematics& kinematics, double dt) const {
-    const auto velocity_at = [&](std::int32_t part, const Vec3& point) {
+    struct Motion {
+        Vec3 velocity, spin;
+    };
+    const auto motion_at = [&](std::int32_t part, const Vec3& point) {
         const std::size_t body = at(scene.bodies.parts[at(part)].body.value);
         const Vec3 spin = kinematics.inverse_mass[body] > 0
                               ? kinematics.inverse_inertia[body] * state.angular_momentum[body]
                               : kinematics.angular_velocity[body];
-        return state.velocity[body] + cross(spin, point - state.position[body]);
+        return Motion{state.velocity[body] + cross(spin, point - state.position[body]), spin};
     };
     return parallel::reduce(
         static_cast<std::int64_t>(rows_.size()), 0.0,
         [&](std::int64_t i) {
             const ContactRow& row = rows_[at(i)];
-            if (row.dashpot == Vec3{}) {
+            if (row.dashpot == Vec3{} && row.dashpot_couple == Vec3{}) {
                 return 0.0;
             }
-            const Vec3 relative = velocity_at(row.parts.a, row.point) - velocity_at(row.parts.b, row.point);
-            return -0.5 * (row.dashpot_power + dot(relative, row.dashpot)) * dt;
+            const Motion a = motion_at(row.parts.a, row.point), b = motion_at(row.parts.b, row.point);
+            const double power_after =
+                dot(a.velocity - b.velocity, row.dashpot) + dot(a.spin - b.spin, row.dashpot_couple);
+            return -0.5 * (row.dashpot_power + power_after) * dt;
         },
         [](double a, double b) { return a + b; });
 }

@@ -43,13 +43,15 @@ Mobility mobility_at(const PairSide& side, const Vec3& point, const Vec3& n) {
 ContactKinematics kinematics_at(const Candidate& pair, const Vec3& point, const Mobility& a, const Mobility& b) {
     const PairSide &on_a = pair.a, &on_b = pair.b;
     const double along = a.along + b.along, across = 0.5 * (a.trace - a.along + (b.trace - b.along));
+    const double twist = a.twist + b.twist;
     return {.relative_velocity = on_a.velocity + cross(on_a.spin, point - on_a.center) - on_b.velocity -
                                  cross(on_b.spin, point - on_b.center),
             .mean_spin = 0.5 * (on_a.spin + on_b.spin),
             .relative_spin = on_a.spin - on_b.spin,
             .sliding_time = pair.sliding_time,
             .effective_mass = along > 0 ? 1 / along : 0,
-            .tangential_mass = across > 0 ? 1 / across : 0};
+            .tangential_mass = across > 0 ? 1 / across : 0,
+            .twist_inertia = twist > 0 ? 1 / twist : 0};
 }
 
 void set_stability(const LinearContact& contact, const Mobility& a, const Mobility& b, ContactRow& row) {
@@ -61,9 +63,10 @@ void set_stability(const LinearContact& contact, const Mobility& a, const Mobili
     row.omega_squared_b = static_cast<float>(stiff_b + coupling);
     row.damping_a = row.damping_b = 0;
     if (contact.normal_damping > 0 || contact.shear_damping > 0) {
-        const double damped_a = largest_rate(a, contact.normal_damping, contact.shear_damping);
-        const double damped_b = largest_rate(b, contact.normal_damping, contact.shear_damping);
-        const double damped = std::sqrt(damped_a * damped_b);
+        const auto damp = [&](const Mobility& w) {
+            return largest_rate(w, contact.normal_damping, contact.shear_damping) + contact.torsion_damping * w.twist;
+        };
+        const double damped_a = damp(a), damped_b = damp(b), damped = std::sqrt(damped_a * damped_b);
         row.damping_a = static_cast<float>(damped_a + damped);
         row.damping_b = static_cast<float>(damped_b + damped);
     }

@@ -29,6 +29,7 @@ struct LinearContact {
     double torsion_stiffness{0};  ///< about the normal [N m]
     double normal_damping{0};     ///< [N s/m]
     double shear_damping{0};      ///< [N s/m]
+    double torsion_damping{0};    ///< about the normal [N m s]
 };
 
 /// Fills the row's share in the stability of both bodies (docs/theory/time-step.md): with

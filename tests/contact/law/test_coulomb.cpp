@@ -24,7 +24,8 @@ ContactKinematics sliding(const Vec3& velocity, double dt = 1e-3) {
             .relative_spin = {},
             .sliding_time = dt,
             .effective_mass = 4,
-            .tangential_mass = 3};
+            .tangential_mass = 3,
+            .twist_inertia = 5};
 }
 
 const material::PairProperties rough{.shear_ratio = 0.5, .friction = 0.4};
@@ -211,6 +212,47 @@ TEST(Coulomb, TorsionOpposesRelativeSpinUpToTheSpinMomentOfThePressure) {
     motion.relative_spin = {0, 0, 1e3};
     coulomb(pressed(1000), twisting, motion, nullptr, after, row);
     EXPECT_NEAR(row.moment.z, -0.4 * 3, 1e-12);
+}
+
+TEST(Coulomb, AStuckTorsionSpringRingsDownAtTheDampingRatioOfThePair) {
+    material::PairProperties damped{.shear_ratio = 0.5, .friction = 1, .damping_ratio = 0.05};
+    damped.has_torsion = true;
+    const double inertia = 5, stiffness = 0.5e6 * 2 / (2 * std::numbers::pi);  // K_s S/(2 pi)
+    const double omega = std::sqrt(stiffness / inertia), dt = 0.002 / omega;
+    ShearState springs{}, after{};
+    ContactRow row;
+    double spin = -1e-3, first = 0, last = 0;
+    int half_cycles = -1;
+    for (int step = 0; half_cycles < 20; ++step) {
+        ContactKinematics motion = sliding({}, dt);
+        motion.relative_spin = {0, 0, spin};
+        const double torsion_before = springs.torsion;
+        coulomb(pressed(1000), damped, motion, step == 0 ? nullptr : &springs, after, row);
+        springs = after;
+        spin += dt / inertia * row.moment.z;
+        ASSERT_LE(dot(row.dashpot_couple, motion.relative_spin), 0);
+        if (torsion_before * springs.torsion < 0) {  // passes through no torsion
+            ++half_cycles;
+            (half_cycles == 0 ? first : last) = std::abs(spin);
+        }
+    }
+    const double expected = std::exp(-20 * std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
+    EXPECT_NEAR(last / first, expected, 0.01 * expected);
+}
+
+TEST(Coulomb, TorsionSpringAndDashpotTogetherStayWithinTheSpinMomentOfThePressure) {
+    material::PairProperties damped{.shear_ratio = 0.5, .friction = 0.4, .damping_ratio = 0.3};
+    damped.has_torsion = true;
+    ShearState after;
+    ContactRow row;
+    for (const double spin : {-100.0, -1e-3, 1e-3, 100.0}) {
+        const ShearState before{{0, 0, -1}, {}, 1.1, 0.1};
+        ContactKinematics motion = sliding({}, 1e-5);
+        motion.relative_spin = {0, 0, spin};
+        coulomb(pressed(1000), damped, motion, &before, after, row);
+        EXPECT_LE(std::abs(row.moment.z), 0.4 * 3 * (1 + 1e-12)) << spin;
+        EXPECT_LE(row.dashpot_power, 0) << spin;
+    }
 }
 
 }  // namespace

@@ -130,13 +130,23 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
     }
     const Vec3 tangential_force = after.shear_force + drag;
 
+    double drag_couple = 0;
+    if (pair.damping_ratio > 0 && shear.torsion_stiffness > 0) {
+        linear.torsion_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.twist_inertia * shear.torsion_stiffness);
+        const double limit = pair.friction * normal.spin_moment;
+        const double wanted = after.torsion - linear.torsion_damping * dot(kinematics.relative_spin, n);
+        drag_couple = std::clamp(wanted, -limit, limit) - after.torsion;
+    }
+
     row.point = normal.point;
     row.force = tangential_force - normal_force * n;
-    row.moment = normal.moment + after.torsion * n;
+    row.moment = normal.moment + (after.torsion + drag_couple) * n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
     row.dashpot = drag - (normal_force - elastic) * n;
-    row.dashpot_power = dot(row.dashpot, kinematics.relative_velocity);
+    row.dashpot_couple = drag_couple * n;
+    row.dashpot_power =
+        dot(row.dashpot, kinematics.relative_velocity) + dot(row.dashpot_couple, kinematics.relative_spin);
     row.normal_force = static_cast<float>(normal_force);
     row.shear_force = static_cast<float>(norm(tangential_force));
     row.overlap = static_cast<float>(normal.depth);

@@ -23,7 +23,8 @@ namespace riprap::contact {
 /// far as spring and dashpot together stay within the limit; one that slides has friction for that.
 ///
 /// Torsion (optional): a spring K_s S_c/(2 pi) against relative spin about n, limited by mu times the spin moment of
-/// the pressure. Differs from the source: c is a stress (the source's "2.14 Pa"), so the cohesive force is c S_c.
+/// the pressure. It has a dashpot of the same ratio, -2 xi sqrt(J_e K_t) (omega_A - omega_B).n, within the same limit.
+/// Differs from the source: c is a stress (the source's "2.14 Pa"), so the cohesive force is c S_c.
 ///
 /// @param normal  elastic normal contact, force on A
 /// @param before  springs of the last step, nullptr for a new contact
