@@ -16,5 +16,13 @@ void standing_wave(const CaseSetting& setting, CaseReport& report);
 void dam_break_front(const CaseSetting& setting, CaseReport& report);
 void wall_impact(const CaseSetting& setting, CaseReport& report);
 void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
+void submerged_cube(const CaseSetting& setting, CaseReport& report);
+void poiseuille(const CaseSetting& setting, CaseReport& report);
+void couette(const CaseSetting& setting, CaseReport& report);
+void solitary_wave(const CaseSetting& setting, CaseReport& report);
+void sloshing(const CaseSetting& setting, CaseReport& report);
+void cylinder_entry(const CaseSetting& setting, CaseReport& report);
+void sinking_block(const CaseSetting& setting, CaseReport& report);
+void dam_break_cube(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

@@ -74,6 +74,12 @@ double WaterTrial::first_reach(const std::string& name, double level) const {
     return std::nan("");
 }
 
+void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string& run) {
+    const std::string prefix = run.empty() ? "" : run + ": ";
+    report.judge_below({prefix + "energy that the ledger misses over what was turned over", "-", {}, 0.0, {}},
+                       trial.column("energy_residual").back() / trial.column("energy_turnover").back(), 0.01);
+}
+
 double interpolated(std::span<const double> x, std::span<const double> y, double at) {
     const auto next = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), at) - x.begin());
     if (next == 0) {

@@ -63,6 +63,10 @@ class WaterTrial {
     std::vector<std::vector<double>> values_;  ///< by column, then row
 };
 
+/// Judges that the energy ledger closes to 1 % of what was turned over; the case probes energy_residual and
+/// energy_turnover. `run` names one of several runs.
+void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string& run = "");
+
 /// Integral of y over x from `start` to `end` by trapezia between the points; ends are interpolated.
 double integral(std::span<const double> x, std::span<const double> y, double start, double end);
 /// y at x on straight lines between the points; the end values beyond.

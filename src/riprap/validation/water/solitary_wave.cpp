@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// A solitary wave travels along a flume and runs up an upright wall.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/validation/water/cases.hpp"
+#include "riprap/validation/water/water_trial.hpp"
+#include "riprap/wave/solitary_wave.hpp"
+
+namespace riprap::validation::water {
+
+namespace {
+
+constexpr double depth = 0.5, height = 0.1;  ///< of case.toml
+
+/// The first crest of a record.
+struct Crest {
+    double time, level;
+};
+
+/// By the parabola through the highest row before `end` and its neighbours.
+Crest crest_of(const WaterTrial& trial, const std::string& gauge, double end) {
+    const std::vector<double>&t = trial.time(), &y = trial.column(gauge);
+    const auto last = std::upper_bound(t.begin(), t.end(), end) - t.begin();
+    const auto top = static_cast<std::size_t>(std::max_element(y.begin(), y.begin() + last) - y.begin());
+    if (top == 0 || top + 1 >= static_cast<std::size_t>(last)) {
+        return {std::nan(""), std::nan("")};  // still rising: no crest
+    }
+    const double bend = y[top - 1] - 2 * y[top] + y[top + 1];
+    const double shift = bend < 0 ? 0.5 * (y[top - 1] - y[top + 1]) / bend : 0;
+    return {t[top] + shift * (t[top + 1] - t[top]), y[top] - 0.25 * (y[top - 1] - y[top + 1]) * shift};
+}
+
+}  // namespace
+
+void solitary_wave(const CaseSetting& setting, CaseReport& report) {
+    std::vector<std::string> finer;
+    if (setting.is_full) {
+        finer = {"fluid.spacing=0.0125"};
+    }
+    WaterTrial trial(setting, finer);
+    trial.run();
+    const wave::SolitaryWave theory{height, depth, 9.81};
+    // The crest comes by at x before it can return from the wall at 12.5 m.
+    const double start = 0.5 * trial.time().back();
+    const Crest near = crest_of(trial, "near", start + 1.5), middle = crest_of(trial, "middle", start + 2.5);
+    const Crest far = crest_of(trial, "far", start + 3.2);
+    report.state({"height at 5 m", "m", {}, height, "of the wave asked for"}, near.level - depth);
+    report.judge({"celerity from 5 to 10 m", "m/s", {}, theory.celerity(), "sqrt(g (d + H))"},
+                 5 / (far.time - near.time), Relative{0.01});
+    report.judge_below({"loss of height over ten depths", "-", {}, 0.0, {}},
+                       1 - (far.level - depth) / (near.level - depth), 0.02);
+    report.state({"height at 7.5 m", "m", {}, {}, {}}, middle.level - depth);
+    // Run-up on an upright wall to third order of e = H/d, H as it arrives [SuMirie1980].
+    const double e = (far.level - depth) / depth, run_up = depth * (2 * e + 0.5 * e * e + 0.75 * e * e * e);
+    const std::vector<double>& wall = trial.column("wall");
+    report.judge({"run-up on the wall", "m", {}, run_up, "2 e + e^2/2 + 3 e^3/4 depths"},
+                 *std::max_element(wall.begin(), wall.end()) - depth, Relative{0.08});
+    judge_ledger(report, trial);
+    Plot plot{"A solitary wave", "0.1 m high over 0.5 m", {"time [s]", false}, {"surface [m]", false}, {}, false};
+    for (const char* name : {"near", "middle", "far", "wall"}) {
+        plot.curves.push_back({name, trial.time(), trial.column(name), CurveStyle::line, -1});
+    }
+    std::vector<double> shape;
+    for (const double t : trial.time()) {
+        shape.push_back(depth + theory.elevation(theory.celerity() * (t - near.time)));
+    }
+    plot.curves.push_back({"theory at 5 m", trial.time(), shape, CurveStyle::dashed, 0});
+    write_plot(setting, "solitary_wave", plot);
+}
+
+}  // namespace riprap::validation::water
