@@ -29,6 +29,9 @@ TEST(PrescribedMotion, EveryLawStartsAtTheInitialPoseAndMovesAtItsStatedVelocity
         {RotatingMotion{{0, 0, 1}, {0, 0.6, 0.8}, 0.3, 0.1, 1.5, 0.2}},
         {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}}},
         {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}, {0, 1, 0}, true}},
+        {HarmonicMotion{.amplitude = {0.1, 0.03}, .angular_frequency = 4, .phase = 0.3, .ramp = 1}},
+        {HarmonicMotion{.amplitude = {0.1, 0.03}, .angular_frequency = 4, .phase = 0.3}},
+        {HarmonicMotion{.amplitude = {0.1}, .angular_frequency = 3, .direction = {0, 0.6, 0.8}, .arm = 0.5}},
     };
     for (const PrescribedMotion& motion : motions) {
         const DrivenState first = evaluate(motion, start, 0);
@@ -79,6 +82,14 @@ TEST(PrescribedMotion, ASplineReproducesACubicAndItsRate) {
     }
     EXPECT_EQ(evaluate({law}, Pose{}, 5).velocity, Vec3{});
     EXPECT_EQ(evaluate({law}, Pose{}, 5).pose.position.x, cubic(2.0));
+}
+
+TEST(PrescribedMotion, AnOscillationGoesOnForeverWithItsWholeStroke) {
+    const PrescribedMotion motion{HarmonicMotion{.amplitude = {0.2}, .angular_frequency = 2, .ramp = 3}};
+    const double late = 1000 * std::numbers::pi;
+    EXPECT_NEAR(evaluate(motion, Pose{}, late + 0.25 * std::numbers::pi).pose.position.x, 0.2, 1e-12);
+    EXPECT_NEAR(evaluate(motion, Pose{}, late).velocity.x, 0.4, 1e-12);
+    EXPECT_EQ(evaluate(motion, Pose{}, 0).velocity, Vec3{});
 }
 
 }  // namespace

@@ -219,19 +219,19 @@ TEST(ReadCase, motions_reach_the_model) {
 
 TEST(ReadCase, wave_makers_get_their_stroke_from_wave_theory) {
     const std::string moving = minimal_case + "motion = { wave_maker = { height = 0.1, depth = 0.5, ";
-    const auto paddle = [&](const std::string& text) {
-        return std::get<body::SplineMotion>(read(moving + text + " } }\n").model.bodies.motions.at(0).law);
+    const auto law = [&](const std::string& text) {
+        return read(moving + text + " } }\n").model.bodies.motions.at(0).law;
     };
-    const auto stroke = [](const body::SplineMotion& law) {
-        const auto [low, high] = std::minmax_element(law.stroke.begin(), law.stroke.end());
-        return *high - *low;
-    };
-    EXPECT_NEAR(stroke(paddle("period = 1.2, ramp = 0")), 0.1 / 1.41675, 1e-6);
-    EXPECT_NEAR(std::tan(stroke(paddle("period = 1.2, ramp = 0, paddle = \"flap\", hinge = [0, 0, 0]")) / 2),
-                0.5 * 0.1 / 0.82085 / 0.5, 1e-5);
-    EXPECT_EQ(paddle("period = 1.2, paddle = \"flap\", hinge = [0, 0, 0]").direction, (Vec3{0, 1, 0}));
-    EXPECT_NEAR(stroke(paddle("wave = \"solitary\", direction = [0, 2, 0]")), 0.999 * 2 * 0.1 / (0.7746 * 0.5), 1e-5);
-    EXPECT_GT(stroke(paddle("period = 2, wave = \"second_order\"")), 0);
+    const auto paddle = [&](const std::string& text) { return std::get<body::HarmonicMotion>(law(text)); };
+    EXPECT_NEAR(2 * paddle("period = 1.2").amplitude[0], 0.1 / 1.41675, 1e-6);
+    EXPECT_EQ(paddle("period = 1.2").amplitude[1], 0);
+    const auto flap = paddle("period = 1.2, paddle = \"flap\", hinge = [0, 0, 0]");
+    EXPECT_NEAR(2 * flap.amplitude[0], 0.1 / 0.82085, 1e-5);
+    EXPECT_EQ(flap.arm, 0.5);
+    EXPECT_EQ(flap.direction, (Vec3{0, 1, 0}));
+    EXPECT_GT(paddle("period = 2, wave = \"second_order\"").amplitude[1], 0);
+    const auto solitary = std::get<body::SplineMotion>(law("wave = \"solitary\", direction = [0, 2, 0]"));
+    EXPECT_NEAR(solitary.stroke.back(), 0.999 * 2 * 0.1 / (0.7746 * 0.5), 1e-5);
 }
 
 TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {
@@ -245,7 +245,12 @@ TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {
                 ElementsAre(HasSubstr("flap")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, direction = [1, 0, 1]"),
                 ElementsAre(HasSubstr("up or down")));
-    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1e-9"), ElementsAre(HasSubstr("until the end")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1e-9"),
+                ElementsAre(HasSubstr("long breaks; allowed: a height up to 0.142 L tanh kd")));
+    EXPECT_THAT(problems("depth = 0.5, period = 1"), ElementsAre(HasSubstr("without 'height'")));
+    EXPECT_THAT(problems("depth = 0.5, wave = \"none\""), ElementsAre(HasSubstr("neither makes nor absorbs")));
+    EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, absorb = [0, 0, 0]"),
+                ElementsAre(HasSubstr("without water")));
     EXPECT_THAT(problems("height = 0.2, depth = 0.3, period = 9, wave = \"second_order\""),
                 ElementsAre(HasSubstr("second-order theory")));
 }

@@ -56,6 +56,9 @@ struct BodyState {
     std::vector<Quat> orientation;       ///< body -> world
     std::vector<Vec3> velocity;          ///< [m/s]
     std::vector<Vec3> angular_momentum;  ///< about the centre of mass, world axes [kg m^2/s]
+    /// Of driven bodies: what corrections have moved them beyond their motion, and how fast they do now; empty where no
+    /// body is corrected [m], [m/s].
+    std::vector<Vec3> drive_offset, drive_rate;
 
     std::int32_t size() const { return static_cast<std::int32_t>(position.size()); }
     friend bool operator==(const BodyState&, const BodyState&) = default;
@@ -66,6 +69,8 @@ struct BodyState {
         visit("body.orientation", self.orientation);
         visit("body.velocity", self.velocity);
         visit("body.angular_momentum", self.angular_momentum);
+        visit("body.drive_offset", self.drive_offset);
+        visit("body.drive_rate", self.drive_rate);
     }
 };
 

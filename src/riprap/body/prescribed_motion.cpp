@@ -2,6 +2,7 @@
 #include "riprap/body/prescribed_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace riprap::body {
@@ -83,6 +84,30 @@ DrivenState apply(const SplineMotion& law, const Pose& initial, double t) {
     const Stroke stroke = stroke_at(law, t);
     if (law.is_turn) {
         return turned(initial, law.center, law.direction, stroke.value, stroke.rate);
+    }
+    return {{initial.position + stroke.value * law.direction, initial.orientation}, stroke.rate * law.direction, {}};
+}
+
+Stroke stroke_at(const HarmonicMotion& law, double t) {
+    const double w = law.angular_frequency, angle = w * t + law.phase;
+    const auto [a, b] = law.amplitude;
+    const double full = a * std::sin(angle) + b * std::sin(2 * angle);
+    const double full_rate = w * (a * std::cos(angle) + 2 * b * std::cos(2 * angle));
+    if (t < law.ramp) {
+        const double rise = std::numbers::pi / law.ramp;
+        const double share = 0.5 * (1 - std::cos(rise * t)), share_rate = 0.5 * rise * std::sin(rise * t);
+        return {share * full, share * full_rate + share_rate * full};
+    }
+    const double start = law.ramp > 0 ? 0.0 : a * std::sin(law.phase) + b * std::sin(2 * law.phase);
+    return {full - start, full_rate};
+}
+
+DrivenState apply(const HarmonicMotion& law, const Pose& initial, double t) {
+    const Stroke stroke = stroke_at(law, t);
+    if (law.arm > 0) {
+        const double slope = stroke.value / law.arm;
+        return turned(initial, law.center, law.direction, std::atan(slope),
+                      stroke.rate / (law.arm * (1 + slope * slope)));
     }
     return {{initial.position + stroke.value * law.direction, initial.orientation}, stroke.rate * law.direction, {}};
 }

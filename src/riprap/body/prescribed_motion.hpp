@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <limits>
 #include <variant>
 #include <vector>
@@ -48,9 +49,26 @@ struct SplineMotion {
     bool is_turn{false};
 };
 
+/// An oscillation with its second harmonic that grows from rest, known at all times: the way of a paddle,
+///
+///     s(t) = r(t) (a_1 sin(wt + phase) + a_2 sin(2 (wt + phase))) - s_0,   r = (1 - cos(pi t/ramp))/2 up to `ramp`,
+///     then 1,
+///
+/// s_0 what the phase adds at t = 0 where there is no ramp. Moves the body by s * direction, or, where `arm` is not 0,
+/// turns it by atan(s/arm) about `direction`.
+struct HarmonicMotion {
+    std::array<double, 2> amplitude{};  ///< a_1, a_2 [m]
+    double angular_frequency{1};        ///< w [rad/s]
+    double phase{0};                    ///< [rad]
+    double ramp{0};                     ///< [s]
+    Vec3 direction{1, 0, 0};            ///< unit vector: of the way, or the axis of the turn [-]
+    Vec3 center{};                      ///< a point of the axis [m]
+    double arm{0};                      ///< distance of the axis from the line that moves by s [m]
+};
+
 /// How a body is driven. Outside [start, stop] the body rests where the motion put it.
 struct PrescribedMotion {
-    std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion, SplineMotion> law;
+    std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion, SplineMotion, HarmonicMotion> law;
     double start{0};  ///< the law's t counts from here [s]
     double stop{std::numeric_limits<double>::infinity()};
 };

@@ -22,6 +22,7 @@ void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::Bo
         particles.position.resize(count);
         particles.velocity.resize(count);
         particles.acceleration.resize(count);
+        particles.given_pressure.clear();
         particles.volume = samples.volume;
         particles.is_slippery = samples.is_slippery;
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -61,6 +62,22 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
     }
 }
 
+/// Water that comes and goes has no length that is known beforehand, but its fields agree.
+void check_openings(const io::Checkpoint& checkpoint, const sim::FluidModel& model, const sim::State& state) {
+    const fluid::ParticleState& water = state.fluid;
+    const fluid::OpenState& open = state.open;
+    const std::size_t count = water.position.size(), layers = open.position.size();
+    const auto outflows = static_cast<std::int32_t>(model.open.outflows.size());
+    if (water.velocity.size() != count || water.density.size() != count || water.id.size() != count ||
+        open.velocity.size() != layers || open.outflow.size() != layers ||
+        static_cast<std::int64_t>(count) > model.open.most_particles) {
+        refuse(checkpoint, "the fields of the water differ in length");
+    }
+    if (std::any_of(open.outflow.begin(), open.outflow.end(), [&](auto k) { return k < 0 || k >= outflows; })) {
+        refuse(checkpoint, "water lies in an outflow that is not there");
+    }
+}
+
 /// One checkpoint file, or the reason why it cannot be used.
 struct Attempt {
     std::optional<Restart> restart;
@@ -96,9 +113,11 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
     Restart restart{initial, {}, {}};
-    const auto has_fixed_length = [](std::string_view name) {
-        return name.starts_with("body.") || name.starts_with("fluid.") || name.starts_with("coupling.") ||
-               name == "ledger.totals";
+    const bool is_open = model.fluid && !model.fluid->open.empty();
+    const auto has_fixed_length = [is_open](std::string_view name) {
+        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) || name == "fluid.totals" ||
+               name.starts_with("coupling.") || name == "ledger.totals" || name == "open.layers" ||
+               name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, restart.state, has_fixed_length);
     io::restore(checkpoint, restart.record, [](std::string_view) { return false; });
@@ -113,6 +132,9 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     if (stepping.halvings < 0 || stepping.halvings > sim::max_halvings || stepping.accepted < 0) {
         refuse(checkpoint, fmt::format("the time step is halved {} times, {} steps ago; allowed: 0 to {} times",
                                        stepping.halvings, stepping.accepted, sim::max_halvings));
+    }
+    if (is_open) {
+        check_openings(checkpoint, *model.fluid, restart.state);
     }
     check_contacts(checkpoint, model, restart.state.contacts);
     check_orientations(checkpoint, restart.state);

@@ -141,6 +141,23 @@ bool check_planar_turn(CaseBuild& build, const Value& table, const Quat& turn) {
     return false;
 }
 
+/// Notes that the body with index `first` is a paddle that absorbs waves, if it is.
+void note_absorption(CaseBuild& build, const Value& table, std::size_t first, std::size_t count) {
+    const Value* motion = table.find("motion");
+    const Value* maker = motion != nullptr ? motion->find("wave_maker") : nullptr;
+    auto absorption = maker != nullptr ? paddle_absorption(build, *maker) : std::nullopt;
+    if (!absorption) {
+        return;
+    }
+    if (count != first + 1) {
+        build.problem(table.place, "copies of a paddle that absorbs waves", "one paddle");
+        return;
+    }
+    absorption->body = BodyId{static_cast<std::int32_t>(first)};
+    absorption->start = get_number(*motion, "start");
+    build.absorptions.push_back(*absorption);
+}
+
 void build_body(CaseBuild& build, const Value& table) {
     body::NewBody body;
     body.name = get_text(table, "name");
@@ -177,6 +194,7 @@ void build_body(CaseBuild& build, const Value& table) {
         add_with_loads(build, table, body);
     }
     const auto count = static_cast<std::size_t>(build.model.bodies.size());
+    note_absorption(build, table, first, count);
     build.is_dry.resize(first, 0);
     build.is_dry.resize(count, get_boolean(table, "wet") ? 0 : 1);
     build.sticks.resize(first, 0);

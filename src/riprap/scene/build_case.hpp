@@ -29,7 +29,8 @@ struct CaseBuild {
     std::map<std::string, MaterialId> materials{};
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<std::int32_t> used_materials{};
-    std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
+    std::vector<sim::PaddleAbsorption> absorptions{};  ///< of paddles that have one
+    std::vector<std::uint8_t> is_dry{}, sticks{};      ///< of bodies that say so, by body; those beyond the end do not
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
         problems.push_back({place, std::move(message), std::move(allowed)});
@@ -48,7 +49,9 @@ void build_settings(CaseBuild& build);
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
-void build_fluid(CaseBuild& build);                      ///< after all bodies: water fills what they leave
+void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
+/// Sponges, inflows and outflows of the [fluid] in `table`; after its depth is known.
+void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
 
@@ -75,7 +78,9 @@ Quat orientation_of(const Value* table);
 std::int32_t add_motion(CaseBuild& build, const Value& motion);
 
 /// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
-std::optional<body::SplineMotion> wave_maker_motion(CaseBuild& build, const Value& table);
+std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table);
+/// How that paddle takes up waves that come back; nothing where it does not.
+std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
 
 /// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.
 bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies);

@@ -7,6 +7,7 @@
 
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/sph/kick.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build_case.hpp"
@@ -100,13 +101,19 @@ std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& t
 }
 
 /// The fastest that the case itself makes something move [m/s].
-double fastest_start(const CaseBuild& build, const std::vector<coupling::FillRegion>& regions) {
+double fastest_start(const CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions) {
     double fastest = 0;
+    for (const char* openings : {"inflow", "outflow"}) {
+        for (const Value& opening : get(table, openings).items) {
+            fastest = std::max(fastest, get_number_or(opening, "speed", 0));
+        }
+    }
     for (const coupling::FillRegion& region : regions) {
         fastest = std::max(fastest, norm(region.velocity));
     }
     const body::BodySet& bodies = build.model.bodies;
-    constexpr int looks = 200;  // times at which a driven body is looked at
+    constexpr int looks =
+        1999;  // times at which a driven body is looked at; prime, so that no period hides between them
     for (std::size_t b = 0; b < bodies.mass.size(); ++b) {
         fastest = std::max(fastest, norm(build.state.bodies.velocity[b]));
         for (int k = 0; bodies.motion[b] >= 0 && k <= looks; ++k) {
@@ -121,7 +128,8 @@ double fastest_start(const CaseBuild& build, const std::vector<coupling::FillReg
 /// c_0 from the depth of the water that is there; filling does not need it yet.
 void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
                         const fluid::ParticleState& particles, sim::FluidModel& fluid) {
-    const Vec3 gravity = build.model.gravity.value;
+    // Along a periodic axis water has no depth.
+    const Vec3 gravity = fluid::without_periodic(build.model.gravity.value, fluid.sph.domain);
     const double strength = norm(gravity);
     double low = 1e300, high = -1e300;
     for (const Vec3& x : particles.position) {
@@ -140,7 +148,7 @@ void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<
     const double tip = 2 * std::sqrt(strength * fluid.depth);
     const fluid::SoundSpeed chosen = fluid::choose_sound_speed(
         strength, fluid.depth,
-        std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, regions)));
+        std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, table, regions)));
     fluid.sph.sound_speed = chosen.value;
     fluid.sound_speed_reason = chosen.reason;
     if (!(chosen.value > 0)) {
@@ -161,6 +169,28 @@ bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
         return false;
     }
     return true;
+}
+
+/// Paddles that absorb waves look at the water as it lies at the start.
+void build_absorptions(CaseBuild& build, const Value& table, const fluid::ParticleState& particles,
+                       sim::FluidModel& fluid) {
+    for (sim::PaddleAbsorption& paddle : build.absorptions) {
+        paddle.still = sim::surface_at_paddle(paddle, 0, fluid.sph, particles);
+        const std::string& name = build.model.bodies.name(paddle.body);
+        if (paddle.still < fluid.sph.spacing) {
+            build.problem(
+                table.place,
+                fmt::format("no water stands {} spacings in front of the foot of '{}', which is to absorb waves",
+                            sim::absorption_gauge_distance, name),
+                "'absorb' at the foot of its face, in water");
+        }
+        fluid.absorptions.push_back(paddle);
+    }
+    if (!fluid.absorptions.empty()) {
+        const auto count = static_cast<std::size_t>(build.model.bodies.size());
+        build.state.bodies.drive_offset.assign(count, {});
+        build.state.bodies.drive_rate.assign(count, {});
+    }
 }
 
 void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
@@ -184,6 +214,9 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
 void build_fluid(CaseBuild& build) {
     const Value* table = build.root.find("fluid");
     if (table == nullptr) {
+        if (!build.absorptions.empty()) {
+            build.problem(build.root.place, "a paddle that absorbs waves in a case without water", "a [fluid]");
+        }
         return;
     }
     sim::FluidModel fluid;
@@ -246,8 +279,12 @@ void build_fluid(CaseBuild& build) {
         return;
     }
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
-    coupling::set_hydrostatic_density(filling, fluid.sph, build.model.gravity.at(0));
+    coupling::set_hydrostatic_density(filling, fluid.sph,
+                                      fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
     warn_of_thin_bodies(build, fluid);
+    build_absorptions(build, *table, filling.particles, fluid);
+    build_openings(build, *table, fluid);
+    start_openings(fluid.open, filling.particles, build.state.open);
     build.state.fluid = std::move(filling.particles);
     build.model.fluid = std::move(fluid);
 }

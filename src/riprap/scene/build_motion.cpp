@@ -62,11 +62,11 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
                                           get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
                                           get_number(*rotation, "period"), get_number(*rotation, "phase")};
     } else if (const Value* maker = table.find("wave_maker")) {
-        std::optional<body::SplineMotion> paddle = wave_maker_motion(build, *maker);
+        std::optional<body::PrescribedMotion> paddle = wave_maker_motion(build, *maker);
         if (!paddle) {
             return -1;
         }
-        motion.law = std::move(*paddle);
+        motion = std::move(*paddle);
     } else {
         const std::size_t before = build.problems.size();
         motion.law = read_motion_table(build, get(table, "table"));

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "riprap/scene/build_case.hpp"
-#include "riprap/scene/limits.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::scene {
@@ -16,95 +14,141 @@ namespace {
 /// Heights above this share of the depth break at the paddle [-]: the limit of a solitary wave [McCowan1894].
 constexpr double breaking_share = 0.78;
 
-/// A flap's stroke is that of its line at still water: angle = atan(x/d).
-void turn_about_hinge(wave::MotionSeries& series, double depth) {
-    for (std::size_t i = 0; i < series.value.size(); ++i) {
-        const double slope = series.value[i] / depth;
-        series.value[i] = std::atan(slope);
-        series.rate[i] /= depth * (1 + slope * slope);
-    }
-}
+/// Waves break above H = 0.142 L tanh kd [Miche1944].
+constexpr double steepest = 0.142;
 
-std::optional<wave::MotionSeries> regular_series(CaseBuild& build, const Value& table, wave::Paddle paddle, double g) {
+std::optional<wave::LinearWave> regular_wave(CaseBuild& build, const Value& table, double g) {
     const Value* period = table.find("period");
     if (period == nullptr) {
         build.problem(table.place, "a regular wave without 'period'", "the period of the wave");
         return std::nullopt;
     }
-    const double end = build.model.time.end;
-    const double T = period->as_number();
-    if (80 * end / T > static_cast<double>(limits::table_rows)) {
-        build.problem(period->place, fmt::format("{:.4g} waves of {:.4g} s until the end at {:.4g} s", end / T, T, end),
-                      fmt::format("at most {}", limits::table_rows / 80));
+    const wave::LinearWave wave =
+        wave::linear_wave(get_number(table, "height"), period->as_number(), get_number(table, "depth"), g);
+    const double highest = steepest * wave.length() * std::tanh(wave.kd());
+    if (!(wave.height <= highest)) {
+        build.problem(period->place,
+                      fmt::format("a wave {:.4g} m high and {:.4g} m long breaks", wave.height, wave.length()),
+                      fmt::format("a height up to 0.142 L tanh kd = {:.4g} m, or a longer period", highest));
         return std::nullopt;
     }
-    const wave::LinearWave wave = wave::linear_wave(get_number(table, "height"), T, get_number(table, "depth"), g);
-    const bool is_second_order = get_text(table, "wave") == "second_order";
     const double ursell_limit = 8 * std::numbers::pi * std::numbers::pi / 3;
     const double ursell = wave.height * wave.length() * wave.length() / std::pow(wave.depth, 3);
-    if (is_second_order && ursell >= ursell_limit) {
+    if (get_text(table, "wave") == "second_order" && ursell >= ursell_limit) {
         build.problem(
             table.place,
             fmt::format("H L^2/d^3 = {:.4g} is beyond second-order theory: its crests would be double", ursell),
             fmt::format("below 8 pi^2/3 = {:.4g}", ursell_limit));
         return std::nullopt;
     }
-    return wave::regular_motion({.wave = wave,
-                                 .paddle = paddle,
-                                 .phase = get_number(table, "phase"),
-                                 .ramp = get_number_or(table, "ramp", 2 * T),
-                                 .second_order = is_second_order},
-                                end);
+    return wave;
 }
 
-}  // namespace
+body::HarmonicMotion regular_motion(const Value& table, const wave::LinearWave& wave, wave::Paddle paddle,
+                                    const Vec3& up) {
+    const wave::RegularStroke stroke = wave::regular_stroke(wave, paddle, get_text(table, "wave") == "second_order");
+    body::HarmonicMotion motion;
+    motion.amplitude = {stroke.first, stroke.second};
+    motion.angular_frequency = wave.angular_frequency;
+    motion.phase = get_number(table, "phase");
+    motion.ramp = get_number_or(table, "ramp", 4 * std::numbers::pi / wave.angular_frequency);
+    motion.direction = normalized(get_vector(table, "direction"));
+    if (paddle == wave::Paddle::flap) {
+        motion.arm = wave.depth;  // the stroke is that of its line at still water
+        motion.center = get_vector(table, "hinge");
+        motion.direction = cross(up, motion.direction);
+    }
+    return motion;
+}
 
-std::optional<body::SplineMotion> wave_maker_motion(CaseBuild& build, const Value& table) {
-    const Vec3 gravity = build.model.gravity.value;
-    const double g = norm(gravity);
-    const double height = get_number(table, "height");
-    const double depth = get_number(table, "depth");
-    const auto paddle = get_text(table, "paddle") == "flap" ? wave::Paddle::flap : wave::Paddle::piston;
+body::SplineMotion solitary_motion(const Value& table, const wave::SolitaryWave& wave) {
+    wave::MotionSeries series = wave::solitary_motion(wave);
+    body::SplineMotion motion;
+    motion.direction = normalized(get_vector(table, "direction"));
+    motion.time = std::move(series.time);
+    motion.stroke = std::move(series.value);
+    motion.rate = std::move(series.rate);
+    return motion;
+}
+
+bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle, double g) {
     const std::string& kind = get_text(table, "wave");
     const std::size_t before = build.problems.size();
     if (g == 0) {
         build.problem(table.place, "a wave maker without gravity", "gravity that is not zero");
     }
-    if (height >= breaking_share * depth) {
+    if (kind != "none" && table.find("height") == nullptr) {
+        build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
+    } else if (kind != "none" && get_number(table, "height") >= breaking_share * get_number(table, "depth")) {
         build.problem(get(table, "height").place,
-                      fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", height, depth),
+                      fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", get_number(table, "height"),
+                                  get_number(table, "depth")),
                       fmt::format("less than {} of the depth", breaking_share));
+    }
+    if (kind == "none" && table.find("absorb") == nullptr) {
+        build.problem(table.place, "a paddle that neither makes nor absorbs waves", "'absorb', or another wave");
     }
     if (paddle == wave::Paddle::flap && kind != "regular") {
         build.problem(table.place, fmt::format("a flap cannot make a '{}' wave here", kind), "paddle = \"piston\"");
+    }
+    if (paddle == wave::Paddle::flap && table.find("absorb") != nullptr) {
+        build.problem(table.place, "a flap cannot absorb waves here", "paddle = \"piston\"");
     }
     if (paddle == wave::Paddle::flap && table.find("hinge") == nullptr) {
         build.problem(table.place, "a flap without 'hinge'", "a point of its hinge at the bed");
     }
     const Vec3 direction = normalized(get_vector(table, "direction"));
-    if (g > 0 && std::abs(dot(direction, gravity)) > 1e-9 * g) {
+    if (g > 0 && std::abs(dot(direction, build.model.gravity.value)) > 1e-9 * g) {
         build.problem(get(table, "direction").place, "waves that go up or down", "a direction normal to gravity");
     }
-    if (build.problems.size() > before) {
+    return build.problems.size() == before;
+}
+
+}  // namespace
+
+std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table) {
+    const Vec3 gravity = build.model.gravity.value;
+    const double g = norm(gravity);
+    const auto paddle = get_text(table, "paddle") == "flap" ? wave::Paddle::flap : wave::Paddle::piston;
+    if (!check_wave_maker(build, table, paddle, g)) {
         return std::nullopt;
     }
-    std::optional<wave::MotionSeries> series =
-        kind == "solitary" ? wave::solitary_motion({height, depth, g}) : regular_series(build, table, paddle, g);
-    if (!series) {
+    const std::string& kind = get_text(table, "wave");
+    body::PrescribedMotion motion;
+    if (kind == "solitary") {
+        motion.law = solitary_motion(table, {get_number(table, "height"), get_number(table, "depth"), g});
+    } else if (kind == "none") {
+        motion.law = body::LinearMotion{};
+    } else if (const auto wave = regular_wave(build, table, g)) {
+        motion.law = regular_motion(table, *wave, paddle, -1 / g * gravity);
+    } else {
         return std::nullopt;
     }
-    body::SplineMotion motion;
-    motion.direction = direction;
-    if (paddle == wave::Paddle::flap) {
-        turn_about_hinge(*series, depth);
-        motion.is_turn = true;
-        motion.center = get_vector(table, "hinge");
-        motion.direction = cross(-1 / g * gravity, direction);
-    }
-    motion.time = std::move(series->time);
-    motion.stroke = std::move(series->value);
-    motion.rate = std::move(series->rate);
     return motion;
+}
+
+std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {
+    const Value* absorb = table.find("absorb");
+    if (absorb == nullptr) {
+        return std::nullopt;
+    }
+    const double g = norm(build.model.gravity.value), depth = get_number(table, "depth");
+    const std::string& kind = get_text(table, "wave");
+    sim::PaddleAbsorption absorption;
+    absorption.direction = normalized(get_vector(table, "direction"));
+    absorption.foot = to_vector(*absorb);
+    absorption.up = -1 / g * build.model.gravity.value;
+    absorption.gravity = g;
+    absorption.depth = depth;
+    if (kind == "solitary") {
+        absorption.solitary = wave::SolitaryWave{get_number(table, "height"), depth, g};
+        absorption.solitary_crest = 0.5 * wave::solitary_motion(*absorption.solitary).time.back();
+    } else if (kind != "none") {
+        absorption.regular = wave::linear_wave(get_number(table, "height"), get_number(table, "period"), depth, g);
+        absorption.phase = get_number(table, "phase");
+        absorption.ramp = get_number_or(table, "ramp", 2 * get_number(table, "period"));
+    }
+    return absorption;
 }
 
 }  // namespace riprap::scene

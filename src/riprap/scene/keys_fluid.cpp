@@ -54,6 +54,67 @@ const Table& fluid_region_table() {
     return table;
 }
 
+const Form way = choice({"x", "-x", "y", "-y", "z", "-z"});
+
+const Table& fluid_sponge_table() {
+    static const Table table{
+        "fluid.sponge",
+        "[[fluid.sponge]]",
+        "A box in which water is slowed down ever more along one direction, so that waves die before they come back. "
+        "The "
+        "energy is booked as water_absorbed.",
+        {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
+         {"high", {vector(dimension::length)}, "High corner.", {}, true},
+         {"towards", {way}, "The direction along which it grows, from nothing.", {}, true},
+         {"rate",
+          {choice({"auto"}), number(dimension::frequency, positive())},
+          "At its end; it grows as the square. \"auto\": that which sends a long wave back with a hundredth of its "
+          "height.",
+          Value::of("auto")},
+         {"velocity", {vector(dimension::velocity)}, "That of a current that stays.", Value::of(Vec3{})}}};
+    return table;
+}
+
+const Table& fluid_inflow_table() {
+    static const Table table{
+        "fluid.inflow",
+        "[[fluid.inflow]]",
+        "Water enters through a rectangle (a line in a planar scene) at a given speed; its pressure is that of the "
+        "water in "
+        "front of it. Leave room for its layers, five spacings, behind it.",
+        {{"name", {form::name()}, "Unique among the openings.", {}, true},
+         {"low", {vector(dimension::length)}, "A corner.", {}, true},
+         {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
+         {"towards", {way}, "The way the water goes.", {}, true},
+         {"speed", {number(dimension::velocity, positive())}, "Of the water that enters.", {}, true},
+         {"ramp", {number(dimension::time, non_negative())}, "Time in which the speed grows from 0.", Value::of(0.0)},
+         {"level",
+          {number(dimension::length)},
+          "Height up to which water enters, from the origin against gravity; all of the rectangle when not given.",
+          {}}}};
+    return table;
+}
+
+const Table& fluid_outflow_table() {
+    static const Table table{
+        "fluid.outflow",
+        "[[fluid.outflow]]",
+        "Water that passes a rectangle (a line in a planar scene) is gone. Where neither speed nor level is given it "
+        "falls "
+        "into nothing: for water that drops or runs faster than its waves.",
+        {{"name", {form::name()}, "Unique among the openings.", {}, true},
+         {"low", {vector(dimension::length)}, "A corner.", {}, true},
+         {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
+         {"towards", {way}, "The way the water goes.", {}, true},
+         {"speed", {number(dimension::velocity, positive())}, "At which it is drawn off.", {}},
+         {"level",
+          {number(dimension::length)},
+          "Height of still water behind it, from the origin against gravity: the outflow has its pressure.",
+          {}}},
+        {{GroupRule::at_most_one, {"speed", "level"}}}};
+    return table;
+}
+
 }  // namespace
 
 const Table& fluid_table() {
@@ -133,7 +194,10 @@ const Table& fluid_table() {
           "that push particles away (for comparison).",
           Value::of("boundary_particles")},
          {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
-         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true}}};
+         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
+         {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
+         {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
+         {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}}};
     return table;
 }
 

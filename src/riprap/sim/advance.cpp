@@ -227,8 +227,11 @@ StepReport advance_with_water(const Model& model, State& state, ScratchData& dat
     const ScopedTimer timer(data.times.water);
     const double work_given = work_done(model, data.before, state, data.water);
     note_accelerations(model, data.before, state, data.water, dt);
-    fluid::drift(model.fluid->sph, state.fluid, 0.5 * dt);
-    account_water(water.fluid, water.work_on_free, work_given, state.ledger, report.ledger);
+    const fluid::Passage passage = end_water_step(model, state, data.water, dt);
+    report.status.text = passage.problem;
+    account_water({water.fluid, water.absorbed, water.flow_work, water.work_on_free, work_given}, state.ledger,
+                  report.ledger);
+    account_passage(passage, state.ledger);
     report.dt = dt;
     report.dt_bound *= static_cast<double>(count);
     report.substeps = count;
@@ -258,6 +261,9 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 void initialise(const Model& model, State& state) {
     reset(state.ledger);
     reset(model, state.coupling);
+    if (model.fluid) {
+        start_openings(model.fluid->open, state.fluid, state.open);
+    }
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;

@@ -6,7 +6,8 @@
 namespace riprap::sim {
 
 /// The water's part of the ledger; zero without water. Its sum kinetic + potential + internal + dissipated_viscous +
-/// dissipated_diffusion + shifted + work_on_solids + wall_exchange - work_external stays what it was (fluid/sph).
+/// dissipated_diffusion + shifted + work_on_solids + wall_exchange - work_external + absorbed + flow_work - transported
+/// stays what it was (fluid/sph, fluid/open).
 struct WaterLedger {
     double kinetic{0}, potential{0}, internal{0};  ///< [J]
     double dissipated_viscous{0};                  ///< [J], accumulated like all below
@@ -15,6 +16,9 @@ struct WaterLedger {
     double work_on_solids{0};                      ///< [J]
     double wall_exchange{0};                       ///< of mirrored wall pressure that no body sees [J]
     double work_external{0};                       ///< by gravity along periodic axes and penalty walls [J]
+    double absorbed{0};                            ///< by sponges [J]
+    double flow_work{0};                           ///< of pressure on what lies beyond inflows and outflows [J]
+    double transported{0};                         ///< energy of water that came in less that of water that went [J]
     double coupling_gap{0};    ///< what free bodies were given beyond what water says it gave them [J]
     double residual{0};        ///< the sum above less its first value [J]
     Vec3 momentum{};           ///< after the step [kg m/s]

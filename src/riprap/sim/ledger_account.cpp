@@ -35,6 +35,9 @@ enum Total : std::size_t {
     water_on_solids,
     water_exchange,
     water_external,
+    water_absorbed,
+    water_flow_work,
+    water_transported,
     water_gap,
     water_impulse,
     water_reference_energy = water_impulse + 3,
@@ -148,8 +151,8 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
     return ledger;
 }
 
-void account_water(const fluid::FluidReport& step, double work_seen, double work_given, LedgerState& state,
-                   Ledger& ledger) {
+void account_water(const WaterLedgerStep& all, LedgerState& state, Ledger& ledger) {
+    const fluid::FluidReport& step = all.fluid;
     std::vector<double>& totals = state.totals;
     const bool is_first = totals[water_is_started] == 0;
     WaterLedger& water = ledger.water;
@@ -161,16 +164,19 @@ void account_water(const fluid::FluidReport& step, double work_seen, double work
     water.dissipated_viscous = add_across(totals[water_viscous], step.dissipated_viscous);
     totals[water_shifted] += step.shifted;  // before the kick, so the potential energy at the kick knows it
     water.shifted = totals[water_shifted];
-    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids);
+    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids - all.flow_work);
     water.wall_exchange = add_across(totals[water_exchange], step.wall_exchange);
-    water.work_external = add_across(totals[water_external], step.work_external);
-    water.coupling_gap = add_across(totals[water_gap], work_given - work_seen);
+    water.work_external = add_across(totals[water_external], step.work_external + all.absorbed);
+    water.absorbed = add_across(totals[water_absorbed], all.absorbed);
+    water.flow_work = add_across(totals[water_flow_work], all.flow_work);
+    water.transported = totals[water_transported];
+    water.coupling_gap = add_across(totals[water_gap], all.work_given - all.work_seen);
     put(totals, water_impulse, get(totals, water_impulse) + step.impulse);
     water.momentum = step.momentum;
     water.mass = step.mass;
     const double lost = water.dissipated_viscous + water.dissipated_diffusion + water.shifted + water.wall_exchange;
-    const double sum =
-        water.kinetic + water.potential + water.internal + lost + water.work_on_solids - water.work_external;
+    const double sum = water.kinetic + water.potential + water.internal + lost + water.work_on_solids -
+                       water.work_external + water.absorbed + water.flow_work - water.transported;
     if (is_first) {
         totals[water_is_started] = 1;
         totals[water_reference_energy] = sum;
@@ -183,7 +189,13 @@ void account_water(const fluid::FluidReport& step, double work_seen, double work
     water.momentum_residual = water.momentum - get(totals, water_impulse) - get(totals, water_reference_momentum);
     ledger.residual += ledger.has_energy ? water.residual + water.coupling_gap : 0;
     ledger.turnover = std::max({ledger.turnover, totals[water_kinetic_high] - totals[water_kinetic_low], std::abs(lost),
-                                std::abs(water.work_on_solids)});
+                                std::abs(water.work_on_solids), std::abs(water.absorbed), std::abs(water.flow_work)});
+}
+
+void account_passage(const fluid::Passage& passage, LedgerState& state) {
+    std::vector<double>& totals = state.totals;
+    totals[water_transported] += passage.energy;
+    put(totals, water_impulse, get(totals, water_impulse) + passage.momentum);
 }
 
 }  // namespace riprap::sim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/state.hpp"
@@ -24,11 +25,20 @@ struct LedgerStep {
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.
 Ledger account(const LedgerStep& step, LedgerState& state);
 
+/// What one step of water brings to its ledger.
+struct WaterLedgerStep {
+    const fluid::FluidReport& fluid;
+    double absorbed;    ///< by sponges; also in fluid.work_external, with a minus [J]
+    double flow_work;   ///< at inflows and outflows; also in fluid.work_on_solids [J]
+    double work_seen;   ///< on free bodies, as the water says [J]
+    double work_given;  ///< as the bodies say [J]
+};
+
 /// Adds one step of water to the totals and its part to the ledger of the same kick.
-/// @param work_seen   on free bodies in this step, as the water says [J]
-/// @param work_given  as the bodies say [J]
-void account_water(const fluid::FluidReport& step, double work_seen, double work_given, LedgerState& state,
-                   Ledger& ledger);
+void account_water(const WaterLedgerStep& step, LedgerState& state, Ledger& ledger);
+
+/// Adds what passed the openings after that kick: the next one finds it in the water.
+void account_passage(const fluid::Passage& passage, LedgerState& state);
 
 /// Empties the ledger: the next kick becomes its reference.
 void reset(LedgerState& state);

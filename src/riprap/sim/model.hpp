@@ -10,9 +10,12 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/open/open_boundary.hpp"
+#include "riprap/fluid/open/sponge.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
+#include "riprap/sim/paddle_absorption.hpp"
 #include "riprap/solid/dem_settings.hpp"
 
 namespace riprap::sim {
@@ -57,10 +60,13 @@ struct FluidModel {
     WallTreatment wall{WallTreatment::boundary_particles};
     coupling::SampleSet samples;       ///< of all wet bodies; empty with penalty walls
     std::vector<std::uint8_t> is_dry;  ///< per body
-    std::string sound_speed_reason;    ///< where sph.sound_speed comes from
-    double depth{0};                   ///< of the water at the start [m]
-    double filled_volume{0};           ///< [m^3]; in 2D [m^2]
-    double region_volume{0};           ///< that its regions have, solids not taken out [m^3]; in 2D [m^2]
+    std::vector<PaddleAbsorption> absorptions;
+    std::vector<fluid::Sponge> sponges;
+    fluid::OpenBoundaries open;
+    std::string sound_speed_reason;  ///< where sph.sound_speed comes from
+    double depth{0};                 ///< of the water at the start [m]
+    double filled_volume{0};         ///< [m^3]; in 2D [m^2]
+    double region_volume{0};         ///< that its regions have, solids not taken out [m^3]; in 2D [m^2]
 };
 
 /// Time axis.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "riprap/core/parallel.hpp"
 
@@ -51,6 +52,14 @@ Vec3 contact_torque(const Moment& m, BodyId b) {
     return m.scratch == nullptr ? Vec3{missing, missing, missing} : of_last_step(m.scratch->contact_torque(), b);
 }
 Vec3 contact_force_size(const Moment& m, BodyId b) { return scalar(norm(contact_force(m, b))); }
+
+/// Mass of so many particles of water as these counts add up to.
+Vec3 mass_of(const Moment& m, const std::vector<std::int64_t>& counts) {
+    const double particles = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+    return scalar(m.model.fluid ? m.model.fluid->sph.particle_mass * particles : missing);
+}
+Vec3 water_mass_in(const Moment& m) { return mass_of(m, m.state.open.entered); }
+Vec3 water_mass_out(const Moment& m) { return mass_of(m, m.state.open.left); }
 
 template <auto member>
 Vec3 reported(const Moment& m) {
@@ -224,6 +233,16 @@ const std::array scene_table{
     Quantity{{"water_work_external", "J", 1, false, "by gravity along periodic axes and penalty walls, since time 0"},
              nullptr,
              of_water<&WaterLedger::work_external>},
+    Quantity{{"water_absorbed", "J", 1, false, "by sponges, since time 0"}, nullptr, of_water<&WaterLedger::absorbed>},
+    Quantity{{"water_flow_work", "J", 1, false, "of pressure at inflows and outflows, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::flow_work>},
+    Quantity{
+        {"water_transported", "J", 1, false, "energy of water that came in less that of water that left, since time 0"},
+        nullptr,
+        of_water<&WaterLedger::transported>},
+    Quantity{{"water_mass_in", "kg", 1, false, "of water that came in since time 0"}, nullptr, water_mass_in},
+    Quantity{{"water_mass_out", "kg", 1, false, "of water that left since time 0"}, nullptr, water_mass_out},
     Quantity{{"coupling_gap", "J", 1, false, "what bodies got beyond what water says it gave, since time 0"},
              nullptr,
              of_water<&WaterLedger::coupling_gap>},

@@ -3,6 +3,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/contact_set.hpp"
+#include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 
 namespace riprap::sim {
@@ -56,6 +57,7 @@ struct State {
     contact::ContactHistory contacts;
     LedgerState ledger;
     fluid::ParticleState fluid;  ///< empty without water
+    fluid::OpenState open;       ///< of its inflows and outflows
     CouplingState coupling;
 
     template <class Self, class Visit>
@@ -69,6 +71,7 @@ struct State {
         contact::ContactHistory::visit_fields(self.contacts, visit);
         LedgerState::visit_fields(self.ledger, visit);
         fluid::ParticleState::visit_fields(self.fluid, visit);
+        fluid::OpenState::visit_fields(self.open, visit);
         CouplingState::visit_fields(self.coupling, visit);
     }
 };

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/kick.hpp"
 
 namespace riprap::sim {
 
@@ -22,10 +24,11 @@ coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::siz
             (after.angular_velocity - before.angular_velocity) / (2 * moment)};
 }
 
-/// The motion of all bodies with poses and velocities of `bodies`, `ahead` seconds of acceleration later.
+/// The motion of all bodies with poses and velocities of `bodies`, `ahead` seconds of acceleration later. Driven bodies
+/// speed up as their motion says and by their `correction`, where there are any [m/s^2].
 void fill_motion(const Model& model, const body::BodyState& bodies, const body::BodyKinematics& kinematics,
-                 const std::vector<coupling::Acceleration>& acceleration, double time, double ahead, double dt,
-                 coupling::BodyMotion& motion) {
+                 const std::vector<coupling::Acceleration>& acceleration, std::span<const Vec3> correction, double time,
+                 double ahead, double dt, coupling::BodyMotion& motion) {
     const auto count = at(model.bodies.size());
     motion.pose.resize(count);
     motion.velocity.resize(count);
@@ -39,6 +42,7 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
             a = acceleration[b];
         } else if (model.bodies.drive[b] == body::Drive::driven) {
             a = driven_acceleration(model.bodies, b, time, dt);
+            a.linear += correction.empty() ? Vec3{} : correction[b];
         }
         const double later = is_free ? ahead : 0;
         motion.pose[b] = {bodies.position[b], bodies.orientation[b]};
@@ -46,6 +50,15 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
         motion.angular_velocity[b] = kinematics.angular_velocity[b] + later * a.angular;
         motion.acceleration[b] = a.linear;
         motion.angular_acceleration[b] = a.angular;
+    }
+}
+
+/// Boundary particles of bodies that move as scratch.motion says, `ahead` seconds after the State, and behind openings.
+void place_walls(const Model& model, const State& state, double ahead, WaterScratch& scratch) {
+    const FluidModel& water = *model.fluid;
+    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
+    if (!water.open.empty()) {
+        place_openings(water.open, state.open, water.sph, state.time + ahead, ahead, scratch.walls);
     }
 }
 
@@ -92,9 +105,10 @@ Vec3 in_plane_force(const Model& model, const Vec3& f) { return model.bodies.is_
 void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
                  const std::vector<coupling::Acceleration>& guess, double dt) {
     const double middle = state.time + 0.5 * dt;
-    fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
+    fill_motion(model, scratch.middle, scratch.kinematics, guess, scratch.correction, middle, 0.5 * dt, dt,
+                scratch.motion);
+    place_walls(model, state, 0.5 * dt, scratch);
     const FluidModel& water = *model.fluid;
-    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
     const bool is_penalty = water.wall == WallTreatment::penalty;
     if (is_penalty) {
         scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
@@ -132,9 +146,14 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
         guess[b] = {state.coupling.acceleration[b], state.coupling.angular_acceleration[b]};
     }
 
+    scratch.correction = state.bodies.drive_rate;
+    absorb_waves(water.absorptions, model.bodies, time, dt, water.sph, state.fluid, state.bodies);
+    for (std::size_t b = 0; b < scratch.correction.size(); ++b) {
+        scratch.correction[b] = (state.bodies.drive_rate[b] - scratch.correction[b]) / dt;
+    }
     update_kinematics(model.bodies, state.bodies, time, scratch.kinematics);
-    fill_motion(model, state.bodies, scratch.kinematics, guess, time, 0, dt, scratch.motion);
-    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
+    fill_motion(model, state.bodies, scratch.kinematics, guess, scratch.correction, time, 0, dt, scratch.motion);
+    place_walls(model, state, 0, scratch);
     const double since_density = 0.5 * (state.coupling.previous_dt + dt);  // the first density is half a step old
     update_density(water.sph, state.fluid, scratch.walls, model.gravity.at(time), since_density, scratch.sph,
                    report.fluid);
@@ -150,8 +169,9 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     coupling::AddedMassIteration iteration(model.bodies.mass, scratch.inertia, kappa);
     std::vector<coupling::Acceleration> found(guess.size());
     const double middle = time + 0.5 * dt;
-    fill_motion(model, scratch.middle, scratch.kinematics, guess, middle, 0.5 * dt, dt, scratch.motion);
-    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
+    fill_motion(model, scratch.middle, scratch.kinematics, guess, scratch.correction, middle, 0.5 * dt, dt,
+                scratch.motion);
+    place_walls(model, state, 0.5 * dt, scratch);
     begin_forces(water.sph, state.fluid, scratch.walls, time, scratch.sph, report.fluid);
     if (!report.ok()) {
         return report;
@@ -168,8 +188,13 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
         }
         is_settled = iteration.accept(guess, found, norm(model.gravity.value));
     }
+    if (!water.sponges.empty()) {
+        push_sponges(water.sponges, water.sph, state.fluid, dt, scratch.extra_force, scratch.sponge);
+    }
     kick_fluid(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, time, scratch.sph, report.fluid,
                scratch.extra_force);
+    report.absorbed = water.sponges.empty() ? 0 : absorbed_energy(state.fluid, dt, scratch.sponge);
+    report.flow_work = dt * power_on_openings(scratch.walls, at(water.samples.size()));
     report.passes = iteration.passes();
     report.residual = iteration.residual();
     for (std::size_t b = 0; b < found.size(); ++b) {
@@ -179,6 +204,17 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
         }
     }
     return report;
+}
+
+fluid::Passage end_water_step(const Model& model, State& state, WaterScratch& scratch, double dt) {
+    const FluidModel& water = *model.fluid;
+    fluid::drift(water.sph, state.fluid, 0.5 * dt);
+    if (water.open.empty()) {
+        return {};
+    }
+    const double time = state.time + dt;
+    return pass_openings(water.open, water.sph, scratch.walls, at(water.samples.size()),
+                         without_periodic(model.gravity.at(time), water.sph.domain), time, dt, state.open, state.fluid);
 }
 
 void note_accelerations(const Model& model, const body::BodyState& before, State& state, const WaterScratch& scratch,

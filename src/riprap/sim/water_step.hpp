@@ -20,11 +20,13 @@ struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
     coupling::PenaltyWalls penalty;
-    coupling::BodyMotion motion;         ///< of all bodies, where the samples were placed last
-    coupling::FluidLoads loads;          ///< at the last kick
-    coupling::FluidLoads guard_loads;    ///< of particles pressed against faces, part of `loads`
-    std::vector<Vec3> force, torque;     ///< pressure and viscosity together
-    std::vector<Vec3> extra_force;       ///< of penalty walls on particles [N]
+    coupling::BodyMotion motion;       ///< of all bodies, where the samples were placed last
+    coupling::FluidLoads loads;        ///< at the last kick
+    coupling::FluidLoads guard_loads;  ///< of particles pressed against faces, part of `loads`
+    std::vector<Vec3> force, torque;   ///< pressure and viscosity together
+    std::vector<Vec3> extra_force;     ///< of penalty walls on particles [N]
+    fluid::SpongeWork sponge;
+    std::vector<Vec3> correction;        ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
     body::BodyState middle;              ///< bodies at mid-step, as predicted
     body::BodyKinematics kinematics;     ///< ... there
     std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
@@ -35,6 +37,8 @@ struct WaterScratch {
 /// What the water's step brings.
 struct WaterReport {
     fluid::FluidReport fluid;
+    double absorbed{0};      ///< by sponges, in this step [J]
+    double flow_work{0};     ///< on the layers of inflows and outflows, likewise [J]
     double work_on_free{0};  ///< on free bodies, as the water sees it, in this step [J]
     int passes{0};           ///< force passes, more than one where light bodies feed back
     double residual{0};      ///< of the added-mass iteration, over |a| + |g| [-]
@@ -43,8 +47,11 @@ struct WaterReport {
 
 /// Water from t_n to the kick and over it: density, half a drift, forces with bodies where they will be at mid-step.
 /// Bodies are not moved. `scratch.loads`, `force` and `torque` are then what the solids feel over the step. After it,
-/// the second half of the drift is due (fluid::drift).
+/// end_water_step is due.
 WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, double dt);
+
+/// Ends the step of the water: the second half of the drift, and what passes inflows and outflows.
+fluid::Passage end_water_step(const Model& model, State& state, WaterScratch& scratch, double dt);
 
 /// Notes how bodies sped up over the step that took them from `before` to where they are: the first guess of the next.
 void note_accelerations(const Model& model, const body::BodyState& before, State& state, const WaterScratch& scratch,

@@ -60,6 +60,11 @@ void drift(const body::BodySet& bodies, body::BodyState& state, double end_time,
             state.position[i] = driven.pose.position;
             state.orientation[i] = driven.pose.orientation;
             state.velocity[i] = driven.velocity;
+            if (!state.drive_offset.empty()) {
+                state.drive_offset[i] += dt * state.drive_rate[i];
+                state.position[i] += state.drive_offset[i];
+                state.velocity[i] += state.drive_rate[i];
+            }
             if (bodies.principal_moments[i].x > 0) {
                 state.angular_momentum[i] =
                     angular_momentum_of(bodies, id, driven.pose.orientation, driven.angular_velocity);

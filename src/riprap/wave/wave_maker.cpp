@@ -27,33 +27,25 @@ double second_harmonic_stroke(const LinearWave& wave) {
            (3 * std::cosh(kd) / (sinh_kd * sinh_kd * sinh_kd) - 2 / height_over_stroke(Paddle::piston, kd));
 }
 
-MotionSeries regular_motion(const RegularMaker& maker, double end) {
-    const LinearWave& wave = maker.wave;
-    const double omega = wave.angular_frequency;
-    const double half_stroke = 0.5 * wave.height / height_over_stroke(maker.paddle, wave.kd());
-    const double second = maker.second_order ? second_harmonic_stroke(wave) : 0.0;
-    const double start =
-        maker.ramp > 0 ? 0.0 : half_stroke * std::sin(maker.phase) + second * std::sin(2 * maker.phase);
-    const double step = 2 * std::numbers::pi / omega / 80;
-    const auto rows = static_cast<long>(std::ceil(end / step)) + 1;
-    MotionSeries series;
-    for (long i = 0; i < rows; ++i) {
-        const double t = static_cast<double>(i) * step;
-        const double angle = omega * t + maker.phase;
-        const double full = half_stroke * std::sin(angle) + second * std::sin(2 * angle);
-        const double full_rate = omega * (half_stroke * std::cos(angle) + 2 * second * std::cos(2 * angle));
-        double share = 1;
-        double share_rate = 0;
-        if (t < maker.ramp) {
-            const double phi = std::numbers::pi * t / maker.ramp;
-            share = 0.5 * (1 - std::cos(phi));
-            share_rate = 0.5 * std::numbers::pi / maker.ramp * std::sin(phi);
+double evanescent_elevation(const LinearWave& wave, double x) {
+    constexpr int modes = 200;
+    const double lift = wave.angular_frequency * wave.angular_frequency * wave.depth / wave.gravity;
+    double sum = 0;
+    for (int j = 1; j <= modes; ++j) {
+        // q tan q = -lift has one root between (j - 1/2) pi and j pi: q = j pi - atan(lift/q), a contraction.
+        double q = j * std::numbers::pi;
+        for (int pass = 0; pass < 60; ++pass) {
+            q = j * std::numbers::pi - std::atan(lift / q);
         }
-        series.time.push_back(t);
-        series.value.push_back(share * full - start);
-        series.rate.push_back(share * full_rate + share_rate * full);
+        const double sine = std::sin(q);
+        sum += 4 * sine * sine / (2 * q + std::sin(2 * q)) * std::exp(-q * x / wave.depth);
     }
-    return series;
+    return sum;
+}
+
+RegularStroke regular_stroke(const LinearWave& wave, Paddle paddle, bool is_second_order) {
+    return {0.5 * wave.height / height_over_stroke(paddle, wave.kd()),
+            is_second_order ? second_harmonic_stroke(wave) : 0.0};
 }
 
 MotionSeries solitary_motion(const SolitaryWave& wave) {

@@ -28,13 +28,10 @@ struct MotionSeries {
     std::vector<double> rate;   ///< [m/s]
 };
 
-/// Settings of a regular wave maker.
-struct RegularMaker {
-    LinearWave wave;
-    Paddle paddle;
-    double phase{0};           ///< [rad]
-    double ramp{0};            ///< time over which the stroke grows as (1 - cos(pi t/ramp))/2 [s]
-    bool second_order{false};  ///< suppress the free second harmonic; pistons only
+/// The stroke of a paddle that makes regular waves: S/2 sin(wt) + S_2 sin(2wt).
+struct RegularStroke {
+    double first;   ///< S/2 [m]
+    double second;  ///< S_2 [m]
 };
 
 /// Stroke of the second harmonic of a piston that cancels the free second harmonic [Madsen1971]:
@@ -44,9 +41,16 @@ struct RegularMaker {
 /// Valid for H L^2 / d^3 < 8 pi^2/3 and, in practice, moderate steepness.
 double second_harmonic_stroke(const LinearWave& wave);
 
-/// x(t) = ramp(t) (S/2 sin(wt + phase) + S_2 sin(2 (wt + phase))) from 0 to `end`, at least 80 rows a period. The
-/// motion starts from value 0: what the phase adds at t = 0 is taken off where there is no ramp.
-MotionSeries regular_motion(const RegularMaker& maker, double end);
+/// S = H / height_over_stroke. `is_second_order`: suppress the free second harmonic; pistons only.
+RegularStroke regular_stroke(const LinearWave& wave, Paddle paddle, bool is_second_order);
+
+/// Elevation at x in front of a piston that its evanescent modes make, over its displacement X [-]: they stay at the
+/// paddle and rise as it is displaced forward [Dean1991, ch. 6],
+///
+///     eta/X = sum_j 4 sin^2(k_j d)/(2 k_j d + sin 2 k_j d) exp(-k_j x),   omega^2 = -g k_j tan(k_j d).
+///
+/// @param x  from the face, > 0: at the face itself the sum falls like 1/j [m]
+double evanescent_elevation(const LinearWave& wave, double x);
 
 /// Motion of a piston that makes a solitary wave [Goring1978]: the paddle follows the mean velocity under the crest as
 /// it passes,

@@ -17,6 +17,7 @@ struct BoundaryParticles {
     std::vector<Vec3> acceleration;         ///< of the solid there [m/s^2]
     std::vector<double> volume;             ///< [m^3]; in 2D [m^2]
     std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
+    std::vector<double> given_pressure;     ///< instead of that of the fluid; none where negative, or empty [Pa]
 
     std::vector<double> pressure;  ///< of the fluid there, found by the fluid [Pa]
 

@@ -39,6 +39,9 @@ void extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity, SphScra
         const bool is_wet = weight > 0;
         const double head = dot(gravity - walls.acceleration[w], moment[w]);
         walls.pressure[w] = is_wet ? std::max(0.0, (scratch.wall_pressure[w] + head) / weight) : 0;
+        if (!walls.given_pressure.empty() && walls.given_pressure[w] >= 0) {
+            walls.pressure[w] = walls.given_pressure[w];
+        }
         scratch.mirrored_velocity[w] = is_wet ? 2.0 * walls.velocity[w] - velocity[w] / weight : walls.velocity[w];
         scratch.grip[w] = walls.is_slippery[w] != 0 ? 0 : 1;
     });

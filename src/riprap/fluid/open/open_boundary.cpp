@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/open/open_boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "riprap/fluid/sph/state_equation.hpp"
+
+namespace riprap::fluid {
+
+namespace {
+
+/// Layers behind an opening: as deep as a support wherever the first one is on its way.
+std::int64_t layer_count(const SphSettings& settings) {
+    return static_cast<std::int64_t>(std::ceil(settings.support_radius() / settings.spacing - 1e-9)) + 1;
+}
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// How far the first layer of an inflow is from its start at one spacing before the plane, at `time` [m].
+double phase_of(const Inflow& inflow, std::int64_t layers, double spacing, double time) {
+    return inflow.distance_at(time) + 0.5 * spacing - static_cast<double>(layers) * spacing;
+}
+
+double hydrostatic(const Outflow& outflow, const SphSettings& settings, const Vec3& x) {
+    return std::max(0.0, settings.rest_density * outflow.gravity * (outflow.level - dot(outflow.up, x)));
+}
+
+void append(BoundaryParticles& walls, const Vec3& x, const Vec3& v, const Vec3& a, double volume, double pressure) {
+    walls.position.push_back(x);
+    walls.velocity.push_back(v);
+    walls.acceleration.push_back(a);
+    walls.volume.push_back(volume);
+    walls.is_slippery.push_back(1);
+    walls.given_pressure.push_back(pressure);
+}
+
+/// Energy and momentum that go with one particle.
+void book(const SphSettings& settings, const ParticleState& water, std::size_t i, const Vec3& gravity, double sign,
+          Passage& passage) {
+    const double m = settings.particle_mass;
+    const Vec3& v = water.velocity[i];
+    passage.momentum += sign * m * v;
+    passage.energy +=
+        sign * m *
+        (0.5 * norm_squared(v) - dot(gravity, water.position[i]) + internal_energy_of(settings, water.density[i]));
+}
+
+/// Water that has passed a plane, or -1: outflows come first, then inflows that it passes backwards.
+std::int64_t opening_passed(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x) {
+    const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
+    const int dimension = settings.domain.dimension;
+    for (std::size_t k = 0; k < open.outflows.size(); ++k) {
+        const Opening& opening = open.outflows[k].opening;
+        const double past = opening.past(x);
+        if (past > 0 && past <= reach && opening.is_across(x, dimension)) {
+            return static_cast<std::int64_t>(k);
+        }
+    }
+    for (std::size_t k = 0; k < open.inflows.size(); ++k) {
+        const Opening& opening = open.inflows[k].opening;
+        const double before = -opening.past(x);  // pressed half a spacing between its layers
+        if (before > 0.5 * settings.spacing && before <= reach && opening.is_across(x, dimension)) {
+            return static_cast<std::int64_t>(open.outflows.size() + k);
+        }
+    }
+    return -1;
+}
+
+void keep_only(ParticleState& water, const std::vector<std::size_t>& kept) {
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        water.position[k] = water.position[kept[k]];
+        water.velocity[k] = water.velocity[kept[k]];
+        water.density[k] = water.density[kept[k]];
+        water.id[k] = water.id[kept[k]];
+    }
+    water.position.resize(kept.size());
+    water.velocity.resize(kept.size());
+    water.density.resize(kept.size());
+    water.id.resize(kept.size());
+}
+
+void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec3& gravity, OpenState& state,
+              ParticleState& water, Passage& passage) {
+    std::vector<std::size_t> kept;
+    kept.reserve(water.position.size());
+    for (std::size_t i = 0; i < water.position.size(); ++i) {
+        const std::int64_t passed = opening_passed(open, settings, water.position[i]);
+        if (passed < 0) {
+            kept.push_back(i);
+            continue;
+        }
+        book(settings, water, i, gravity, -1, passage);
+        passage.left += 1;
+        state.left[at(passed)] += 1;
+        if (passed < static_cast<std::int64_t>(open.outflows.size())) {
+            const Outflow& outflow = open.outflows[at(passed)];
+            const Vec3 n = outflow.opening.direction();
+            if (outflow.kind != OutflowKind::free) {
+                const double speed =
+                    outflow.kind == OutflowKind::speed ? outflow.speed : std::max(0.0, dot(n, water.velocity[i]));
+                state.position.push_back(water.position[i]);
+                state.velocity.push_back(speed * n);
+                state.outflow.push_back(static_cast<std::int32_t>(passed));
+            }
+        }
+    }
+    if (kept.size() < water.position.size()) {
+        keep_only(water, kept);
+    }
+}
+
+/// Layers of outflows go on by `dt`; what is beyond the last one is dropped: as water it is long gone.
+void move_layers(const OpenBoundaries& open, const SphSettings& settings, double dt, OpenState& state) {
+    const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        const Vec3 x = state.position[i] + dt * state.velocity[i];
+        if (open.outflows[at(state.outflow[i])].opening.past(x) <= reach) {
+            state.position[kept] = x;
+            state.velocity[kept] = state.velocity[i];
+            state.outflow[kept] = state.outflow[i];
+            ++kept;
+        }
+    }
+    state.position.resize(kept);
+    state.velocity.resize(kept);
+    state.outflow.resize(kept);
+}
+
+void pass_in(const OpenBoundaries& open, const SphSettings& settings, const BoundaryParticles& walls, std::size_t first,
+             const Vec3& gravity, double time, OpenState& state, ParticleState& water, Passage& passage) {
+    std::size_t entry = first;  // of the first layer of this inflow
+    for (std::size_t k = 0; k < open.inflows.size(); ++k) {
+        const Inflow& inflow = open.inflows[k];
+        const double phase = phase_of(inflow, state.layers[k], settings.spacing, time);
+        if (phase >= settings.spacing) {
+            for (std::size_t row = 0; row < inflow.rows.size(); ++row) {
+                const Vec3 n = inflow.opening.direction();
+                water.position.push_back(inflow.rows[row] + (phase - settings.spacing) * n);
+                water.velocity.push_back(inflow.speed_at(time) * n);
+                water.density.push_back(density_of(settings, walls.pressure[entry + row]));
+                water.id.push_back(static_cast<std::int32_t>(state.next_id));
+                state.next_id += 1;
+                book(settings, water, water.position.size() - 1, gravity, 1, passage);
+            }
+            state.layers[k] += 1;
+            state.entered[k] += static_cast<std::int64_t>(inflow.rows.size());
+            passage.entered += static_cast<std::int64_t>(inflow.rows.size());
+        }
+        entry += inflow.rows.size() * at(layer_count(settings));
+    }
+}
+
+}  // namespace
+
+bool Opening::is_across(const Vec3& x, int dimension) const {
+    for (int other = 0; other < dimension; ++other) {
+        if (other != axis && !(x[other] >= low[other] && x[other] <= high[other])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double Inflow::speed_at(double time) const {
+    return time < ramp ? 0.5 * speed * (1 - std::cos(std::numbers::pi * time / ramp)) : speed;
+}
+
+double Inflow::acceleration_at(double time) const {
+    return time < ramp ? 0.5 * speed * std::numbers::pi / ramp * std::sin(std::numbers::pi * time / ramp) : 0;
+}
+
+double Inflow::distance_at(double time) const {
+    return time < ramp ? 0.5 * speed * (time - ramp / std::numbers::pi * std::sin(std::numbers::pi * time / ramp))
+                       : speed * (time - 0.5 * ramp);
+}
+
+std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, const Vec3& up, double level) {
+    std::array<std::int64_t, 3> count{1, 1, 1};
+    for (int axis = 0; axis < settings.domain.dimension; ++axis) {
+        const double extent = opening.high[axis] - opening.low[axis];
+        count[at(axis)] =
+            axis == opening.axis ? 1 : static_cast<std::int64_t>(std::floor(extent / settings.spacing + 1e-6));
+    }
+    std::vector<Vec3> rows;
+    for (std::int64_t c = 0; c < count[2]; ++c) {
+        for (std::int64_t b = 0; b < count[1]; ++b) {
+            for (std::int64_t a = 0; a < count[0]; ++a) {
+                Vec3 x = opening.low;
+                const std::array<std::int64_t, 3> place{a, b, c};
+                for (int axis = 0; axis < settings.domain.dimension; ++axis) {
+                    x[axis] +=
+                        axis == opening.axis ? 0 : (static_cast<double>(place[at(axis)]) + 0.5) * settings.spacing;
+                }
+                if (dot(up, x) + (0.5 - 1e-6) * settings.spacing <= level) {
+                    rows.push_back(x);
+                }
+            }
+        }
+    }
+    return rows;
+}
+
+void start_openings(const OpenBoundaries& open, const ParticleState& water, OpenState& state) {
+    state.layers.assign(open.inflows.size(), 0);
+    state.entered.assign(open.inflows.size(), 0);
+    state.left.assign(open.outflows.size() + open.inflows.size(), 0);
+    state.next_id = water.size();
+}
+
+void place_openings(const OpenBoundaries& open, const OpenState& state, const SphSettings& settings, double time,
+                    double ahead, BoundaryParticles& walls) {
+    constexpr double not_given = -1;  // pressure comes from the water
+    const double volume = std::pow(settings.spacing, settings.domain.dimension);
+    walls.given_pressure.assign(walls.position.size(), not_given);
+    for (std::size_t k = 0; k < open.inflows.size(); ++k) {
+        const Inflow& inflow = open.inflows[k];
+        const double phase = phase_of(inflow, state.layers[k], settings.spacing, time);
+        const Vec3 n = inflow.opening.direction();
+        for (std::int64_t layer = 0; layer < layer_count(settings); ++layer) {
+            const double past = phase - static_cast<double>(layer + 1) * settings.spacing;
+            for (const Vec3& row : inflow.rows) {
+                append(walls, row + past * n, inflow.speed_at(time) * n, inflow.acceleration_at(time) * n, volume,
+                       not_given);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        const Outflow& outflow = open.outflows[at(state.outflow[i])];
+        const Vec3 x = state.position[i] + ahead * state.velocity[i];
+        append(walls, x, state.velocity[i], {}, volume,
+               outflow.kind == OutflowKind::level ? hydrostatic(outflow, settings, x) : not_given);
+    }
+}
+
+Passage pass_openings(const OpenBoundaries& open, const SphSettings& settings, const BoundaryParticles& walls,
+                      std::size_t first, const Vec3& gravity, double time, double dt, OpenState& state,
+                      ParticleState& water) {
+    Passage passage;
+    move_layers(open, settings, dt, state);
+    pass_out(open, settings, gravity, state, water, passage);
+    pass_in(open, settings, walls, first, gravity, time, state, water, passage);
+    if (water.size() > open.most_particles) {
+        passage.problem = fmt::format("inflows have made {} particles of water at t = {:.6g} s; allowed: {}",
+                                      water.size(), time, open.most_particles);
+    } else if (state.next_id > std::numeric_limits<std::int32_t>::max()) {
+        passage.problem = fmt::format("more particles have come in by t = {:.6g} s than can be counted", time);
+    }
+    return passage;
+}
+
+double power_on_openings(const BoundaryParticles& walls, std::size_t first) {
+    double power = 0;
+    for (std::size_t w = first; w < walls.position.size(); ++w) {
+        power += dot(walls.pressure_force[w] + walls.viscous_force[w], walls.velocity[w]);
+    }
+    return power;
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/open/sponge.hpp"
+
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::fluid {
+
+namespace {
+
+/// r s^2 at x, 0 outside [1/s].
+double rate_at(const Sponge& sponge, const Vec3& x, int dimension) {
+    for (int axis = 0; axis < dimension; ++axis) {
+        if (!(x[axis] >= sponge.low[axis] && x[axis] <= sponge.high[axis])) {
+            return 0;
+        }
+    }
+    const double length = sponge.high[sponge.axis] - sponge.low[sponge.axis];
+    const double way =
+        sponge.is_towards_high ? x[sponge.axis] - sponge.low[sponge.axis] : sponge.high[sponge.axis] - x[sponge.axis];
+    return sponge.rate * (way / length) * (way / length);
+}
+
+}  // namespace
+
+double sponge_rate(double gravity, double depth, double length) {
+    return 3 * std::log(100.0) * std::sqrt(gravity * depth) / length;
+}
+
+void push_sponges(std::span<const Sponge> sponges, const SphSettings& settings, const ParticleState& state, double dt,
+                  std::vector<Vec3>& force, SpongeWork& work) {
+    const auto count = state.position.size();
+    force.resize(count);
+    work.force.resize(count);
+    work.before.resize(count);
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        Vec3 sum{};
+        for (const Sponge& sponge : sponges) {
+            const double rate = rate_at(sponge, state.position[i], settings.domain.dimension);
+            if (rate > 0) {
+                const double share = -std::expm1(-rate * dt);
+                sum += (-settings.particle_mass * share / dt) * (state.velocity[i] - sponge.velocity);
+            }
+        }
+        force[i] += sum;
+        work.force[i] = sum;
+        work.before[i] = state.velocity[i];
+    });
+}
+
+double absorbed_energy(const ParticleState& state, double dt, const SpongeWork& work) {
+    const auto one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        return -0.5 * dot(work.force[i], work.before[i] + state.velocity[i]);
+    };
+    return dt * parallel::reduce(state.size(), 0.0, one, [](double a, double b) { return a + b; });
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/paddle_absorption.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/wave/wave_maker.hpp"
+
+namespace riprap::sim {
+
+double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::SphSettings& settings,
+                         const fluid::ParticleState& water) {
+    fluid::Gauge gauge;
+    gauge.kind = fluid::GaugeKind::surface;
+    gauge.up = paddle.up;
+    gauge.point = paddle.foot + (shift + absorption_gauge_distance * settings.spacing) * paddle.direction;
+    gauge.end = gauge.point + (2 * paddle.depth) * paddle.up;  // waves break below
+    return read_gauge(gauge, settings, water)[0];
+}
+
+double absorbing_velocity(const PaddleAbsorption& paddle, double time, double reading, double driven, double offset,
+                          double gauge_distance) {
+    const double eta = reading - paddle.still, t = std::max(0.0, time - paddle.start);
+    if (paddle.solitary) {
+        const wave::SolitaryWave& wave = *paddle.solitary;
+        const double from_crest = gauge_distance + driven - wave.celerity() * (t - paddle.solitary_crest);
+        return -std::sqrt(wave.gravity / wave.depth) * (eta - wave.elevation(from_crest));
+    }
+    if (!paddle.regular) {
+        return -std::sqrt(paddle.gravity / paddle.depth) * eta;
+    }
+    const wave::LinearWave& wave = *paddle.regular;
+    const double share = t < paddle.ramp ? 0.5 * (1 - std::cos(std::numbers::pi * t / paddle.ramp)) : 1.0;
+    const double angle = wave.angular_frequency * t + paddle.phase - wave.wave_number * gauge_distance;
+    const double own = 0.5 * wave.height * share * std::cos(angle) +
+                       wave::evanescent_elevation(wave, gauge_distance) * (driven + offset);
+    const double gain = wave.angular_frequency / height_over_stroke(wave::Paddle::piston, wave.kd());
+    const double periods_to_return = 5;
+    const double back = wave.angular_frequency / (2 * std::numbers::pi * periods_to_return);
+    return -gain * (eta - own) - back * offset;
+}
+
+void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
+                  const fluid::SphSettings& settings, const fluid::ParticleState& water, body::BodyState& state) {
+    for (const PaddleAbsorption& paddle : paddles) {
+        const auto b = static_cast<std::size_t>(paddle.body.value);
+        const Vec3 at_rest = bodies.initial_pose[b].position;
+        const double offset = dot(state.drive_offset[b], paddle.direction);
+        const double shift = dot(state.position[b] - at_rest, paddle.direction);
+        const double reading = surface_at_paddle(paddle, shift, settings, water);
+        const double wanted = absorbing_velocity(paddle, time, reading, shift - offset, offset,
+                                                 absorption_gauge_distance * settings.spacing);
+        const double now = dot(state.drive_rate[b], paddle.direction);
+        const double delay = settings.spacing / std::sqrt(paddle.gravity * paddle.depth);
+        state.drive_rate[b] = (now + (wanted - now) * (1 - std::exp(-dt / delay))) * paddle.direction;
+    }
+}
+
+}  // namespace riprap::sim
