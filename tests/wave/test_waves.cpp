@@ -70,6 +70,16 @@ TEST(WaveMaker, the_stroke_of_a_piston_is_that_of_its_transfer_function) {
     EXPECT_EQ(regular_stroke(wave, Paddle::piston, true).second, second_harmonic_stroke(wave));
 }
 
+TEST(WaveMaker, the_near_field_of_a_piston_is_that_of_an_impulse_when_it_swings_fast_and_none_when_slowly) {
+    // Fast, the surface is one of no pressure: k_j = (j - 1/2) pi/d, and the sum is 4/pi artanh exp(-pi x/(2 d)).
+    const LinearWave fast = linear_wave(0.01, 1e-3, 1, g);
+    for (const double x : {0.1, 0.4, 1.0}) {
+        EXPECT_NEAR(evanescent_elevation(fast, x),
+                    4 / std::numbers::pi * std::atanh(std::exp(-std::numbers::pi * x / 2)), 1e-4);
+    }
+    EXPECT_LT(evanescent_elevation(linear_wave(0.01, 100, 1, g), 0.1), 1e-3);
+}
+
 TEST(WaveMaker, the_second_harmonic_vanishes_with_the_square_of_the_height) {
     const double full = second_harmonic_stroke(linear_wave(0.1, 2, 0.4, g));
     const double half = second_harmonic_stroke(linear_wave(0.05, 2, 0.4, g));

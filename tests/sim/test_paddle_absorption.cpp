@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "riprap/sim/paddle_absorption.hpp"
+#include "riprap/wave/wave_maker.hpp"
+
+namespace riprap::sim {
+namespace {
+
+constexpr double g = 9.81, gauge = 0.1;
+
+PaddleAbsorption regular_paddle(double period) {
+    PaddleAbsorption paddle;
+    paddle.depth = 0.5;
+    paddle.still = 0.5;
+    paddle.regular = wave::linear_wave(0.05, period, 0.5, g);
+    return paddle;
+}
+
+TEST(PaddleAbsorption, a_paddle_does_not_answer_the_wave_it_makes_itself) {
+    const PaddleAbsorption paddle = regular_paddle(1.5);
+    const wave::LinearWave& wave = *paddle.regular;
+    const double half_stroke = wave::regular_stroke(wave, wave::Paddle::piston, false).first;
+    for (const double t : {10.0, 10.3, 10.9}) {
+        const double angle = wave.angular_frequency * t, x = half_stroke * std::sin(angle);
+        const double eta =
+            0.025 * std::cos(angle - wave.wave_number * gauge) + wave::evanescent_elevation(wave, gauge) * x;
+        EXPECT_NEAR(absorbing_velocity(paddle, t, 0.5 + eta, x, 0, gauge), 0, 1e-12);
+    }
+}
+
+TEST(PaddleAbsorption, a_wave_that_arrives_is_met_by_the_motion_that_makes_its_opposite) {
+    for (const double period : {0.8, 1.5, 6.0}) {  // deep to shallow water
+        const PaddleAbsorption paddle = regular_paddle(period);
+        const wave::LinearWave& wave = *paddle.regular;
+        const double own = absorbing_velocity(paddle, 20, 0.5, 0, 0, gauge);
+        const double u = absorbing_velocity(paddle, 20, 0.5 + 0.01, 0, 0, gauge) - own;
+        // A paddle of velocity u makes waves of amplitude u/w H/S.
+        EXPECT_NEAR(u / wave.angular_frequency * height_over_stroke(wave::Paddle::piston, wave.kd()), -0.01, 1e-12);
+    }
+    PaddleAbsorption shallow;
+    shallow.depth = 0.5;
+    EXPECT_NEAR(absorbing_velocity(shallow, 0, 0.01, 0, 0, gauge), -0.01 * std::sqrt(g / 0.5), 1e-12);
+}
+
+TEST(PaddleAbsorption, a_paddle_that_was_carried_away_comes_back_within_periods) {
+    const PaddleAbsorption paddle = regular_paddle(1.5);
+    const double at_rest = absorbing_velocity(paddle, 20, 0.5, 0, 0, gauge);
+    const double near_field = wave::evanescent_elevation(*paddle.regular, gauge);
+    const double gain =
+        paddle.regular->angular_frequency / height_over_stroke(wave::Paddle::piston, paddle.regular->kd());
+    const double back = absorbing_velocity(paddle, 20, 0.5, 0, 0.2, gauge) - at_rest - gain * near_field * 0.2;
+    EXPECT_NEAR(back, -0.2 / (5 * 1.5), 1e-12);
+}
+
+}  // namespace
+}  // namespace riprap::sim
