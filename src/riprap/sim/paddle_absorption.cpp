@@ -34,12 +34,22 @@ double absorbing_velocity(const PaddleAbsorption& paddle, double time, double re
     const wave::LinearWave& wave = *paddle.regular;
     const double share = t < paddle.ramp ? 0.5 * (1 - std::cos(std::numbers::pi * t / paddle.ramp)) : 1.0;
     const double angle = wave.angular_frequency * t + paddle.phase - wave.wave_number * gauge_distance;
-    const double own = 0.5 * wave.height * share * std::cos(angle) +
-                       wave::evanescent_elevation(wave, gauge_distance) * (driven + offset);
+    const double own =
+        0.5 * wave.height * share * std::cos(angle) + wave::evanescent_elevation(wave, gauge_distance) * driven;
     const double gain = wave.angular_frequency / height_over_stroke(wave::Paddle::piston, wave.kd());
     const double periods_to_return = 5;
     const double back = wave.angular_frequency / (2 * std::numbers::pi * periods_to_return);
     return -gain * (eta - own) - back * offset;
+}
+
+double absorption_delay(const PaddleAbsorption& paddle, double spacing, double gauge_distance) {
+    const double least = spacing / std::sqrt(paddle.gravity * paddle.depth);
+    if (!paddle.regular) {
+        return least;
+    }
+    const double made = height_over_stroke(wave::Paddle::piston, paddle.regular->kd());
+    return std::max(least, wave::evanescent_elevation(*paddle.regular, gauge_distance) /
+                               (made * paddle.regular->angular_frequency));
 }
 
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
@@ -50,10 +60,10 @@ void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet
         const double offset = dot(state.drive_offset[b], paddle.direction);
         const double shift = dot(state.position[b] - at_rest, paddle.direction);
         const double reading = surface_at_paddle(paddle, shift, settings, water);
-        const double wanted = absorbing_velocity(paddle, time, reading, shift - offset, offset,
-                                                 absorption_gauge_distance * settings.spacing);
+        const double distance = absorption_gauge_distance * settings.spacing;
+        const double wanted = absorbing_velocity(paddle, time, reading, shift - offset, offset, distance);
         const double now = dot(state.drive_rate[b], paddle.direction);
-        const double delay = settings.spacing / std::sqrt(paddle.gravity * paddle.depth);
+        const double delay = absorption_delay(paddle, settings.spacing, distance);
         state.drive_rate[b] = (now + (wanted - now) * (1 - std::exp(-dt / delay))) * paddle.direction;
     }
 }

@@ -21,8 +21,10 @@ namespace riprap::sim {
 /// sends off the opposite of what a resting paddle would reflect. G = w/(H/S) for regular waves, with H/S the transfer
 /// function at their frequency, so it is exact there at any depth; sqrt(g/d), its shallow limit, for solitary waves and
 /// for paddles that only absorb. C_e(x) = sum_j 4 sin^2(k_j d)/(2 k_j d + sin 2 k_j d) exp(-k_j x) are the evanescent
-/// modes of the piston, w^2 = -g k_j tan(k_j d), X its whole displacement. Where waves are regular the correction also
-/// returns to zero within five periods, so that the mean level does not carry the paddle away.
+/// modes of the piston, w^2 = -g k_j tan(k_j d), X its displacement by its own motion. The modes that the correction
+/// makes are C_e(x) (-u'/w^2), its acceleration: taking them off as well turns the law into u + G C_e/w^2 u' = -G
+/// (...), a delay (absorption_delay). Where waves are regular the correction also returns to zero within five periods,
+/// so that the mean level does not carry the paddle away.
 struct PaddleAbsorption {
     BodyId body;
     Vec3 direction{1, 0, 0};  ///< where the waves go [-]
@@ -52,8 +54,11 @@ double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const flu
 double absorbing_velocity(const PaddleAbsorption& paddle, double time, double reading, double driven, double offset,
                           double gauge_distance);
 
-/// Sets how fast the corrections of all absorbing paddles go over the next step. They follow the law within the time
-/// that a long wave needs for one spacing.
+/// Time within which a correction follows the law: G C_e(x)/w^2 of regular waves, and never less than a long wave needs
+/// for one spacing [s].
+double absorption_delay(const PaddleAbsorption& paddle, double spacing, double gauge_distance);
+
+/// Sets how fast the corrections of all absorbing paddles go over the next step.
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
                   const fluid::SphSettings& settings, const fluid::ParticleState& water, body::BodyState& state);
 
