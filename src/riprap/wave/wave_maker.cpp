@@ -28,14 +28,18 @@ double second_harmonic_stroke(const LinearWave& wave) {
 }
 
 double evanescent_elevation(const LinearWave& wave, double x) {
-    constexpr int modes = 200;
+    constexpr int modes = 200, passes = 60;
+    constexpr double nothing = 1e-15;  // of a sum of order one
     const double lift = wave.angular_frequency * wave.angular_frequency * wave.depth / wave.gravity;
     double sum = 0;
     for (int j = 1; j <= modes; ++j) {
         // q tan q = -lift has one root between (j - 1/2) pi and j pi: q = j pi - atan(lift/q), a contraction.
         double q = j * std::numbers::pi;
-        for (int pass = 0; pass < 60; ++pass) {
+        for (int pass = 0; pass < passes; ++pass) {
             q = j * std::numbers::pi - std::atan(lift / q);
+        }
+        if (std::exp(-q * x / wave.depth) < nothing) {
+            break;
         }
         const double sine = std::sin(q);
         sum += 4 * sine * sine / (2 * q + std::sin(2 * q)) * std::exp(-q * x / wave.depth);
