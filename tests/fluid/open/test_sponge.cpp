@@ -19,7 +19,14 @@ SphSettings settings() {
 const Sponge sponge{.low = {0, -1, 0}, .high = {2, 1, 0}, .axis = 0, .is_towards_high = true, .rate = 8};
 
 /// A particle at x with velocity v.
-ParticleState particle(const Vec3& x, const Vec3& v) { return {{x}, {v}, {1000}, {0}}; }
+ParticleState particle(const Vec3& x, const Vec3& v) {
+    ParticleState state;
+    state.position = {x};
+    state.velocity = {v};
+    state.density = {1000};
+    state.id = {0};
+    return state;
+}
 
 /// One step of the kick: force over mass.
 void kick(ParticleState& state, const std::vector<Vec3>& force, double dt) { state.velocity[0] += dt / 10 * force[0]; }
