@@ -115,8 +115,8 @@ void dam_break_cube(const CaseSetting& setting, CaseReport& report) {
     constexpr std::array<double, 3> at{1.0, 1.25, 1.5}, measured{2.129, 2.605, 3.0735};
     std::vector<std::string> finer;
     if (setting.is_full) {
-        finer = {"fluid.spacing=0.0166666667", "fluid.region.0.box.low=[-4.5,-0.35,0]",
-                 "body.reservoir_end.shape.half_space.offset=-4.5"};
+        finer = {"fluid.spacing=0.0166666667", "fluid.domain.low=[-4.7,-0.45,-0.1]",
+                 "fluid.region.0.box.low=[-4.5,-0.35,0]", "body.reservoir_end.shape.half_space.offset=-4.5"};
     }
     WaterTrial trial(setting, finer);
     trial.run();
