@@ -99,7 +99,6 @@ test('the block is drawn where it is, and nothing where it is not', async () => 
 
 test('the keyboard plays, steps, turns, selects and changes the light', async () => {
   await goTo(5);
-  const index = () => page.evaluate(() => window.riprap.index);
   const press = async (key, wanted) => {
     await page.keyboard.press(key);
     await page.waitForFunction(wanted);
@@ -122,11 +121,13 @@ test('the keyboard plays, steps, turns, selects and changes the light', async ()
   await page.keyboard.press('d');
   await page.waitForFunction(was => document.documentElement.dataset.theme !== was, theme);
   await page.keyboard.press('d');
+  await page.selectOption('#pace', '0.25');  // so that it does not end before it is seen to play
+  await page.focus('#scene');
+  await press('Home', () => window.riprap.index === 0);
   await page.keyboard.press(' ');
   await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'pause');
   await page.keyboard.press(' ');
   await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'play');
-  assert.ok(await index() >= 0);
 });
 
 test('everything fits on the screen of a small laptop', async () => {
