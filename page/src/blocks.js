@@ -3,6 +3,7 @@
 
 import * as THREE from 'three';
 import {MAPS, MATERIALS, colourAt} from './colours.js';
+import {planesOf} from './planes.js';
 import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
 
 const SELECTED = new THREE.Color(0xff5a36);
@@ -50,8 +51,9 @@ function edgesOf(shape) {
 }
 
 export class Blocks {
-  constructor(contents, shapes) {
+  constructor(contents, shapes, first, box) {
     this.contents = contents;
+    this.first = first;
     this.group = new THREE.Group();
     this.meshes = [];
     this.colourBy = 'material';
@@ -59,18 +61,18 @@ export class Blocks {
     this.edgeColour = new THREE.Color(0x000000);
     const bodies = contents.bodies;
     shapes.forEach((shape, s) => {
-      const members = bodies.shape.flatMap((of, body) => of === s ? [body] : []);
-      if (members.length > 0) {
-        this.#add(shape, members);
+      if (shape.faces.length > 1) {
+        this.#add(shape, bodies.shape.flatMap((of, body) => of === s ? [body] : []));
       }
     });
+    planesOf(bodies, shapes, first, box).forEach((shape, body) => this.#add(shape, [body]));
   }
 
   #add(shape, members) {
     const isPlane = shape.faces.length === 1;
     const material = new THREE.MeshLambertMaterial({side: THREE.FrontSide, flatShading: true});
     if (isPlane) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
-      Object.assign(material, {transparent: true, opacity: 0.55, depthWrite: false});
+      Object.assign(material, {transparent: true, opacity: 0.5, depthWrite: false});
     }
     const mesh = new THREE.InstancedMesh(trianglesOf(shape), material, members.length);
     mesh.frustumCulled = false;
@@ -138,7 +140,7 @@ export class Blocks {
           colour.setRGB(...colourAt(MAPS.cividis, this.#valueOf(body) / (range.high || 1)).map(c => c / 255),
                         THREE.SRGBColorSpace);
         } else {
-          colour.setHex(isFixed ? 0x9a9a96 : MATERIALS[this.contents.bodies.material[body] % MATERIALS.length]);
+          colour.setHex(mesh.userData.isPlane ? 0xc9ccd0 : isFixed ? 0x9a9a96 : MATERIALS[this.contents.bodies.material[body] % MATERIALS.length]);
         }
         mesh.setColorAt(i, colour);
       });

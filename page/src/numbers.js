@@ -15,6 +15,12 @@ export function short(value) {
   return reading(value, 3);
 }
 
+/** A mark of an axis, with the digits that tell it from its neighbours. */
+export function tickText(value, step) {
+  const largest = Math.max(Math.abs(value), step);
+  return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1));
+}
+
 /** Round numbers that cut an interval into about `count` parts. */
 export function ticks(low, high, count) {
   const rough = (high - low) / Math.max(count, 1);

@@ -2,7 +2,7 @@
 // Curves over time from the tables of the run: one chart per table and unit, all under the time that the scene shows.
 
 import {LINES} from './colours.js';
-import {reading, short, ticks} from './numbers.js';
+import {reading, tickText, ticks} from './numbers.js';
 
 const MARGIN = {left: 58, right: 10, top: 8, bottom: 24};  // pixels
 const HEIGHT = 150;
@@ -145,18 +145,19 @@ class Chart {
     pen.lineWidth = 1;
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
-    for (const v of ticks(low, high, 4)) {
+    const levels = ticks(low, high, 4), gap = marks => marks.length > 1 ? marks[1] - marks[0] : Math.abs(marks[0]) || 1;
+    for (const v of levels) {
       pen.beginPath();
       pen.moveTo(MARGIN.left, this.y(v));
       pen.lineTo(right, this.y(v));
       pen.stroke();
-      pen.fillText(short(v), MARGIN.left - 5, this.y(v));
+      pen.fillText(tickText(v, gap(levels)), MARGIN.left - 5, this.y(v));
     }
     pen.textAlign = 'center';
     pen.textBaseline = 'top';
     const marks = last > first ? ticks(first, last, Math.max(2, width / 90)) : [first];
     marks.forEach((t, k) => {
-      pen.fillText(k === marks.length - 1 ? `${short(t)} s` : short(t), Math.min(this.x(t), right - 10), bottom + 6);
+      pen.fillText(k === marks.length - 1 ? `${tickText(t, gap(marks))} s` : tickText(t, gap(marks)), Math.min(this.x(t), right - 10), bottom + 6);
     });
   }
 

@@ -61,8 +61,7 @@ export class Scene {
 
   #fill(contents, shapes, first) {
     if (contents.bodies) {
-      this.blocks = new Blocks(contents, shapes);
-      this.blocks.first = first.pose;
+      this.blocks = new Blocks(contents, shapes, first.pose, this.box);
       this.forces = new Forces(contents, this.size);
       this.world.add(this.blocks.group, this.forces.group);
     }

@@ -6,7 +6,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {inflateSync} from 'node:zlib';
-import {Stage, lookAt, riprap} from './stage.js';
+import {Stage, differs, lookAt, riprap} from './stage.js';
 
 let stage, run, page;
 
@@ -58,18 +58,25 @@ test('every particle is where its frame says, within half a step', async () => {
 });
 
 test('water is drawn in every frame, in other colours by speed, and not at all when it is hidden', async () => {
-  const share = async by => {
+  // The tank is 1 m wide, the water 0.4 m deep, and the box floats in the middle.
+  const wet = [[0.1, 0.1], [0.5, 0.1], [0.9, 0.2]].map(([x, y]) => [x, y, 0]);
+  const dry = [[0.1, 0.7], [0.9, 0.7]].map(([x, y]) => [x, y, 0]);
+  const colours = async by => {
     await page.selectOption('#water-by', by);
-    return (await lookAt(page)).share;
+    const places = await page.evaluate(points => points.map(p => window.riprap.scene.pixelOf(p)), [...wet, ...dry]);
+    return (await lookAt(page, places)).colours;
   };
   for (const index of [0, 15, 29]) {
     await page.evaluate(k => window.riprap.show(k), index);
-    const withWater = await share('pressure'), without = await share('none');
-    assert.ok(withWater > without + 0.1, `frame ${index}: ${withWater} of the scene with water, ${without} without`);
+    const [pressure, hidden] = [await colours('pressure'), await colours('none')];
+    wet.forEach((place, k) => assert.ok(differs(pressure[k], hidden[k]), `frame ${index}: no water at ${place}`));
+    dry.forEach((place, k) => assert.ok(!differs(pressure[wet.length + k], hidden[wet.length + k]),
+                                        `frame ${index}: water at ${place}`));
   }
-  await share('speed');
+  const bySpeed = await colours('speed');
   assert.match(await page.textContent('#legends'), /speed of water \[m\/s\]/);
-  await share('pressure');
+  const byPressure = await colours('pressure');
+  assert.ok(wet.some((_, k) => differs(bySpeed[k], byPressure[k])));
   assert.match(await page.textContent('#legends'), /pressure of water \[Pa\]/);
 });
 
