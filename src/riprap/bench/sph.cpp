@@ -8,6 +8,7 @@
 #include "riprap/bench/measure.hpp"
 #include "riprap/bench/sph_pairs.hpp"
 #include "riprap/bench/sph_scene.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
@@ -111,9 +112,10 @@ class Pass {
     void move() {
         const fluid::SphSettings& s = column_.settings;
         const double half_step = 0.5 * s.courant * s.smoothing_length() / (1.1 * s.sound_speed);
-        for (std::size_t i = 0; i < column_.water.position.size(); ++i) {
+        parallel::for_each(column_.water.size(), [&](std::int64_t entry) {
+            const auto i = static_cast<std::size_t>(entry);
             column_.water.position[i] += half_step * column_.water.velocity[i];
-        }
+        });
     }
     SphColumn column_;
     SphConstants constants_;

@@ -30,9 +30,9 @@ struct DensityRatePair {
     SphConstants c;
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real, Real r, Real* sum, Real* back) const {
         using namespace fluid;
-        const Real slope = c.kernel.slope_over_r(distance(r2));
+        const Real slope = c.kernel.slope_over_r(r);
         Real divergence(0), hydrostatic(0);
         for (int axis = 0; axis < Dim; ++axis) {
             divergence += (a[axis] - b[axis]) * d[axis];
@@ -44,9 +44,10 @@ struct DensityRatePair {
         back[0] += a[4] * slope * ((b[3] + Real(c.rest_density)) * divergence + diffusion);
     }
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real back[back_sums] = {Real(0)};
-        exchange<Dim>(target, candidate, d, r2, sum, back);
+        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 
@@ -62,10 +63,10 @@ struct AccelerationPair {
     SphConstants c;
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum,
+    RIPRAP_HD void exchange(const Real* target, const Real* candidate, const Real* d, Real r2, Real r, Real* sum,
                             Real* back) const {
         using namespace fluid;
-        const Real slope = c.kernel.slope_over_r(distance(r2));
+        const Real slope = c.kernel.slope_over_r(r);
         Real approach(0);
         for (int axis = 0; axis < Dim; ++axis) {
             approach += (target[axis] - candidate[axis]) * d[axis];
@@ -80,9 +81,10 @@ struct AccelerationPair {
         }
     }
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real back[back_sums] = {Real(0), Real(0), Real(0)};
-        exchange<Dim>(target, candidate, d, r2, sum, back);
+        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 
@@ -94,9 +96,9 @@ struct CountPair {
     SphConstants c;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real*, const Real*, const Real*, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real*, const Real*, const Real*, Real, Real r, Real* sum) const {
         using namespace fluid;
-        sum[0] += select(c.kernel.value(distance(r2)) > Real(0), Real(1), Real(0));
+        sum[0] += select(c.kernel.value(r) > Real(0), Real(1), Real(0));
     }
 };
 

@@ -18,8 +18,8 @@ struct Interpolate {
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    void operator()(const Real*, const Real* candidate, const Real*, Real r2, Real* sum) const {
-        const Real w = kernel.value(sqrt(r2));
+    void operator()(const Real*, const Real* candidate, const Real*, Real, Real r, Real* sum) const {
+        const Real w = kernel.value(r);
         sum[0] += w * candidate[0];
         sum[1] += w;
     }

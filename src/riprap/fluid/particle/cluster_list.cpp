@@ -74,12 +74,13 @@ float ClusterList::closer_anywhere() const {
 
 /// @param closer  by which particles came closer since the last build [m]; negative: not known
 void ClusterList::choose_skin(double support_radius, double closer) {
-    // A skin s makes a sweep dearer by 3 s/(2 h + 1) of it and lets it last s/u sweeps at a motion of u per sweep until
-    // the lists, which cost about half a sweep, are made anew: least in sum at s^2 = u (2 h)/6.
-    constexpr double least = 0.01, most = 0.12;
+    // A skin s makes a sweep dearer by 3 s/(2 h) of the third of it that finds distances, and lets it last s/u sweeps
+    // at a motion of u per sweep until the lists, which cost about 0.7 sweeps, are made anew: least in sum at
+    // s^2 = 0.7 u (2 h).
+    constexpr double least = 0.01, most = 0.2;
     const double per_sweep =
         closer >= 0 ? closer / static_cast<double>(std::max<std::int64_t>(1, sweeps_)) : 0.005 * support_radius;
-    skin_ = std::clamp(std::sqrt(per_sweep * support_radius / 6), least * support_radius, most * support_radius);
+    skin_ = std::clamp(std::sqrt(0.7 * per_sweep * support_radius), least * support_radius, most * support_radius);
 }
 
 void ClusterList::build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates) {

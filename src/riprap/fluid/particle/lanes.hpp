@@ -238,6 +238,15 @@ inline FloatFour difference(IntFour a, IntFour b) {
 inline std::uint32_t bits_below(Lanes a, float limit) {
 #if defined(__AVX512F__)
     return _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a.v), _mm512_set1_ps(limit), _CMP_LT_OQ);
+#elif defined(__AVX2__)
+    struct Halves {
+        __m256 low, high;
+    } h;
+    __builtin_memcpy(&h, &a.v, sizeof h);
+    const __m256 most = _mm256_set1_ps(limit);
+    const auto low = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(h.low, most, _CMP_LT_OQ)));
+    const auto high = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(h.high, most, _CMP_LT_OQ)));
+    return low | high << 8U;
 #else
     std::uint32_t bits = 0;
     for (int lane = 0; lane < lane_count; ++lane) {

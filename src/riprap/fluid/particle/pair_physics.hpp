@@ -19,14 +19,14 @@ namespace riprap::fluid {
 ///         static constexpr int sums = 1;              // numbers gathered per target
 ///         WendlandC2 kernel;                          // constants of the step, trivially copyable
 ///         template <int Dim, class Real>
-///         RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum)
-///         const;
+///         RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+///                                   Real* sum) const;
 ///     };
 ///
-/// d = x_i - x_j (Dim numbers [m]) and r2 = |d|^2. Every term must be a multiple of the kernel or of its slope, which
-/// are exactly zero at and beyond the support, so that a candidate out of reach adds nothing; and finite at r2 = 0,
-/// where a particle meets itself. Plain arithmetic and the functions of particle/math.hpp only: Real may be a vector of
-/// lanes.
+/// d = x_i - x_j (Dim numbers [m]) and r = |d|, r2 its square. Every term must be a multiple of the kernel or of its
+/// slope, which are exactly zero at and beyond the support, so that a candidate out of reach adds nothing; and finite
+/// at r2 = 0, where a particle meets itself. Plain arithmetic and the functions of particle/math.hpp only: Real may be
+/// a vector of lanes.
 template <class P>
 concept PairPhysics = requires {
     { P::target_fields } -> std::convertible_to<int>;
@@ -38,7 +38,8 @@ concept PairPhysics = requires {
 ///
 ///     static constexpr int back_sums = 3;  // numbers gathered per candidate
 ///     template <int Dim, class Real>
-///     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const;
+///     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r,
+///                             Real* sum, Real* back) const;
 ///
 /// which adds to `sum` what b does to a, and to `back` what a does to b. The call operator gives the first alone.
 template <class P>

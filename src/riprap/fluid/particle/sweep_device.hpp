@@ -38,7 +38,8 @@ struct TargetSweep {
                 r2 += d[axis] * d[axis];
             }
             if (r2 < reach_squared) {
-                pair.template operator()<Dim, float>(target, candidate_fields + j * Pair::candidate_fields, d, r2, sum);
+                pair.template operator()<Dim, float>(target, candidate_fields + j * Pair::candidate_fields, d, r2,
+                                                     distance(r2), sum);
             }
         });
         for (int k = 0; k < Pair::sums; ++k) {

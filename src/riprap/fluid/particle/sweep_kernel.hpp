@@ -62,8 +62,9 @@ template <class Pair>
 struct OneWay {
     static constexpr std::size_t back_sums = 0;
     template <int Dim>
-    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes* sum, Lanes*) {
-        pair.template operator()<Dim, Lanes>(a, b, d, r2, sum);
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
+                    Lanes*) {
+        pair.template operator()<Dim, Lanes>(a, b, d, r2, r, sum);
     }
 };
 /// and what both do to each other.
@@ -71,9 +72,9 @@ template <class Pair>
 struct BothWays {
     static constexpr auto back_sums = static_cast<std::size_t>(Pair::back_sums);
     template <int Dim>
-    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes* sum,
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
                     Lanes* back) {
-        pair.template exchange<Dim, Lanes>(a, b, d, r2, sum, back);
+        pair.template exchange<Dim, Lanes>(a, b, d, r2, r, sum, back);
     }
 };
 
@@ -99,52 +100,86 @@ struct PatchSweep {
     const float* records;
     float* back;           ///< sums of candidates: [place][number][member]
     std::int32_t partial;  ///< entry of the candidate cluster that is not full, or -1
+    float reach_squared;   ///< [m^2], and a little
     Lanes beyond;          ///< what puts its absent members out of reach [m^2]
 
-    /// Adds what the candidates do to the target, and back.
+    /// Where a cluster of candidates is, seen from the targets.
+    struct Separation {
+        std::array<Lanes, Dim> d;
+        Lanes r2, r;
+    };
+
+    Separation separation(const Target& target, const std::array<Lanes, Dim>& unit, const float* four,
+                          Lanes apart) const {
+        Separation s;
+        s.r2 = apart;
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            const IntVector there =
+                candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
+            s.d[axis] = difference(target.place[axis], there) * unit[axis];
+            s.r2 += s.d[axis] * s.d[axis];
+        }
+        s.r = distance(s.r2);
+        return s;
+    }
+
     template <class ThisWay>
-    void add(const Target& target, std::span<const std::int32_t> near, Sums& sums_out) const {
+    [[gnu::always_inline]] std::array<Lanes, ThisWay::back_sums> act(const Pair& physics, const Target& target,
+                                                                     const float* four, const Separation& s,
+                                                                     Sums& sum) const {
+        std::array<Lanes, candidate_fields + 1> candidate{};
+        for (std::size_t k = 0; k < candidate_fields; ++k) {
+            candidate[k] = candidates_in_lanes(four + (Dim + k) * cluster_size);
+        }
+        std::array<Lanes, ThisWay::back_sums> other;
+        other.fill(Lanes(0));
+        ThisWay::template act<Dim>(physics, target.fields.data(), candidate.data(), s.d.data(), s.r2, s.r, sum.data(),
+                                   other.data());
+        return other;
+    }
+
+    /// Adds what the candidates do to the target, and back.
+    /// @param is_first_itself  the first candidates are the targets, of which every pair is there both ways
+    void add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself, Sums& sums_out) const {
+        // Distances come first, for many clusters at once, and are kept: pairs of clusters that do not meet, which the
+        // skin brings along, then cost a third, and two short chains of dependent instructions overlap better with
+        // those of the next pairs than one long one does.
+        constexpr std::size_t batch = 64;
+        std::array<Separation, batch> separations;
+        std::array<std::int32_t, batch> met;
         const Pair physics = pair;
         const std::array<Lanes, Dim> unit = quantum;
         const float* const all_records = records;
         float* const all_back = back;
+        const auto record_of = [&](std::int32_t entry) {
+            return all_records + static_cast<std::size_t>(entry) * record;
+        };
         Sums sum = sums_out;
-        using Back = std::array<Lanes, ThisWay::back_sums>;
-        const auto evaluate = [&](std::int32_t entry, Lanes apart) __attribute__((always_inline)) {
-            const float* const four = all_records + static_cast<std::size_t>(entry) * record;
-            std::array<Lanes, Dim> d;
-            Lanes r2 = apart;
-            for (std::size_t axis = 0; axis < Dim; ++axis) {
-                const IntVector there =
-                    candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
-                d[axis] = difference(target.place[axis], there) * unit[axis];
-                r2 += d[axis] * d[axis];
-            }
-            std::array<Lanes, candidate_fields + 1> candidate{};
-            for (std::size_t k = 0; k < candidate_fields; ++k) {
-                candidate[k] = candidates_in_lanes(four + (Dim + k) * cluster_size);
-            }
-            Back other;
-            other.fill(Lanes(0));
-            ThisWay::template act<Dim>(physics, target.fields.data(), candidate.data(), d.data(), r2, sum.data(),
-                                       other.data());
-            return other;
-        };
-        const auto keep = [&](std::int32_t entry, const Back& other) __attribute__((always_inline)) {
-            add_sums_of_targets(other, all_back + static_cast<std::size_t>(entry) * back_record);
-        };
-        // Two at a time, so that the compiler can mix their instructions: one alone is a long chain of dependences. No
-        // branch may part them; the cluster that is not full, last of all, comes by itself.
-        const std::size_t full = near.size() - (!near.empty() && near.back() == partial ? 1 : 0);
-        std::size_t n = 0;
-        for (; n + 1 < full; n += 2) {
-            const std::int32_t one = near[n], two = near[n + 1];
-            const Back first = evaluate(one, target.apart), second = evaluate(two, target.apart);
-            keep(one, first);
-            keep(two, second);
+        std::size_t done = 0;
+        if (is_first_itself) {
+            const float* const four = record_of(near[0]);
+            const Lanes apart = near[0] == partial ? target.apart + beyond : target.apart;
+            act<OneWay<Pair>>(physics, target, four, separation(target, unit, four, apart), sum);
+            done = 1;
         }
-        for (; n < near.size(); ++n) {
-            keep(near[n], evaluate(near[n], n < full ? target.apart : target.apart + beyond));
+        while (done < near.size()) {
+            const std::size_t count = std::min(batch, near.size() - done);
+            const std::int32_t* const entries = near.data() + done;
+            std::size_t met_count = 0;
+            for (std::size_t n = 0; n < count; ++n) {
+                const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
+                separations[met_count] = s;
+                met[met_count] = entries[n];
+                met_count += bits_below(s.r2, reach_squared) != 0 ? 1 : 0;
+            }
+            if (met_count > 0 && met[met_count - 1] == partial) [[unlikely]] {
+                separations[met_count - 1] = separation(target, unit, record_of(partial), target.apart + beyond);
+            }
+            for (std::size_t n = 0; n < met_count; ++n) {
+                const auto other = act<Way>(physics, target, record_of(met[n]), separations[n], sum);
+                add_sums_of_targets(other, all_back + static_cast<std::size_t>(met[n]) * back_record);
+            }
+            done += count;
         }
         sums_out = sum;
     }
@@ -170,7 +205,7 @@ struct ClusterSweep {
         const Patch& patch = list.patches()[static_cast<std::size_t>(p)];
         std::unique_ptr<BufferPool::Buffer> records = scratch.records.take();
         copy_records(patch, *records);
-        Patches work{pair, {}, records->data(), nullptr, -1, Lanes(0)};
+        Patches work{pair, {}, records->data(), nullptr, -1, far * 0.0625F * 1.00001F, Lanes(0)};
         const std::int64_t members = list.candidates().size() % cluster_size,
                            last = list.candidates().cluster_count() - 1;
         if (members != 0 && !patch.blocks.empty() && patch.blocks.back() == last / BoxTree::branches) {
@@ -207,11 +242,7 @@ struct ClusterSweep {
                          : target_of(t, count);
         typename Patches::Sums sum;
         sum.fill(Lanes(0));
-        if (is_each_once && near.front() == local) {
-            work.template add<OneWay<Pair>>(target, near.first(1), sum);  // its own members: both directions are here
-            near = near.subspan(1);
-        }
-        work.template add<Way>(target, near, sum);
+        work.add(target, near, is_each_once && near.front() == local, sum);
         if (is_each_once) {
             for (std::size_t k = 0; k < sum_count; ++k) {
                 add_to(work.back + static_cast<std::size_t>(local) * Patches::back_record + k * cluster_size,

@@ -25,13 +25,13 @@ struct Continuity {
     double soft;       ///< small against h^2, keeps (v.d)^2/r^2 finite where a particle meets itself [m^2]
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r, Real* sum, Real* back) const {
         Real closing(0), head(0);
         for (int axis = 0; axis < Dim; ++axis) {
             closing = closing + (a[axis] - b[axis]) * d[axis];
             head = head + Real(weight[axis]) * d[axis];
         }
-        const Real slope = kernel.slope_over_r(distance(r2)), compression = slope * closing;
+        const Real slope = kernel.slope_over_r(r), compression = slope * closing;
         const Real diffusion = slope * (b[3] - a[3] + head), filling = slope * r2;
         const Real strain = compression * closing * reciprocal(r2 + Real(soft));
         sum[0] = sum[0] + b[4] * compression;
@@ -44,9 +44,10 @@ struct Continuity {
         back[3] = back[3] - a[4] * filling;
     }
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real back[back_sums] = {Real(0), Real(0), Real(0), Real(0)};
-        exchange<Dim>(target, candidate, d, r2, sum, back);
+        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 
@@ -59,12 +60,13 @@ struct ContinuityAtWalls {
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real closing(0);
         for (int axis = 0; axis < Dim; ++axis) {
             closing = closing + (target[axis] - candidate[axis]) * d[axis];
         }
-        const Real slope = candidate[3] * kernel.slope_over_r(distance(r2));
+        const Real slope = candidate[3] * kernel.slope_over_r(r);
         sum[0] = sum[0] + slope * closing;
         sum[1] = sum[1] - slope * r2;
     }

@@ -24,13 +24,13 @@ struct Momentum {
     Viscosity viscosity;
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real* sum, Real* back) const {
-        const Real slope = kernel.slope_over_r(distance(r2)), push = (a[3] + b[3]) * slope;
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r, Real* sum, Real* back) const {
+        const Real slope = kernel.slope_over_r(r), push = (a[3] + b[3]) * slope;
         Real v[3], viscous[3], heat(0);
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = a[axis] - b[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, slope, Real(1), a[5] + b[5], viscous);
+        viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[5] + b[5], viscous);
         const Real slope_a = a[4] * slope, slope_b = b[4] * slope;
         const Real bare_a = slope_a * a[6], bare_b = slope_b * b[6];
         for (int axis = 0; axis < Dim; ++axis) {
@@ -47,12 +47,13 @@ struct Momentum {
         back[3] = back[3] - a[4] * heat;
     }
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real back[back_sums];
         for (Real& number : back) {
             number = Real(0);
         }
-        exchange<Dim>(target, candidate, d, r2, sum, back);
+        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 
@@ -71,13 +72,15 @@ struct MomentumFromWalls {
     Viscosity viscosity;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
+        const Real unit_slope = kernel.slope_over_r(r), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4] * candidate[5], target[4] + target[4], viscous);
+        viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * candidate[5], target[4] + target[4],
+                                    viscous);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real hold = candidate[3] * slope * d[axis];
@@ -102,13 +105,14 @@ struct MomentumOnWalls {
     Viscosity viscosity;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(distance(r2)), slope = candidate[4] * unit_slope;
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
+        const Real unit_slope = kernel.slope_over_r(r), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, unit_slope, candidate[4] * target[4], candidate[5] + candidate[5],
+        viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * target[4], candidate[5] + candidate[5],
                                     viscous);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {

@@ -64,15 +64,16 @@ struct DensitySum {
     Poly6Kernel kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real*, Real r2, Real* sum, Real* back) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real*, Real r2, Real, Real* sum, Real* back) const {
         const Real weight = kernel.value_at(r2);
         sum[0] = sum[0] + b[0] * weight;
         back[0] = back[0] + a[0] * weight;
     }
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
         Real back[back_sums] = {Real(0)};
-        exchange<Dim>(target, candidate, d, r2, sum, back);
+        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 

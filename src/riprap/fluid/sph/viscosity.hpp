@@ -18,7 +18,7 @@ struct ArtificialViscosity {
     double soft;      ///< 0.01 h^2 [m^2]
 
     template <int Dim, class Real>
-    RIPRAP_HD void add(const Real* v, const Real* d, Real r2, Real slope, Real volume, Real, Real* force) const {
+    RIPRAP_HD void add(const Real* v, const Real* d, Real r2, Real, Real slope, Real volume, Real, Real* force) const {
         Real closing(0);
         for (int axis = 0; axis < Dim; ++axis) {
             closing = closing + v[axis] * d[axis];
@@ -35,7 +35,8 @@ struct ArtificialViscosity {
 ///     force = V (mu_i + mu_j) F v.
 struct LaminarViscosity {
     template <int Dim, class Real>
-    RIPRAP_HD void add(const Real* v, const Real*, Real, Real slope, Real volume, Real mu_pair, Real* force) const {
+    RIPRAP_HD void add(const Real* v, const Real*, Real, Real, Real slope, Real volume, Real mu_pair,
+                       Real* force) const {
         for (int axis = 0; axis < Dim; ++axis) {
             force[axis] = mu_pair * slope * volume * v[axis];
         }
@@ -49,8 +50,8 @@ struct MullerViscosity {
     LaplacianKernel kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void add(const Real* v, const Real*, Real r2, Real, Real volume, Real mu_pair, Real* force) const {
-        const Real size = Real(-0.5) * mu_pair * kernel.laplacian(distance(r2)) * volume;
+    RIPRAP_HD void add(const Real* v, const Real*, Real, Real r, Real, Real volume, Real mu_pair, Real* force) const {
+        const Real size = Real(-0.5) * mu_pair * kernel.laplacian(r) * volume;
         for (int axis = 0; axis < Dim; ++axis) {
             force[axis] = size * v[axis];
         }

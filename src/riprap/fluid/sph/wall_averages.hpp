@@ -17,8 +17,8 @@ struct WallAverages {
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real r2, Real* sum) const {
-        const Real weight = kernel.value(distance(r2));
+    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
+        const Real weight = kernel.value(r);
         sum[0] = sum[0] + weight;
         sum[1] = sum[1] + weight * candidate[3];
         const Real moment = weight * candidate[4];
