@@ -99,12 +99,14 @@ void add_validate(CLI::App& app, Action& action) {
     command->add_flag("--full", options->is_full, "Also long cases, and every case in its long version");
     command->add_flag("--json", options->as_json, "As JSON");
     command->add_option("--results", options->results, "Folder for plots (default: validation-results)");
+    auto report = std::make_shared<std::string>();
+    command->add_option("--report", *report, "Write one page with every result and plot into this folder");
     auto threads = std::make_shared<int>(0);
     command->add_option("--threads", *threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
-    command->callback([&action, options, threads] {
-        action = [options, threads] {
+    command->callback([&action, options, threads, report] {
+        action = [options, threads, report] {
             run::use_threads(*threads);
-            return validation::validate_main(*options);
+            return report->empty() ? validation::validate_main(*options) : validate_with_report(*options, *report);
         };
     });
 }
@@ -159,6 +161,17 @@ void add_render(CLI::App& app, Action& action) {
     command->callback([&action, options] { action = [options] { return print_render(*options); }; });
 }
 
+void add_plot(CLI::App& app, Action& action) {
+    auto options = std::make_shared<PlotOptions>();
+    CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
+    command->add_option("RUN", options->folder, "The run folder")->required();
+    command->add_option("--column", options->columns, "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");
+    command->callback([&action, options] { action = [options] { return plot_run(*options); }; });
+}
+
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -209,6 +222,7 @@ int command_line(int argument_count, char** arguments) {
     add_validate(app, action);
     add_view(app, action);
     add_render(app, action);
+    add_plot(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);

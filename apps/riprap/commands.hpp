@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+namespace riprap::validation {
+struct ValidateOptions;
+}
 namespace riprap::view {
 struct RenderOptions;
 }
@@ -35,5 +38,17 @@ int view_run(const ViewOptions& options);
 
 /// A picture or a movie of a run.
 int print_render(const view::RenderOptions& options);
+
+struct PlotOptions {
+    std::filesystem::path folder;      ///< of the run
+    std::vector<std::string> columns;  ///< of its tables; empty: the first ones that share a unit
+    std::filesystem::path out;         ///< SVG, or PNG by its name; empty: plot.svg in the folder of the run
+};
+
+/// Curves over time from the tables of a run.
+int plot_run(const PlotOptions& options);
+
+/// Validates and writes one page with every result and plot into a folder.
+int validate_with_report(const validation::ValidateOptions& options, const std::filesystem::path& folder);
 
 }  // namespace riprap

@@ -22,10 +22,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t ticket_limit = std::size_t{1} << 24;
 
 /// Everything a run writes, so that --force removes that and nothing else.
-constexpr std::array<std::string_view, 17> own_names{
+constexpr std::array<std::string_view, 18> own_names{
     "run.json",     "case",       "resolved.toml", "checkpoint", "frames",       "run.log",
     "run.jsonl",    "probes.csv", "ledger.csv",    "bodies.csv", "summary.json", "out.pvd",
-    "contacts.pvd", "index.html", "picture.png",   "movie.mp4",  "movie",
+    "contacts.pvd", "index.html", "picture.png",   "movie.mp4",  "movie",        "plot.svg",
 };
 
 bool is_own(const std::string& name) { return std::find(own_names.begin(), own_names.end(), name) != own_names.end(); }
