@@ -284,7 +284,7 @@ void build_fluid(CaseBuild& build) {
     warn_of_thin_bodies(build, fluid);
     build_absorptions(build, *table, filling.particles, fluid);
     build_openings(build, *table, fluid);
-    start_openings(fluid.open, filling.particles, build.state.open);
+    start_openings(fluid.open, fluid.sph, filling.particles, build.state.open);
     build.state.fluid = std::move(filling.particles);
     build.model.fluid = std::move(fluid);
 }

@@ -262,7 +262,7 @@ void initialise(const Model& model, State& state) {
     reset(state.ledger);
     reset(model, state.coupling);
     if (model.fluid) {
-        start_openings(model.fluid->open, state.fluid, state.open);
+        start_openings(model.fluid->open, model.fluid->sph, state.fluid, state.open);
     }
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {

@@ -84,6 +84,15 @@ void keep_only(ParticleState& water, const std::vector<std::size_t>& kept) {
     water.id.resize(kept.size());
 }
 
+/// A particle at x with the velocity v of water becomes one of the layers of outflow number k.
+void enter_layers(const Outflow& outflow, std::int32_t k, const Vec3& x, const Vec3& v, OpenState& state) {
+    const Vec3 n = outflow.opening.direction();
+    const double speed = outflow.kind == OutflowKind::speed ? outflow.speed : std::max(0.0, dot(n, v));
+    state.position.push_back(x);
+    state.velocity.push_back(speed * n);
+    state.outflow.push_back(k);
+}
+
 void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec3& gravity, OpenState& state,
               ParticleState& water, Passage& passage) {
     std::vector<std::size_t> kept;
@@ -206,11 +215,27 @@ std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, c
     return rows;
 }
 
-void start_openings(const OpenBoundaries& open, const ParticleState& water, OpenState& state) {
+void start_openings(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+                    OpenState& state) {
+    const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
     state.layers.assign(open.inflows.size(), 0);
     state.entered.assign(open.inflows.size(), 0);
     state.left.assign(open.outflows.size() + open.inflows.size(), 0);
     state.next_id = water.size();
+    state.position.clear();
+    state.velocity.clear();
+    state.outflow.clear();
+    for (std::size_t k = 0; k < open.outflows.size(); ++k) {
+        const Outflow& outflow = open.outflows[k];
+        const Opening& opening = outflow.opening;
+        for (std::size_t i = 0; outflow.kind != OutflowKind::free && i < water.position.size(); ++i) {
+            const double before = -opening.past(water.position[i]);
+            if (before >= 0 && before <= reach && opening.is_across(water.position[i], settings.domain.dimension)) {
+                enter_layers(outflow, static_cast<std::int32_t>(k),
+                             water.position[i] + 2 * before * opening.direction(), water.velocity[i], state);
+            }
+        }
+    }
 }
 
 void place_openings(const OpenBoundaries& open, const OpenState& state, const SphSettings& settings, double time,

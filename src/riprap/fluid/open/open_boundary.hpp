@@ -106,8 +106,10 @@ struct Passage {
 /// `up`.
 std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, const Vec3& up, double level);
 
-/// Starts the State of the openings for water that is already there.
-void start_openings(const OpenBoundaries& open, const ParticleState& water, OpenState& state);
+/// Starts the State of the openings for water that is already there: behind an outflow of a given speed or level it
+/// goes on as its mirror image, so that it does not begin with a free surface.
+void start_openings(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+                    OpenState& state);
 
 /// Appends all layers to `walls`, which hold those of solids: as they are at `time`, `ahead` seconds after the State.
 /// Called for two times of a step with as many entries both times.

@@ -55,9 +55,9 @@ void solitary_wave(const CaseSetting& setting, CaseReport& report) {
     report.state({"height at 7.5 m", "m", {}, {}, {}}, middle.level - depth);
     // Run-up on an upright wall to third order of e = H/d, H as it arrives [SuMirie1980].
     const double e = (far.level - depth) / depth, run_up = depth * (2 * e + 0.5 * e * e + 0.75 * e * e * e);
-    const std::vector<double>& wall = trial.column("wall");
+    const std::vector<double>& wall = trial.column("wall");  // reads too low at rest: the wall cuts its kernel
     report.judge({"run-up on the wall", "m", {}, run_up, "2 e + e^2/2 + 3 e^3/4 depths"},
-                 *std::max_element(wall.begin(), wall.end()) - depth, Relative{0.08});
+                 *std::max_element(wall.begin(), wall.end()) - wall.front(), Relative{0.08});
     judge_ledger(report, trial);
     Plot plot{"A solitary wave", "0.1 m high over 0.5 m", {"time [s]", false}, {"surface [m]", false}, {}, false};
     for (const char* name : {"near", "middle", "far", "wall"}) {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Water that comes and goes, and waves that are taken up: small flumes from case files, a few seconds each.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/temporary_folder.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/run/restart.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+namespace {
+
+const std::string head = R"(dimension = 2
+gravity = [0.0, -9.81]
+end = 30.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e6
+friction_coefficient = 0.3
+[[body]]
+name = "floor"
+material = "rock"
+shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }
+fixed = true
+)";
+
+/// A stream 0.3 m deep at 0.5 m/s between x = 0 and 1.2 m.
+const std::string channel = head + R"([fluid]
+spacing = 0.025
+domain = { low = [-0.3, -0.2], high = [1.6, 1.0] }
+expected_speed = 1.0
+[[fluid.region]]
+box = { low = [0.0, 0.0], high = [1.2, 0.3] }
+velocity = [0.5, 0.0]
+[[fluid.inflow]]
+name = "upstream"
+low = [0.0, 0.0]
+high = [0.0, 0.6]
+towards = "x"
+speed = 0.5
+level = 0.3
+[[fluid.outflow]]
+name = "downstream"
+low = [1.2, 0.0]
+high = [1.2, 0.6]
+towards = "x"
+level = 0.3
+)";
+
+struct FlumeRun {
+    scene::LoadedCase loaded;
+    sim::State state;
+    sim::Scratch scratch;
+    sim::StepReport report;
+
+    explicit FlumeRun(const std::string& text) : loaded(scene::read_case_text(text, "case.toml", "/nonexistent", {})) {
+        state = loaded.state;
+        initialise(loaded.model, state);
+    }
+    void step() {
+        const double dt = choose_time_step(loaded.model, state, scratch).dt;
+        report = advance(loaded.model, state, scratch, dt);
+        ASSERT_TRUE(report.status.ok()) << report.status.text;
+    }
+    template <class Look>
+    void until(double time, Look look) {
+        while (state.time < time && report.status.ok()) {
+            step();
+            look();
+        }
+    }
+    double read(fluid::GaugeKind kind, const Vec3& point, const Vec3& end) const {
+        fluid::Gauge gauge;
+        gauge.kind = kind;
+        gauge.point = point;
+        gauge.end = end;
+        gauge.up = {0, 1, 0};
+        return read_gauge(gauge, loaded.model.fluid->sph, state.fluid)[0];
+    }
+};
+
+TEST(OpenWater, a_channel_carries_what_comes_in_and_keeps_its_level) {
+    FlumeRun run(channel);
+    const std::int64_t before = run.state.fluid.size();
+    const auto volume = [&] { return run.read(fluid::GaugeKind::volume, {0, 0, 0}, {0.6, 0.8, 0}); };
+    const double volume_before = volume();
+    double passed = 0, level = 0;
+    run.until(2.0, [&] {
+        passed += run.report.dt * run.read(fluid::GaugeKind::flow, {0.6, 0, 0}, {0.6, 0.8, 0});
+        level += run.report.dt * run.read(fluid::GaugeKind::surface, {0.6, 0, 0}, {0.6, 0.8, 0});
+    });
+    const fluid::OpenState& open = run.state.open;
+    EXPECT_EQ(run.state.fluid.size(), before + open.entered[0] - open.left[0] - open.left[1]);
+    EXPECT_EQ(open.left[1], 0);  // nothing back through the inflow
+    EXPECT_EQ(open.entered[0], 12 * static_cast<std::int64_t>(std::floor(0.5 * run.state.time / 0.025 + 0.5)));
+    // What the gauge saw pass is what came in less what stays in front of it, to one layer of particles.
+    const double came_in = static_cast<double>(open.entered[0]) * 0.025 * 0.025;
+    EXPECT_NEAR(passed, came_in - (volume() - volume_before), 12 * 0.025 * 0.025);
+    EXPECT_NEAR(passed / run.state.time, 0.15, 0.03 * 0.15);  // speed times depth
+    EXPECT_NEAR(level / run.state.time, 0.3, 0.5 * 0.025);    // half a spacing
+    EXPECT_NEAR(static_cast<double>(run.state.fluid.size() - before), 0, 0.03 * static_cast<double>(before));
+}
+
+TEST(OpenWater, the_ledgers_close_over_what_comes_in_and_goes) {
+    FlumeRun run(channel);
+    const double mass = run.loaded.model.fluid->sph.particle_mass;
+    while (run.state.time < 1.0 && run.report.status.ok()) {
+        const auto count = static_cast<double>(run.state.fluid.size());  // at the kick, before any passes
+        run.step();
+        ASSERT_EQ(run.report.ledger.water.mass, mass * count);
+    }
+    const sim::WaterLedger& water = run.report.ledger.water;
+    ASSERT_GT(run.state.open.entered[0], 100);
+    EXPECT_LT(std::abs(water.residual), 0.01 * std::abs(water.flow_work));
+    EXPECT_LT(norm(water.momentum_residual), 1e-5 * water.mass * 9.81 * run.state.time);
+}
+
+TEST(OpenWater, a_run_that_is_continued_has_the_bits_of_one_that_was_not) {
+    FlumeRun straight(channel);
+    straight.until(0.3, [] {});
+    const TemporaryFolder place;
+    const RunFolder folder{place.path()};
+    io::make_folder(folder.checkpoint_latest().parent_path());
+    RunRecord record;
+    record.end = 30;
+    record.frame_interval = record.row_interval = 0.01;
+    record.csv_bytes = {1, 2};
+    record.frame_times = {0};
+    save_checkpoint(folder, straight.loaded.model, straight.state, record);
+    FlumeRun other(channel);
+    other.state = load_checkpoint(folder, other.loaded.model, other.state).state;
+    for (int k = 0; k < 60; ++k) {
+        straight.step();
+        other.step();
+    }
+    EXPECT_NE(straight.state.open.entered[0], 0);
+    EXPECT_EQ(state_hash(straight.state), state_hash(other.state));
+}
+
+TEST(OpenWater, water_that_falls_over_an_edge_is_gone_and_counted) {
+    FlumeRun run(head + R"([[body]]
+name = "wall"
+material = "rock"
+shape = { half_space = { normal = [1.0, 0.0], offset = 0.0 } }
+fixed = true
+[fluid]
+spacing = 0.025
+domain = { low = [-0.3, -0.2], high = [1.6, 1.0] }
+[[fluid.region]]
+box = { low = [0.0, 0.0], high = [0.3, 0.3] }
+[[fluid.outflow]]
+name = "edge"
+low = [0.9, 0.0]
+high = [0.9, 0.9]
+towards = "x"
+)");
+    const std::int64_t before = run.state.fluid.size();
+    run.until(1.2, [] {});
+    EXPECT_EQ(run.state.fluid.size() + run.state.open.left[0], before);
+    EXPECT_GT(run.state.open.left[0], before / 2);
+    EXPECT_LT(std::abs(run.report.ledger.water.residual), 0.01 * run.report.ledger.turnover);
+}
+
+/// A flume 2 m long, 0.3 m deep, that a piston at x = 0 sends a solitary wave 0.06 m high into.
+std::string flume(const std::string& absorb, const std::string& more) {
+    return head + fmt::format(R"([[body]]
+name = "piston"
+material = "rock"
+shape = {{ half_space = {{ normal = [1.0, 0.0] }} }}
+motion = {{ wave_maker = {{ wave = "solitary", height = 0.06, depth = 0.3{} }} }}
+[[body]]
+name = "end"
+material = "rock"
+shape = {{ half_space = {{ normal = [-1.0, 0.0], offset = -2.0 }} }}
+fixed = true
+[fluid]
+spacing = 0.03333333333333333
+expected_speed = 1.0
+domain = {{ low = [-0.5, -0.2], high = [2.2, 0.8] }}
+[[fluid.region]]
+box = {{ low = [0.0, 0.0], high = [2.0, 0.3] }}
+{})",
+                              absorb, more);
+}
+
+TEST(OpenWater, a_piston_takes_up_the_wave_that_comes_back) {
+    // Back at the paddle at 3.9 s, and gone by 5.2 s; a wave does not lose nine tenths of its energy by itself.
+    FlumeRun run(flume(", absorb = [0.0, 0.0]", ""));
+    double largest = 0, last = 0;
+    run.until(6.0, [&] {
+        const double now = run.report.ledger.water.kinetic;
+        largest = std::max(largest, now);
+        last = run.state.time > 5.2 ? std::max(last, now) : 0;
+    });
+    EXPECT_LT(last, 0.1 * largest);
+    EXPECT_LT(run.state.bodies.drive_offset[1].x, -0.1);  // it gave way
+}
+
+TEST(OpenWater, a_sponge_takes_up_a_wave_and_books_its_energy) {
+    FlumeRun run(flume("", "[[fluid.sponge]]\nlow = [0.6, -0.1]\nhigh = [2.0, 0.7]\ntowards = \"x\"\n"));
+    double largest = 0;
+    run.until(4.5, [&] { largest = std::max(largest, run.report.ledger.water.kinetic); });
+    const sim::WaterLedger& water = run.report.ledger.water;
+    EXPECT_LT(water.kinetic, 0.02 * largest);
+    EXPECT_GT(water.absorbed, 0.5 * largest);
+    EXPECT_LT(std::abs(water.residual), 0.01 * run.report.ledger.turnover);
+}
+
+}  // namespace
+}  // namespace riprap::run
