@@ -71,17 +71,24 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
         nobody.centre.fill(FloatVector{});
         nobody.half.fill(FloatVector{} - 1e30F);  // near nothing
         std::vector<Block> level(static_cast<std::size_t>(blocks), nobody);
-        for (std::int64_t b = 0; b < count; ++b) {
-            const GrowingBox& grown = boxes[static_cast<std::size_t>(b)];
-            Block& block = level[static_cast<std::size_t>(b / branches)];
-            for (int axis = 0; axis < 3 && !grown.is_empty; ++axis) {
-                const auto k = static_cast<std::size_t>(axis);
-                const double centre = grown.base[axis] + 0.5 * (grown.low[axis] + grown.high[axis]);
-                block.centre[k][b % branches] = static_cast<float>(centre);
-                block.half[k][b % branches] = static_cast<float>(0.5 * (grown.high[axis] - grown.low[axis]));
-                largest = std::max({largest, std::abs(centre), grown.high[axis] - grown.low[axis]});
+        const auto fill_block = [&](std::int64_t p) {
+            Block& block = level[static_cast<std::size_t>(p)];
+            double largest_here = 0;
+            for (std::int64_t b = p * branches; b < std::min(count, (p + 1) * branches); ++b) {
+                const GrowingBox& grown = boxes[static_cast<std::size_t>(b)];
+                for (int axis = 0; axis < 3 && !grown.is_empty; ++axis) {
+                    const auto k = static_cast<std::size_t>(axis);
+                    const double centre = grown.base[axis] + 0.5 * (grown.low[axis] + grown.high[axis]);
+                    const double width = grown.high[axis] - grown.low[axis];
+                    block.centre[k][b % branches] = static_cast<float>(centre);
+                    block.half[k][b % branches] = static_cast<float>(0.5 * width);
+                    largest_here = std::max({largest_here, std::abs(centre), width});
+                }
             }
-        }
+            return largest_here;
+        };
+        const auto larger = [](double a, double b) { return std::max(a, b); };
+        largest = std::max(largest, parallel::reduce(blocks, 0.0, fill_block, larger, 64));
         levels_.push_back(std::move(level));
         if (blocks == 1) {
             break;

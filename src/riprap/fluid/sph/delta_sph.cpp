@@ -39,10 +39,11 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
     const auto count = scratch.strain.size();
     scratch.dynamic_viscosity.resize(count);
     const double mixing = settings.smagorinsky * settings.spacing;
-    for (std::size_t i = 0; i < count; ++i) {
+    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
         const double eddies = mixing * mixing * strain_rate(settings, scratch.strain[i]);
         scratch.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
-    }
+    });
 }
 
 double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
@@ -65,10 +66,10 @@ double shift_particles(const SphSettings& settings, ParticleState& state, const 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
     find_pressure(settings, state, s);
-    s.compression.assign(state.density.size(), 0);
-    s.diffusion.assign(state.density.size(), 0);
-    s.strain.assign(state.density.size(), 0);
-    s.divergence.assign(state.density.size(), 0);
+    make_zero(s.compression, state.density.size());
+    make_zero(s.diffusion, state.density.size());
+    make_zero(s.strain, state.density.size());
+    make_zero(s.divergence, state.density.size());
     s.bareness.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;

@@ -16,13 +16,13 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, SphS
 }
 
 void clear_forces(std::size_t particles, SphScratchData& s) {
-    s.force.assign(particles, {});
-    s.concentration_gradient.assign(particles, {});
-    s.heat.assign(particles, 0);
-    s.wall_heat.assign(particles, 0);
-    s.wall_hold.assign(particles, {});
-    s.wall_hold_power.assign(particles, 0);
-    s.surface_direction.assign(particles, {});
+    make_zero(s.force, particles);
+    make_zero(s.concentration_gradient, particles);
+    make_zero(s.heat, particles);
+    make_zero(s.wall_heat, particles);
+    make_zero(s.wall_hold, particles);
+    make_zero(s.wall_hold_power, particles);
+    make_zero(s.surface_direction, particles);
 }
 
 void scale_by_volume(SphScratchData& s) {

@@ -66,8 +66,8 @@ void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, con
     const SweepSide<6> fluid{state.position,
                              {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
-    p.assign(walls.position.size(), {});
-    t.assign(walls.position.size(), {});
+    make_zero(p, walls.position.size());
+    make_zero(t, walls.position.size());
     add_pair_sums(settings, MomentumOnWalls<Kernel, Law>{kernel, law},
                   {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
                   {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),

@@ -32,7 +32,7 @@ void sum_density(const SphSettings& settings, ParticleState& state, const Bounda
     for (std::size_t w = 0; w < s.wall_mass.size(); ++w) {
         s.wall_mass[w] = scale * settings.rest_density * walls.volume[w];
     }
-    state.density.assign(state.position.size(), 0);
+    make_zero(state.density, state.position.size());
     add_pair_sums_within(settings, pair, {state.position, {field(s.mass)}}, {sink(state.density)}, s.fluid_fluid);
     add_pair_sums(settings, pair, {state.position, {field(s.mass)}}, {walls.position, {field(s.wall_mass)}},
                   {sink(state.density)}, s.fluid_walls);
@@ -59,7 +59,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     sum_density(settings, state, walls, s);
     find_pressure(settings, state, s);
     s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
-    s.bareness.assign(state.position.size(), 0);
+    make_zero(s.bareness, state.position.size());
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });

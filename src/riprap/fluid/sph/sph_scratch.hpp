@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "riprap/core/parallel.hpp"
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
@@ -29,5 +30,13 @@ struct SphScratchData {
 
     SweepScratch fluid_fluid, fluid_walls, walls_fluid;
 };
+
+/// Makes `count` zeros of it.
+template <class T>
+void make_zero(std::vector<T>& sums, std::size_t count) {
+    sums.resize(count);
+    parallel::for_each(static_cast<std::int64_t>(count),
+                       [&](std::int64_t i) { sums[static_cast<std::size_t>(i)] = T{}; });
+}
 
 }  // namespace riprap::fluid

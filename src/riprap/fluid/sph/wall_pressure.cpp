@@ -12,10 +12,10 @@ namespace riprap::fluid {
 void average_at_walls(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                       SphScratchData& scratch) {
     const auto count = walls.position.size();
-    scratch.wall_weight.assign(count, 0);
-    scratch.wall_pressure.assign(count, 0);
-    scratch.wall_moment.assign(count, {});
-    scratch.wall_velocity.assign(count, {});
+    make_zero(scratch.wall_weight, count);
+    make_zero(scratch.wall_pressure, count);
+    make_zero(scratch.wall_moment, count);
+    make_zero(scratch.wall_velocity, count);
     const WallAverages pair{WendlandC2(settings.smoothing_length(), settings.domain.dimension)};
     std::vector<Vec3>&moment = scratch.wall_moment, &velocity = scratch.wall_velocity;
     add_pair_sums(settings, pair, {walls.position, {}},
