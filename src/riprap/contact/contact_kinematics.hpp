@@ -13,6 +13,7 @@ struct ContactKinematics {
     double sliding_time;      ///< time between the last contact evaluation and this one [s]
     double effective_mass;    ///< 1/m_e = n.(1/m_A + 1/m_B)n + (r_A x n) J_A^-1 (r_A x n) + same of B [kg]
     double tangential_mass;   ///< the same with a mean over all directions across n [kg]
+    Vec3 mean_velocity{};     ///< (v_A + v_B)/2 there [m/s]
     double twist_inertia{0};  ///< 1/J_e = n.(J_A^-1 + J_B^-1) n [kg m^2]
 };
 

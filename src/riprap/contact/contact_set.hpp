@@ -34,6 +34,7 @@ struct ShearState {
     Vec3 shear_force;     ///< on A [N]
     double torsion;       ///< on A about the normal [N m]
     double shear_energy;  ///< [J]
+    Vec3 anchor{};        ///< where the tangential spring acts, world [m]; used with torsion
 };
 
 /// Contacts that survive from step to step: State. Sorted by (pair, feature); one row per touching contact.
@@ -44,6 +45,7 @@ struct ContactHistory {
     std::vector<Vec3> shear_force;       ///< tangential spring force on A [N]
     std::vector<double> torsion;         ///< torsional spring moment on A about the normal [N m]
     std::vector<double> shear_energy;    ///< stored in both springs [J]
+    std::vector<Vec3> anchor;            ///< where the tangential spring acts, world [m]
 
     std::size_t size() const { return pair.size(); }
     void resize(std::size_t count) {
@@ -53,9 +55,10 @@ struct ContactHistory {
         shear_force.resize(count);
         torsion.resize(count);
         shear_energy.resize(count);
+        anchor.resize(count);
     }
     ShearState springs(std::size_t row) const {
-        return {normal[row], shear_force[row], torsion[row], shear_energy[row]};
+        return {normal[row], shear_force[row], torsion[row], shear_energy[row], anchor[row]};
     }
     friend bool operator==(const ContactHistory&, const ContactHistory&) = default;
 
@@ -67,6 +70,7 @@ struct ContactHistory {
         visit("contact.shear_force", self.shear_force);
         visit("contact.torsion", self.torsion);
         visit("contact.shear_energy", self.shear_energy);
+        visit("contact.anchor", self.anchor);
     }
 };
 

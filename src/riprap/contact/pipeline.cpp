@@ -96,6 +96,7 @@ std::size_t ContactPipeline::append_wave(const Wave& wave, std::size_t base) {
             next_.shear_force[to] = contact.springs.shear_force;
             next_.torsion[to] = contact.springs.torsion;
             next_.shear_energy[to] = contact.springs.shear_energy;
+            next_.anchor[to] = contact.springs.anchor;
             if (contact.is_old()) {
                 is_carried_[at(contact.old_contact)] = 1;
             }

@@ -44,13 +44,15 @@ ContactKinematics kinematics_at(const Candidate& pair, const Vec3& point, const 
     const PairSide &on_a = pair.a, &on_b = pair.b;
     const double along = a.along + b.along, across = 0.5 * (a.trace - a.along + (b.trace - b.along));
     const double twist = a.twist + b.twist;
-    return {.relative_velocity = on_a.velocity + cross(on_a.spin, point - on_a.center) - on_b.velocity -
-                                 cross(on_b.spin, point - on_b.center),
+    const Vec3 velocity_a = on_a.velocity + cross(on_a.spin, point - on_a.center);
+    const Vec3 velocity_b = on_b.velocity + cross(on_b.spin, point - on_b.center);
+    return {.relative_velocity = velocity_a - velocity_b,
             .mean_spin = 0.5 * (on_a.spin + on_b.spin),
             .relative_spin = on_a.spin - on_b.spin,
             .sliding_time = pair.sliding_time,
             .effective_mass = along > 0 ? 1 / along : 0,
             .tangential_mass = across > 0 ? 1 / across : 0,
+            .mean_velocity = 0.5 * (velocity_a + velocity_b),
             .twist_inertia = twist > 0 ? 1 / twist : 0};
 }
 

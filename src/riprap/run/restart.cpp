@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, const contact::ContactHistory& history) {
     const std::size_t count = history.size();
     if (history.feature.size() != count || history.normal.size() != count || history.shear_force.size() != count ||
-        history.torsion.size() != count) {
+        history.torsion.size() != count || history.shear_energy.size() != count || history.anchor.size() != count) {
         refuse(checkpoint, "the arrays of the contact history differ in length");
     }
     const auto part_count = static_cast<std::uint64_t>(model.bodies.part_count());

@@ -240,6 +240,39 @@ TEST(Coulomb, AStuckTorsionSpringRingsDownAtTheDampingRatioOfThePair) {
     EXPECT_NEAR(last / first, expected, 0.01 * expected);
 }
 
+// The story of slopes that slid a degree and a half early: the pressure under a loaded block moved sideways by a
+// hundredth of a block, the load moved with it and turned the block, which had not moved at all.
+TEST(Coulomb, PressureThatMovesSidewaysDoesNotTurnTheWrenchOfAStuckSpring) {
+    material::PairProperties sticky = rough;
+    sticky.has_torsion = true;
+    const ShearState before{{0, 0, -1}, {100, 0, 0}, 0.2, 1e-2, {0, 0, 0}};
+    ShearState after;
+    ContactRow row;
+    NormalContact moved = pressed(1000);
+    moved.point = {0.003, 0.002, 0};
+    coulomb(moved, sticky, sliding({}), &before, after, row);
+    EXPECT_NEAR(row.force.x, 100, 1e-12);
+    // Moment of the springs about the vertical through the old point: that of the torsion, n = -z, as before.
+    const double about_old_point = row.moment.z + moved.point.x * row.force.y - moved.point.y * row.force.x;
+    EXPECT_NEAR(about_old_point, -0.2, 1e-12);
+    EXPECT_NEAR(row.friction_loss,
+                1e-2 - (100.0 * 100 / (2 * 0.5e6) + 0.2 * 0.2 / (2 * 0.5e6 * 2 / (2 * std::numbers::pi))), 1e-12);
+}
+
+TEST(Coulomb, AnAnchorGoesWithTheMeanMotionAndSlidingDrawsItToThePressure) {
+    material::PairProperties sticky = rough;
+    sticky.has_torsion = true;
+    const ShearState before{{0, 0, -1}, {100, 0, 0}, 0, 1e-2, {0, 0.002, 0}};
+    ShearState after;
+    ContactRow row;
+    ContactKinematics drift = sliding({});
+    drift.mean_velocity = {1, 2, 3};  // for 1 ms
+    coulomb(pressed(1000), sticky, drift, &before, after, row);
+    EXPECT_NEAR(norm(after.anchor - Vec3{1e-3, 4e-3, 0}), 0, 1e-15);
+    coulomb(pressed(1000), sticky, sliding({-1.4, 0, 0}), &before, after, row);  // 800 N for a limit of 400
+    EXPECT_NEAR(norm(after.anchor - Vec3{0, 0.001, 0}), 0, 1e-15);
+}
+
 TEST(Coulomb, TorsionSpringAndDashpotTogetherStayWithinTheSpinMomentOfThePressure) {
     material::PairProperties damped{.shear_ratio = 0.5, .friction = 0.4, .damping_ratio = 0.3};
     damped.has_torsion = true;

@@ -36,7 +36,16 @@ double cut_off(double trial, double limit) { return trial <= limit ? 1 : limit /
 struct SpringResult {
     double friction_loss;
     bool is_sliding;
+    double anchor_couple;  ///< of the tangential spring about the point of action, along n [N m]
 };
+
+/// Place of the tangential spring against the point of action [m], in the tangent plane: it goes with the mean motion
+/// of both bodies.
+Vec3 carry_anchor(const ShearState& before, const Vec3& point, const Vec3& n, const ContactKinematics& kinematics) {
+    const Vec3 arm = before.anchor - point;
+    const Vec3 moved = arm + kinematics.sliding_time * (kinematics.mean_velocity + cross(kinematics.mean_spin, arm));
+    return moved - dot(moved, n) * n;
+}
 
 /// How stiff and how strong a contact is across its normal in this step.
 struct Tangential {
@@ -55,15 +64,18 @@ Tangential tangential(const NormalContact& normal, const material::PairPropertie
 }
 
 SpringResult advance_springs(const NormalContact& normal, const Tangential& shear, double friction,
-                             const ContactKinematics& kinematics, const Vec3& sliding, const ShearState* before,
-                             ShearState& after) {
+                             const ContactKinematics& kinematics, const Vec3& sliding_at_point,
+                             const ShearState* before, ShearState& after) {
     double friction_loss = before != nullptr ? before->shear_energy : 0;
     if (shear.strength <= 0) {
-        return {friction_loss, false};
+        return {friction_loss, false, 0};
     }
     const Vec3& n = after.normal;
     const double dt = kinematics.sliding_time, stiffness = shear.stiffness;
     const double mean_turn = dot(kinematics.mean_spin, n) * dt;
+    const bool is_anchored = before != nullptr && shear.torsion_stiffness > 0;
+    Vec3 arm = is_anchored ? carry_anchor(*before, normal.point, n, kinematics) : Vec3{};
+    const Vec3 sliding = sliding_at_point + dot(kinematics.relative_spin, n) * cross(n, arm);
     const Vec3 old_force =
         before != nullptr ? turn_with_contact(before->shear_force, before->normal, n, mean_turn) : Vec3{};
     const Vec3 trial = old_force - (stiffness * dt) * sliding;
@@ -72,17 +84,22 @@ SpringResult advance_springs(const NormalContact& normal, const Tangential& shea
     after.shear_energy = norm_squared(after.shear_force) / (2 * stiffness);
     friction_loss += dot(old_force + after.shear_force, trial - old_force) / (2 * stiffness) - after.shear_energy;
 
+    double couple = 0;
     if (shear.torsion_stiffness > 0) {
+        const double limit = friction * normal.spin_moment;
+        couple = share * dot(n, cross(arm, after.shear_force));
+        const double kept = share * cut_off(std::abs(couple), limit);
+        couple *= cut_off(std::abs(couple), limit);
+        after.anchor = normal.point + kept * arm;
         const double old_torsion = before != nullptr ? before->torsion : 0;
         const double trial_torsion = old_torsion - shear.torsion_stiffness * dot(kinematics.relative_spin, n) * dt;
-        const double limit = friction * normal.spin_moment;
-        after.torsion = cut_off(std::abs(trial_torsion), limit) * trial_torsion;
+        after.torsion = std::clamp(trial_torsion, -limit - couple, limit - couple);
         const double energy = after.torsion * after.torsion / (2 * shear.torsion_stiffness);
         after.shear_energy += energy;
         friction_loss +=
             (old_torsion + after.torsion) * (trial_torsion - old_torsion) / (2 * shear.torsion_stiffness) - energy;
     }
-    return {friction_loss, share < 1};
+    return {friction_loss, share < 1, couple};
 }
 
 /// The share of `drag` that a spring force within its limit can bear: the largest s <= 1 with |spring + s drag| <=
@@ -117,7 +134,7 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
     const Tangential shear = tangential(normal, pair, normal_force);
     linear.shear_stiffness = shear.stiffness;
     linear.torsion_stiffness = shear.torsion_stiffness;
-    after = {n, {}, 0, 0};
+    after = {n, {}, 0, 0, normal.point};
     const SpringResult springs = advance_springs(normal, shear, pair.friction, kinematics, sliding, before, after);
 
     Vec3 drag{};
@@ -134,13 +151,14 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
     if (pair.damping_ratio > 0 && shear.torsion_stiffness > 0) {
         linear.torsion_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.twist_inertia * shear.torsion_stiffness);
         const double limit = pair.friction * normal.spin_moment;
-        const double wanted = after.torsion - linear.torsion_damping * dot(kinematics.relative_spin, n);
-        drag_couple = std::clamp(wanted, -limit, limit) - after.torsion;
+        const double held = after.torsion + springs.anchor_couple;
+        const double wanted = held - linear.torsion_damping * dot(kinematics.relative_spin, n);
+        drag_couple = std::clamp(wanted, -limit, limit) - held;
     }
 
     row.point = normal.point;
     row.force = tangential_force - normal_force * n;
-    row.moment = normal.moment + (after.torsion + drag_couple) * n;
+    row.moment = normal.moment + (after.torsion + springs.anchor_couple + drag_couple) * n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
     row.dashpot = drag - (normal_force - elastic) * n;

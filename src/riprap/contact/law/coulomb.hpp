@@ -22,6 +22,12 @@ namespace riprap::contact {
 /// A contact that sticks is damped along its tangential spring by the same ratio, -2 xi sqrt(m_t K_s) [v - (v.n) n], as
 /// far as spring and dashpot together stay within the limit; one that slides has friction for that.
 ///
+/// Where torsion is on, the patch holds more than its resultant: the spring acts at an anchor that goes with the mean
+/// motion of both bodies while the contact sticks, not at the point of action, which follows the pressure. About the
+/// point of action that is a couple (anchor - point) x f_s; it and torsion share one limit, and sliding draws the
+/// anchor to the point by the share of f_s that it takes off. Without it a load would turn a block about n whenever the
+/// pressure moves sideways, which feeds vibrations from the load.
+///
 /// Torsion (optional): a spring K_s S_c/(2 pi) against relative spin about n, limited by mu times the spin moment of
 /// the pressure. It has a dashpot of the same ratio, -2 xi sqrt(J_e K_t) (omega_A - omega_B).n, within the same limit.
 /// Differs from the source: c is a stress (the source's "2.14 Pa"), so the cohesive force is c S_c.
