@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/temporary_folder.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/run/restart.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -139,6 +140,18 @@ TEST(OpenWater, a_run_that_is_continued_has_the_bits_of_one_that_was_not) {
     }
     EXPECT_NE(straight.state.open.entered[0], 0);
     EXPECT_EQ(state_hash(straight.state), state_hash(other.state));
+}
+
+TEST(OpenWater, a_channel_has_the_same_bits_on_one_thread_and_on_three) {
+    FlumeRun one(channel);
+    parallel::set_thread_count(1);
+    one.until(0.15, [] {});
+    FlumeRun three(channel);
+    parallel::set_thread_count(3);
+    three.until(0.15, [] {});
+    parallel::set_thread_count(1);
+    EXPECT_NE(one.state.open.entered[0], 0);
+    EXPECT_EQ(state_hash(one.state), state_hash(three.state));
 }
 
 TEST(OpenWater, water_that_falls_over_an_edge_is_gone_and_counted) {

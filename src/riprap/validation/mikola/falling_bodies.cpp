@@ -6,6 +6,7 @@
 
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/mikola/water_run.hpp"
+#include "riprap/validation/water/water_trial.hpp"
 
 namespace riprap::validation::mikola {
 
@@ -83,7 +84,8 @@ void scott_russell(const CaseSetting& setting, CaseReport& report) {
         report.judge({fmt::format("speed of the box at Y/D = {:.3g}", share), "m/s", {}, exact, {}},
                      fall.speed_at(foot - share * depth), Relative{0.1});
     }
-    const Crest near = crest_of(records, 0), far = crest_of(records, 1);
+    const water::Crest near = water::crest_of(records.time, records.gauge[0]),
+                       far = water::crest_of(records.time, records.gauge[1]);
     report.state({"crest 1.2 m from the end wall", "m", 0.11, {}, "the measured figure is not certain"},
                  near.level - depth);
     const double mean = 0.5 * (near.level + far.level) - depth;

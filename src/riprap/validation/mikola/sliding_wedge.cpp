@@ -6,6 +6,7 @@
 
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/mikola/water_run.hpp"
+#include "riprap/validation/water/water_trial.hpp"
 
 namespace riprap::validation::mikola {
 
@@ -76,7 +77,8 @@ double volume_under_surface(const Trial& trial) {
 }
 
 void judge_wave(const WaterRecords& records, CaseReport& report) {
-    const Crest near = crest_of(records, 0), far = crest_of(records, 3);
+    const water::Crest near = water::crest_of(records.time, records.gauge[0]),
+                       far = water::crest_of(records.time, records.gauge[3]);
     const double celerity = 3 / (far.time - near.time), height = 0.5 * (near.level + far.level) - depth;
     report.judge({"mu = 0: celerity of the leading crest between x = 6 and 9 m",
                   "m/s",

@@ -94,18 +94,6 @@ double surface_at(const Trial& trial, double x, double low, double high) {
     return low + fluid::read_gauge(gauge, trial.model().fluid->sph, trial.state().fluid)[0];
 }
 
-Crest crest_of(const WaterRecords& records, std::size_t gauge) {
-    const std::vector<double>& level = records.gauge[gauge];
-    const auto top = static_cast<std::size_t>(std::max_element(level.begin(), level.end()) - level.begin());
-    if (top == 0 || top + 1 >= level.size()) {
-        return {std::nan(""), std::nan("")};  // still rising: no crest
-    }
-    const double a = level[top - 1], b = level[top], c = level[top + 1];
-    const double bend = a - 2 * b + c, shift = bend < 0 ? 0.5 * (a - c) / bend : 0;
-    const double step = records.time[top] - records.time[top - 1];
-    return {records.time[top] + shift * step, b - 0.25 * (a - c) * shift};
-}
-
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records) {
     report.judge_below(
         {run + ": energy that the ledger cannot account for, over the energy turned over", "-", {}, {}, {}},

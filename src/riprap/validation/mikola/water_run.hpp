@@ -27,14 +27,6 @@ int count_inside_solids(const Trial& trial, double depth);
 /// Height of the surface above y = 0 at x, from a vertical line between the heights `low` and `high` [m].
 double surface_at(const Trial& trial, double x, double low, double high);
 
-/// The highest point of a record.
-struct Crest {
-    double time, level;  ///< [s], [m]
-};
-
-/// By the parabola through the highest row and its neighbours; NaN where the record is highest at one of its ends.
-Crest crest_of(const WaterRecords& records, std::size_t gauge);
-
 /// Judges both ledgers: energy closes to 1 % of what was turned over, momentum to the round-off of float.
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records);
 

@@ -15,24 +15,6 @@ namespace {
 
 constexpr double depth = 0.5, height = 0.1;  ///< of case.toml
 
-/// The first crest of a record.
-struct Crest {
-    double time, level;
-};
-
-/// By the parabola through the highest row before `end` and its neighbours.
-Crest crest_of(const WaterTrial& trial, const std::string& gauge, double end) {
-    const std::vector<double>&t = trial.time(), &y = trial.column(gauge);
-    const auto last = std::upper_bound(t.begin(), t.end(), end) - t.begin();
-    const auto top = static_cast<std::size_t>(std::max_element(y.begin(), y.begin() + last) - y.begin());
-    if (top == 0 || top + 1 >= static_cast<std::size_t>(last)) {
-        return {std::nan(""), std::nan("")};  // still rising: no crest
-    }
-    const double bend = y[top - 1] - 2 * y[top] + y[top + 1];
-    const double shift = bend < 0 ? 0.5 * (y[top - 1] - y[top + 1]) / bend : 0;
-    return {t[top] + shift * (t[top + 1] - t[top]), y[top] - 0.25 * (y[top - 1] - y[top + 1]) * shift};
-}
-
 }  // namespace
 
 void solitary_wave(const CaseSetting& setting, CaseReport& report) {
@@ -45,8 +27,11 @@ void solitary_wave(const CaseSetting& setting, CaseReport& report) {
     const wave::SolitaryWave theory{height, depth, 9.81};
     // The crest comes by at x before it can return from the wall at 12.5 m.
     const double start = 0.5 * trial.time().back();
-    const Crest near = crest_of(trial, "near", start + 1.5), middle = crest_of(trial, "middle", start + 2.5);
-    const Crest far = crest_of(trial, "far", start + 3.2);
+    const auto crest = [&](const char* gauge, double until) {
+        return crest_of(trial.time(), trial.column(gauge), until);
+    };
+    const Crest near = crest("near", start + 1.5), middle = crest("middle", start + 2.5);
+    const Crest far = crest("far", start + 3.2);
     report.state({"height at 5 m", "m", {}, height, "of the wave asked for"}, near.level - depth);
     report.judge({"celerity from 5 to 10 m", "m/s", {}, theory.celerity(), "sqrt(g (d + H))"},
                  5 / (far.time - near.time), Relative{0.01});

@@ -104,6 +104,17 @@ double integral(std::span<const double> x, std::span<const double> y, double sta
     return sum + 0.5 * (last_y + interpolated(x, y, end)) * (end - last_x);
 }
 
+Crest crest_of(std::span<const double> time, std::span<const double> level, double until) {
+    const auto last = std::upper_bound(time.begin(), time.end(), until) - time.begin();
+    const auto top = static_cast<std::size_t>(std::max_element(level.begin(), level.begin() + last) - level.begin());
+    if (top == 0 || top + 1 >= static_cast<std::size_t>(last)) {
+        return {std::nan(""), std::nan("")};  // still rising: no crest
+    }
+    const double a = level[top - 1], b = level[top], c = level[top + 1];
+    const double bend = a - 2 * b + c, shift = bend < 0 ? 0.5 * (a - c) / bend : 0;
+    return {time[top] + shift * (time[top] - time[top - 1]), b - 0.25 * (a - c) * shift};
+}
+
 std::vector<double> crossings(std::span<const double> x, std::span<const double> y, double level) {
     std::vector<double> found;
     for (std::size_t i = 1; i < x.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -71,6 +72,14 @@ void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string
 double integral(std::span<const double> x, std::span<const double> y, double start, double end);
 /// y at x on straight lines between the points; the end values beyond.
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
+/// The highest point of a record.
+struct Crest {
+    double time, level;
+};
+/// By the parabola through the highest row up to `until` and its neighbours; NaN where the record is highest at one of
+/// its ends.
+Crest crest_of(std::span<const double> time, std::span<const double> level,
+               double until = std::numeric_limits<double>::infinity());
 /// Where y crosses `level`, upwards and downwards, between points by the straight line.
 std::vector<double> crossings(std::span<const double> x, std::span<const double> y, double level);
 
