@@ -27,7 +27,7 @@ class MomentumOfFluid : public ::testing::TestWithParam<bool> {
 };
 INSTANTIATE_TEST_SUITE_P(PlainAndFast, MomentumOfFluid, ::testing::Values(true, false));
 
-TEST_P(MomentumOfFluid, is_kept_when_two_blocks_collide) {  // E16
+TEST_P(MomentumOfFluid, is_kept_when_two_blocks_collide) {
     Water water;
     water.settings = settings_2d(0.02, 30);
     water.settings.is_plain = GetParam();

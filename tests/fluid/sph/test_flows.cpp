@@ -42,7 +42,7 @@ double mid_speed(const Water& water, double gap) {
     return sum / count;
 }
 
-TEST(Flows, poiseuille_flow_starts_up_as_the_series_says) {  // E2, at 20 spacings across
+TEST(Flows, poiseuille_flow_starts_up_as_the_series_says) {  // at 20 spacings across
     const double gap = 1e-3;
     Water water = channel(gap, 20, 1e-6, 1e-4, 0, 2e-4);
     const std::array<double, 3> time{0.0225, 0.1125, 0.225}, speed{2.232738e-6, 8.249914e-6, 1.109980e-5};
@@ -53,7 +53,7 @@ TEST(Flows, poiseuille_flow_starts_up_as_the_series_says) {  // E2, at 20 spacin
     }
 }
 
-TEST(Flows, couette_flow_starts_up_as_the_series_says) {  // E3, at 20 spacings across
+TEST(Flows, couette_flow_starts_up_as_the_series_says) {  // at 20 spacings across
     const double gap = 1e-3;
     Water water = channel(gap, 20, 1e-6, 0, 1.25e-5, 2e-4);
     const std::array<double, 3> time{0.045, 0.1125, 0.225}, speed{1.194752e-6, 3.628441e-6, 5.386287e-6};
@@ -64,7 +64,7 @@ TEST(Flows, couette_flow_starts_up_as_the_series_says) {  // E3, at 20 spacings 
     }
 }
 
-TEST(Flows, taylor_green_vortices_decay_at_the_viscous_rate) {  // E4, Re = 100, at 40 spacings
+TEST(Flows, taylor_green_vortices_decay_at_the_viscous_rate) {  // Re = 100, at 40 spacings
     const int across = 40;
     const double dp = 1.0 / across, nu = 0.01;
     Water water;
@@ -97,7 +97,7 @@ TEST(Flows, taylor_green_vortices_decay_at_the_viscous_rate) {  // E4, Re = 100,
     EXPECT_NEAR(speed, expected, 0.03 * expected);
 }
 
-TEST(Flows, a_standing_wave_swings_with_the_period_of_the_dispersion_relation) {  // E5, E6
+TEST(Flows, a_standing_wave_swings_with_the_period_of_the_dispersion_relation) {
     const double length = 1, depth = 0.5, amplitude = 0.02, g = 9.81, dp = depth / 20;
     const double k = pi / length, omega = std::sqrt(g * k * std::tanh(k * depth));
     Water water;
@@ -132,7 +132,7 @@ TEST(Flows, a_standing_wave_swings_with_the_period_of_the_dispersion_relation) {
                 0.02 * 2 * amplitude * length / (pi * pi * depth));
 }
 
-TEST(Flows, a_drop_strained_in_its_plane_follows_its_ellipse) {  // E12
+TEST(Flows, a_drop_strained_in_its_plane_follows_its_ellipse) {
     const double dp = 0.05;
     Water water;
     water.settings = settings_2d(dp, 1400);

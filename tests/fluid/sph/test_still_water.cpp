@@ -6,7 +6,7 @@
 namespace riprap::fluid::testing {
 namespace {
 
-TEST(StillWater, stays_still_and_weighs_on_the_floor_what_it_weighs) {  // E1, coarse
+TEST(StillWater, stays_still_and_weighs_on_the_floor_what_it_weighs) {
     const double depth = 0.5, g = 9.81;
     Water water;
     water.settings = settings_2d(depth / 12, 10 * std::sqrt(g * depth));

@@ -46,6 +46,7 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
     });
 }
 
+/// Returns the energy that it takes away: potential and of compression [J].
 double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                        const SphScratchData& s) {
     if (settings.shifting == 0) {
@@ -55,8 +56,12 @@ double shift_particles(const SphSettings& settings, ParticleState& state, const 
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.surface_direction[i],
                                              s.bareness[i], strain_rate(settings, s.strain[i]), dt);
+        const double before = state.density[i];
+        const double after = before * density_share_after_shift(shift, s.concentration_gradient[i]);
         state.position[i] += shift;
-        return settings.particle_mass * dot(gravity, shift);
+        state.density[i] = after;
+        return settings.particle_mass *
+               (dot(gravity, shift) + internal_energy_of(settings, before) - internal_energy_of(settings, after));
     };
     return parallel::reduce(state.size(), 0.0, shift_one, [](double a, double b) { return a + b; });
 }

@@ -16,14 +16,19 @@ Vec3 shift_of_particle(const SphSettings& s, const Vec3& gradient, const Vec3& t
                        double strain, double dt) {
     const double h = s.smoothing_length();
     Vec3 shift = -(s.shifting * h * h * strain * dt * (1 - bareness)) * gradient;
-    const double nearness = norm(towards_surface), outward = dot(shift, towards_surface);
-    if (nearness > 0 && outward > 0) {
-        // one bare particle a smoothing length away has h V |grad W| = 0.1 or more: then nothing is left of it
-        const double share = std::min(1.0, h * nearness / 0.05);
-        shift -= (share * outward / (nearness * nearness)) * towards_surface;
+    const double nearness = norm(towards_surface);
+    if (nearness > 0) {
+        // A bare particle a smoothing length away has h V |grad W| = 0.1 or more: then nothing is left. Gradients are
+        // those of a cut support here and would not tell disorder from the surface.
+        shift -= (dot(shift, towards_surface) / (nearness * nearness)) * towards_surface;
+        shift *= 1 - std::min(1.0, h * nearness / 0.05);
     }
     const double length = norm(shift), longest = 0.1 * s.spacing;
-    return length > longest ? (longest / length) * shift : shift;
+    const double loss = 1 - density_share_after_shift(shift, gradient);
+    constexpr double most = 0.002;  // of the density in a step: it varies by about 1 % in all
+    return std::min({1.0, length > longest ? longest / length : 1.0, loss > most ? most / loss : 1.0}) * shift;
 }
+
+double density_share_after_shift(const Vec3& shift, const Vec3& gradient) { return 1 + 2 * dot(shift, gradient); }
 
 }  // namespace riprap::fluid

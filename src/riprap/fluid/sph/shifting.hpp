@@ -11,11 +11,11 @@ double bareness_of_particle(int dimension, double divergence);
 
 /// How far to move a particle so that its neighbours surround it evenly [m] [Lind2012]:
 ///
-///     delta x = -A h^2 |S| dt grad C,    at most a tenth of the spacing,
+///     delta x = -A h^2 |S| dt grad C,    at most a tenth of the spacing and what takes 0.2 % of its density,
 ///
-/// with C the concentration of particles. A particle of the surface stays, and no particle in reach of the surface
-/// moves towards it. Differs from the source: the speed |v| is h |S|, S the rate of strain, so that shifting is the
-/// same for every observer and absent in water at rest, in uniform motion and in rotation.
+/// with C the concentration of particles. A particle of the surface stays, and those in reach of it move along it
+/// only, the less the nearer. Differs from the source: the speed |v| is h |S|, S the rate of strain, so that shifting
+/// is the same for every observer and absent in water at rest, in uniform motion and in rotation.
 ///
 /// @param gradient   grad C [1/m]
 /// @param towards_surface  sum of V_j b_j grad W over neighbours: zero away from the surface [1/m]
@@ -24,5 +24,15 @@ double bareness_of_particle(int dimension, double divergence);
 /// @param dt         [s]
 Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const Vec3& towards_surface, double bareness,
                        double strain, double dt);
+
+/// The density of a particle after a shift over that before,
+///
+///     1 + 2 delta x . grad C,
+///
+/// at most 1. Density follows the sums of the kernel over neighbours as they change by motion; a shift changes them
+/// too, by delta x . grad C at the particle and by as much in all at its neighbours (docs/theory/sph.md, 7). Without
+/// this, flow crowds particles, which raises the density, and shifting spreads them, which did not lower it: water
+/// swelled.
+double density_share_after_shift(const Vec3& shift, const Vec3& gradient);
 
 }  // namespace riprap::fluid

@@ -47,7 +47,7 @@ struct FluidReport {
     double internal{0};              ///< of compression
     double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
     double dissipated_diffusion{0};  ///< in this step, by the diffusion of density
-    double shifted{0};               ///< potential energy that shifting took away in this step
+    double shifted{0};               ///< potential energy and that of compression that shifting took away in this step
     double work_on_solids{0};        ///< in this step
     double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees
     double work_external{0};         ///< in this step, by extra forces and by gravity along periodic axes

@@ -13,7 +13,8 @@ namespace riprap::validation::mikola {
 struct WaterRecords {
     std::vector<double> time;                ///< [s]
     std::vector<std::vector<double>> gauge;  ///< per gauge of the case, in its order, per time [its unit]
-    double energy_residual{0};               ///< largest so far, over the turnover [-]
+    double energy_residual{0};               ///< largest so far, without its sign [J]
+    double energy_turnover{0};               ///< so far [J]
     double momentum_residual{0};             ///< largest so far, over weight of water times time [-]
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free oscillation of water in a tank: [benchmarks E5, E6].
+// Free oscillation of water in a tank.
 #include <fmt/format.h>
 
 #include <cmath>

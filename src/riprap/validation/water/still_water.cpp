@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water that should not move, and what it carries: [benchmarks E1, F1, F2].
+// Water that should not move, and what it carries.
 #include <fmt/format.h>
 
 #include <algorithm>
