@@ -13,24 +13,25 @@ namespace {
 
 /// A box while it grows: low and high relative to a first point, so that boxes across a periodic side stay small.
 struct GrowingBox {
-    Vec3 base{}, low{}, high{};
+    Vec3 base, low, high;
     bool is_empty{true};
-
-    void include(const Vec3& lowest, const Vec3& highest, const NearestImage& nearest) {
-        const Vec3 centre = 0.5 * (lowest + highest);
-        const Vec3 half = 0.5 * (highest - lowest);
-        if (is_empty) {
-            base = centre;
-            low = -half;
-            high = half;
-            is_empty = false;
-            return;
-        }
-        const Vec3 d = nearest(centre - base);
-        low = min(low, d - half);
-        high = max(high, d + half);
-    }
+    void include(const Vec3& lowest, const Vec3& highest, const NearestImage& nearest);
 };
+
+void GrowingBox::include(const Vec3& lowest, const Vec3& highest, const NearestImage& nearest) {
+    const Vec3 centre = 0.5 * (lowest + highest);
+    const Vec3 half = 0.5 * (highest - lowest);
+    if (is_empty) {
+        base = centre;
+        low = -half;
+        high = half;
+        is_empty = false;
+        return;
+    }
+    const Vec3 d = nearest(centre - base);
+    low = min(low, d - half);
+    high = max(high, d + half);
+}
 
 }  // namespace
 
@@ -38,8 +39,8 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
     const NearestImage nearest(domain);
     const auto n = static_cast<std::int64_t>(position.size());
     std::int64_t count = (n + cluster_size - 1) / cluster_size;
-    levels_.clear();
     if (count == 0) {
+        levels_.clear();
         return;
     }
     double largest = 0;
@@ -52,6 +53,7 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
     }
     std::vector<GrowingBox> boxes(static_cast<std::size_t>(count));
     parallel::for_each(count, [&](std::int64_t c) {
+        GrowingBox& box = boxes[static_cast<std::size_t>(c)];
         for (std::int64_t i = c * cluster_size; i < std::min(n, (c + 1) * cluster_size); ++i) {
             Vec3 x = position[static_cast<std::size_t>(i)] - domain.low;
             for (int axis = 0; axis < 3; ++axis) {
@@ -61,18 +63,21 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
                                                    : x[axis];
             }
             if (is_finite(x)) {
-                boxes[static_cast<std::size_t>(c)].include(x, x, nearest);
+                box.include(x, x, nearest);
             }
         }
     });
-    for (;;) {
+    Block nobody;
+    nobody.centre.fill(FloatVector{});
+    nobody.half.fill(FloatVector{} - 1e30F);  // near nothing
+    for (std::size_t height = 0;; ++height) {
         const std::int64_t blocks = (count + branches - 1) / branches;
-        Block nobody;
-        nobody.centre.fill(FloatVector{});
-        nobody.half.fill(FloatVector{} - 1e30F);  // near nothing
-        std::vector<Block> level(static_cast<std::size_t>(blocks), nobody);
+        levels_.resize(std::max(levels_.size(), height + 1));
+        std::vector<Block>& level = levels_[height];
+        level.resize(static_cast<std::size_t>(blocks));
         const auto fill_block = [&](std::int64_t p) {
             Block& block = level[static_cast<std::size_t>(p)];
+            block = nobody;
             double largest_here = 0;
             for (std::int64_t b = p * branches; b < std::min(count, (p + 1) * branches); ++b) {
                 const GrowingBox& grown = boxes[static_cast<std::size_t>(b)];
@@ -89,21 +94,21 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
         };
         const auto larger = [](double a, double b) { return std::max(a, b); };
         largest = std::max(largest, parallel::reduce(blocks, 0.0, fill_block, larger, 64));
-        levels_.push_back(std::move(level));
         if (blocks == 1) {
+            levels_.resize(height + 1);
             break;
         }
         std::vector<GrowingBox> parents(static_cast<std::size_t>(blocks));
         parallel::for_each(blocks, [&](std::int64_t p) {
+            GrowingBox& parent = parents[static_cast<std::size_t>(p)];
             for (std::int64_t b = p * branches; b < std::min(count, (p + 1) * branches); ++b) {
                 const GrowingBox& child = boxes[static_cast<std::size_t>(b)];
                 if (!child.is_empty) {
-                    parents[static_cast<std::size_t>(p)].include(child.base + child.low, child.base + child.high,
-                                                                 nearest);
+                    parent.include(child.base + child.low, child.base + child.high, nearest);
                 }
             }
         });
-        boxes.swap(parents);
+        boxes = std::move(parents);
         count = blocks;
     }
     slack_ = static_cast<float>(largest * 0x1p-20);

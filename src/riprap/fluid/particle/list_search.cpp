@@ -148,7 +148,6 @@ void ListSearch::number_blocks(Patch& patch) {
     for (const std::int32_t block : patch.blocks) {
         place_of_block_[static_cast<std::size_t>(block)] = -1;
     }
-    patch.entries.shrink_to_fit();
 }
 
 }  // namespace riprap::fluid
