@@ -71,6 +71,7 @@ std::vector<std::string> command_of(const fs::path& program, const fs::path& pro
         ::dup2(nowhere, standard);
     }
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (const std::string& word : words) {
         pointers.push_back(const_cast<char*>(word.c_str()));
     }
@@ -182,7 +183,7 @@ void Browser::send(const Json& message) {
 Json Browser::receive() {
     while (true) {
         if (const std::size_t end = received_.find('\0'); end != std::string::npos) {
-            const Json message = Json::parse(received_.substr(0, end), nullptr, false);
+            Json message = Json::parse(received_.substr(0, end), nullptr, false);
             received_.erase(0, end + 1);
             if (message.is_object()) {
                 return message;
