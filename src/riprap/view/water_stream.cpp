@@ -31,27 +31,27 @@ struct Guess {
 
 /// The frames before, as far as they hold the same particles.
 struct Past {
-    const Numbers* last{nullptr};
-    const Numbers* before{nullptr};
-    int depth() const { return (last != nullptr ? 1 : 0) + (before != nullptr ? 1 : 0); }
+    std::span<const std::uint16_t> last, before;
+    int frames{0};  ///< how many of the two there are
+    int depth() const { return frames; }
     std::uint16_t guess(int past, std::size_t i) const {
         switch (past) {
             case 0:
                 return 0;
             case 1:
-                return (*last)[i];
+                return last[i];
             default:
-                return static_cast<std::uint16_t>(2 * (*last)[i] - (*before)[i]);
+                return static_cast<std::uint16_t>(2 * last[i] - before[i]);
         }
     }
 };
 
 std::uint16_t zigzag(std::uint16_t difference) {
     const auto signed_value = static_cast<std::int16_t>(difference);
-    return static_cast<std::uint16_t>(difference << 1U ^ (signed_value < 0 ? 0xFFFFU : 0U));
+    return static_cast<std::uint16_t>(static_cast<unsigned>(difference) << 1U ^ (signed_value < 0 ? 0xFFFFU : 0U));
 }
 std::uint16_t unzigzag(std::uint16_t code) {
-    return static_cast<std::uint16_t>(code >> 1U ^ ((code & 1U) != 0 ? 0xFFFFU : 0U));
+    return static_cast<std::uint16_t>(static_cast<unsigned>(code) >> 1U ^ ((code & 1U) != 0 ? 0xFFFFU : 0U));
 }
 
 Numbers residuals(const Numbers& numbers, const Past& past, const Guess& guess) {
@@ -157,8 +157,15 @@ int common_past(std::span<const WaterNumbers> frames, std::size_t f) {
 }
 
 Past past_of(std::span<const WaterNumbers> frames, std::size_t f, std::size_t channel, int depth) {
-    return {depth > 0 ? &frames[f - 1].channel[channel] : nullptr,
-            depth > 1 ? &frames[f - 2].channel[channel] : nullptr};
+    const auto channel_of = [&](std::size_t back) { return std::span(frames[f - back].channel[channel]); };
+    Past past{.last = {}, .before = {}, .frames = depth};
+    if (depth > 0) {
+        past.last = channel_of(1);
+    }
+    if (depth > 1) {
+        past.before = channel_of(2);
+    }
+    return past;
 }
 
 }  // namespace
