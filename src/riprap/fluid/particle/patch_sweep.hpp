@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The inner loop of a sweep: one cluster of targets against the clusters that its list names. For sweep_kernel.hpp.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "riprap/fluid/particle/lanes.hpp"
+
+namespace riprap::fluid::detail {
+
+/// Numbers that a sum over targets takes in a buffer: three are summed as four.
+constexpr std::size_t padded(std::size_t sums) { return sums % 4 == 3 ? sums + 1 : sums; }
+
+/// Adds the sums over targets of all numbers to a buffer: [number][candidate].
+template <std::size_t Sums, std::size_t First = 0>
+inline void add_sums_of_targets(const std::array<Lanes, Sums>& sum, float* buffer) {
+    if constexpr (Sums == 0) {
+        return;
+    } else if constexpr (Sums - First >= 3) {
+        const Lanes last = First + 3 < Sums ? sum[First + 3 < Sums ? First + 3 : 0] : Lanes(0);
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First], sum[First + 1], sum[First + 2], last));
+        if constexpr (First + 4 < Sums) {
+            add_sums_of_targets<Sums, First + 4>(sum, buffer);
+        }
+    } else if constexpr (Sums - First == 2) {
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First], sum[First + 1]));
+    } else if constexpr (Sums - First == 1) {
+        add_to(buffer + First * cluster_size, sums_of_targets(sum[First]));
+    }
+}
+
+/// How a sweep uses its pair physics: what candidates do to targets,
+template <class Pair>
+struct OneWay {
+    static constexpr std::size_t back_sums = 0;
+    template <int Dim>
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
+                    Lanes*) {
+        pair.template operator()<Dim, Lanes>(a, b, d, r2, r, sum);
+    }
+};
+/// and what both do to each other.
+template <class Pair>
+struct BothWays {
+    static constexpr auto back_sums = static_cast<std::size_t>(Pair::back_sums);
+    template <int Dim>
+    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
+                    Lanes* back) {
+        pair.template exchange<Dim, Lanes>(a, b, d, r2, r, sum, back);
+    }
+};
+
+/// One patch in a sweep, with everything that its inner loop needs.
+template <int Dim, class Pair, class Way>
+struct PatchSweep {
+    static constexpr auto target_fields = static_cast<std::size_t>(Pair::target_fields);
+    static constexpr auto candidate_fields = static_cast<std::size_t>(Pair::candidate_fields);
+    static constexpr auto sum_count = static_cast<std::size_t>(Pair::sums);
+    static constexpr std::size_t back_sums = Way::back_sums;
+    static constexpr std::size_t record = (Dim + candidate_fields) * cluster_size;  ///< floats per candidate cluster
+    static constexpr std::size_t back_record = padded(back_sums) * cluster_size;
+
+    struct Target {
+        std::array<IntVector, Dim> place;
+        Lanes apart;  ///< added to squares of distances: not zero, where square roots need care; far for absent members
+        std::array<Lanes, target_fields + 1> fields{};
+    };
+    using Sums = std::array<Lanes, sum_count>;
+
+    Pair pair;
+    std::array<Lanes, Dim> quantum;
+    const float* records;
+    float* back;           ///< sums of candidates: [place][number][member]
+    std::int32_t partial;  ///< entry of the candidate cluster that is not full, or -1
+    float reach_squared;   ///< [m^2], and a little
+    Lanes beyond;          ///< what puts its absent members out of reach [m^2]
+
+    /// Where a cluster of candidates is, seen from the targets.
+    struct Separation {
+        std::array<Lanes, Dim> d;
+        Lanes r2, r;
+    };
+
+    Separation separation(const Target& target, const std::array<Lanes, Dim>& unit, const float* four,
+                          Lanes apart) const {
+        Separation s;
+        s.r2 = apart;
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            const IntVector there =
+                candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
+            s.d[axis] = difference(target.place[axis], there) * unit[axis];
+            s.r2 += s.d[axis] * s.d[axis];
+        }
+        s.r = distance(s.r2);
+        return s;
+    }
+
+    template <class ThisWay>
+    [[gnu::always_inline]] std::array<Lanes, ThisWay::back_sums> act(const Pair& physics, const Target& target,
+                                                                     const float* four, const Separation& s,
+                                                                     Sums& sum) const {
+        std::array<Lanes, candidate_fields + 1> candidate{};
+        for (std::size_t k = 0; k < candidate_fields; ++k) {
+            candidate[k] = candidates_in_lanes(four + (Dim + k) * cluster_size);
+        }
+        std::array<Lanes, ThisWay::back_sums> other;
+        other.fill(Lanes(0));
+        ThisWay::template act<Dim>(physics, target.fields.data(), candidate.data(), s.d.data(), s.r2, s.r, sum.data(),
+                                   other.data());
+        return other;
+    }
+
+    /// Adds what the candidates do to the target, and back.
+    /// @param is_first_itself  the first candidates are the targets, of which every pair is there both ways
+    void add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself, Sums& sums_out) const {
+        // Distances come first, for many clusters at once, and are kept: pairs of clusters that do not meet, which the
+        // skin brings along, then cost a third, and two short chains of dependent instructions overlap better with
+        // those of the next pairs than one long one does.
+        constexpr std::size_t batch = 64;
+        std::array<Separation, batch> separations;
+        std::array<std::int32_t, batch> met;
+        const Pair physics = pair;
+        const std::array<Lanes, Dim> unit = quantum;
+        const float* const all_records = records;
+        float* const all_back = back;
+        const auto record_of = [&](std::int32_t entry) {
+            return all_records + static_cast<std::size_t>(entry) * record;
+        };
+        Sums sum = sums_out;
+        std::size_t done = 0;
+        if (is_first_itself) {
+            const float* const four = record_of(near[0]);
+            const Lanes apart = near[0] == partial ? target.apart + beyond : target.apart;
+            act<OneWay<Pair>>(physics, target, four, separation(target, unit, four, apart), sum);
+            done = 1;
+        }
+        while (done < near.size()) {
+            const std::size_t count = std::min(batch, near.size() - done);
+            const std::int32_t* const entries = near.data() + done;
+            std::size_t met_count = 0;
+            for (std::size_t n = 0; n < count; ++n) {
+                const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
+                separations[met_count] = s;
+                met[met_count] = entries[n];
+                met_count += bits_below(s.r2, reach_squared) != 0 ? 1 : 0;
+            }
+            if (met_count > 0 && met[met_count - 1] == partial) [[unlikely]] {
+                separations[met_count - 1] = separation(target, unit, record_of(partial), target.apart + beyond);
+            }
+            for (std::size_t n = 0; n < met_count; ++n) {
+                const auto other = act<Way>(physics, target, record_of(met[n]), separations[n], sum);
+                add_sums_of_targets(other, all_back + static_cast<std::size_t>(met[n]) * back_record);
+            }
+            done += count;
+        }
+        sums_out = sum;
+    }
+};
+
+}  // namespace riprap::fluid::detail
