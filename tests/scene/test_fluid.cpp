@@ -50,6 +50,25 @@ TEST(FluidCase, the_sound_speed_follows_from_the_depth_unless_given) {
     EXPECT_EQ(test::read(tank, {"fluid.sound_speed=33.0"}).model.fluid->sph.sound_speed, 33);
 }
 
+TEST(FluidCase, the_sound_speed_heeds_the_rim_of_a_body_that_spins) {
+    const double spin = 200, rim = 0.1 * std::sqrt(2.0);
+    const std::string spinning =
+        test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nangular_velocity = 200.0");
+    EXPECT_GE(test::read(spinning).model.fluid->sph.sound_speed, 10 * spin * rim * (1 - 1e-9));
+}
+
+TEST(FluidCase, the_scheme_of_muller_says_what_it_leaves_out_and_where_it_fails) {
+    const auto about_muller = [](const LoadedCase& loaded) {
+        return std::count_if(loaded.warnings.begin(), loaded.warnings.end(),
+                             [](const std::string& text) { return text.find("muller") != std::string::npos; });
+    };
+    EXPECT_EQ(about_muller(test::read(tank)), 0);
+    EXPECT_EQ(about_muller(test::read(tank, {"fluid.scheme=muller"})), 2);
+    EXPECT_EQ(about_muller(
+                  test::read(tank, {"fluid.scheme=muller", "fluid.artificial_alpha=0.1", "fluid.smoothing_ratio=1.2"})),
+              1);
+}
+
 TEST(FluidCase, boundary_particles_stand_for_all_wet_bodies) {
     const LoadedCase loaded = test::read(tank);
     const coupling::SampleSet& samples = loaded.model.fluid->samples;

@@ -100,6 +100,18 @@ std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& t
     return region;
 }
 
+/// How far a body reaches from its centre; nothing for half-spaces, which do not turn [m].
+double rim_of(const CaseBuild& build, std::size_t body) {
+    double rim = 0;
+    const body::BodySet& bodies = build.model.bodies;
+    for (auto p = static_cast<std::size_t>(bodies.part_begin[body]);
+         p < static_cast<std::size_t>(bodies.part_begin[body + 1]); ++p) {
+        const double radius = build.model.shapes.view(bodies.parts[p].shape).circumradius;
+        rim = std::isfinite(radius) ? std::max(rim, norm(bodies.parts[p].local.position) + radius) : rim;
+    }
+    return rim;
+}
+
 /// The fastest that the case itself makes something move [m/s].
 double fastest_start(const CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions) {
     double fastest = 0;
@@ -115,11 +127,13 @@ double fastest_start(const CaseBuild& build, const Value& table, const std::vect
     constexpr int looks =
         1999;  // times at which a driven body is looked at; prime, so that no period hides between them
     for (std::size_t b = 0; b < bodies.mass.size(); ++b) {
-        fastest = std::max(fastest, norm(build.state.bodies.velocity[b]));
+        const double rim = rim_of(build, b);
+        const Vec3 spin = angular_velocity(bodies, build.state.bodies, BodyId{static_cast<std::int32_t>(b)});
+        fastest = std::max(fastest, norm(build.state.bodies.velocity[b]) + rim * norm(spin));
         for (int k = 0; bodies.motion[b] >= 0 && k <= looks; ++k) {
             const auto state = evaluate(bodies.motions[static_cast<std::size_t>(bodies.motion[b])],
                                         bodies.initial_pose[b], build.model.time.end * k / looks);
-            fastest = std::max(fastest, norm(state.velocity));
+            fastest = std::max(fastest, norm(state.velocity) + rim * norm(state.angular_velocity));
         }
     }
     return fastest;
@@ -209,6 +223,23 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
     }
 }
 
+/// What Müller's scheme leaves out, and where it is known to fail (docs/theory/sph.md, 9).
+void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
+    if (sph.scheme != fluid::SphScheme::muller) {
+        return;
+    }
+    build.warnings.emplace_back(
+        "scheme = \"muller\" has a state equation of its own and neither diffusion of density nor shifting: "
+        "state_equation, tait_exponent, density_diffusion and shifting do nothing");
+    constexpr double least_alpha = 0.1, known_ratio = 1.2;
+    if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
+        build.warnings.push_back(fmt::format(
+            "scheme = \"muller\" with artificial_alpha = {:.3g} and smoothing_ratio = {:.3g}: short waves grow; "
+            "still water is known to hold with artificial_alpha of at least {} at smoothing_ratio = {}",
+            sph.artificial_alpha, sph.smoothing_ratio, least_alpha, known_ratio));
+    }
+}
+
 }  // namespace
 
 void build_fluid(CaseBuild& build) {
@@ -282,6 +313,7 @@ void build_fluid(CaseBuild& build) {
     coupling::set_hydrostatic_density(filling, fluid.sph,
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
     warn_of_thin_bodies(build, fluid);
+    warn_of_muller(build, fluid.sph);
     build_absorptions(build, *table, filling.particles, fluid);
     build_openings(build, *table, fluid);
     start_openings(fluid.open, fluid.sph, filling.particles, build.state.open);
