@@ -32,7 +32,8 @@ double cut_off(double trial, double limit) { return trial <= limit ? 1 : limit /
 /// What leaves through friction in one step: the energy that the springs held, plus the work that the motion does on
 /// them, minus what they hold afterwards. The ledger sees a force before and after the motion x and books their mean:
 /// W = -(f_old + f_new).x / 2 with x = (f_old - f_trial)/k. So sliding, a strength that falls under a loaded spring,
-/// and a stiffness that changes with the patch are all accounted for, to round-off.
+/// and a stiffness that changes with the patch are all accounted for, to round-off. What sliding draws the anchor in while
+/// the pair spins is not: half of f times that way times the turn of the step.
 struct SpringResult {
     double friction_loss;
     bool is_sliding;
@@ -136,6 +137,9 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
     linear.torsion_stiffness = shear.torsion_stiffness;
     after = {n, {}, 0, 0, normal.point};
     const SpringResult springs = advance_springs(normal, shear, pair.friction, kinematics, sliding, before, after);
+    if (shear.torsion_stiffness > 0) {  // a spring that acts beside the point resists spin about it
+        linear.torsion_stiffness += shear.stiffness * norm_squared(after.anchor - normal.point);
+    }
 
     Vec3 drag{};
     if (pair.damping_ratio > 0 && shear.stiffness > 0) {
