@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -141,6 +142,15 @@ TEST(AtomicFile, ADiskThatIsFullFromTheStartIsNamedWithoutAnyRights) {
     EXPECT_THAT(said, AllOf(HasSubstr("/a'"), HasSubstr("No space left"), HasSubstr("free some space")));
     EXPECT_EQ(read_file(folder / "a", 100), "old");
     EXPECT_EQ(files_in(folder.path()), 1U);
+}
+
+TEST(ReadFile, ANamedPipeIsRefusedWithoutWaitingForAWriter) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    ::alarm(10);  // waiting would be for ever
+    const std::string said = message_of([&] { read_file(folder / "pipe", 100); });
+    ::alarm(0);
+    EXPECT_THAT(said, HasSubstr("not a regular file"));
 }
 
 TEST(AtomicFile, AReadOnlyDiskIsNamed) {

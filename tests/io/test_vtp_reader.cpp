@@ -8,6 +8,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/csv_reader.hpp"
+#include "riprap/io/vtk_data.hpp"
 #include "riprap/io/vtp.hpp"
 #include "riprap/io/vtp_reader.hpp"
 
@@ -72,6 +73,32 @@ TEST(VtpReader, DamageWithinAnArrayIsRefusedWhenTheArrayIsAskedFor) {
     EXPECT_THROW(VtpFile(text(), "a.vtp").floats(VtpSection::cell_data, "heat", 2), FileError);
 }
 
+TEST(VtpReader, AHeaderThatPaddingCutsShortIsRefused) {
+    EXPECT_THROW(decode_vtk_array("AAAAAAAAAA=="), FileError);  // 7 bytes where the count of blocks takes 8
+    std::vector<unsigned char> head(31, 0);                     // 31 where the header of one block takes 32
+    head[0] = 1;
+    ASSERT_EQ(encode_base64(head).size(), 44U);
+    EXPECT_THROW(decode_vtk_array(encode_base64(head)), FileError);
+    EXPECT_THROW(decode_vtk_array(""), FileError);
+}
+
+TEST(VtpReader, AnArrayThatUnpacksToMoreThanIsExpectedIsRefused) {
+    const std::vector<unsigned char> zeros(std::size_t{1} << 20U, 0);
+    const std::string packed = encode_vtk_array(zeros);
+    ASSERT_LT(packed.size(), zeros.size() / 50);
+    EXPECT_EQ(decode_vtk_array(packed, zeros.size()).size(), zeros.size());
+    EXPECT_THAT([&] { decode_vtk_array(packed, zeros.size() - 1); },
+                ThrowsMessage<FileError>(HasSubstr("unpacks to more than")));
+}
+
+TEST(VtpReader, ACountOfPointsBeyondWhatTheFileCanHoldIsRefused) {
+    std::string many = text();
+    const std::string count = "NumberOfPoints=\"5\"";
+    ASSERT_NE(many.find(count), std::string::npos);
+    many.replace(many.find(count), count.size(), "NumberOfPoints=\"6148914691236517210\"");  // times 3 is 14
+    EXPECT_THAT([&] { VtpFile(many, "a.vtp"); }, ThrowsMessage<FileError>(HasSubstr("more points")));
+}
+
 TEST(VtpReader, AForeignFileIsRefused) {
     EXPECT_THROW(VtpFile("", "a.vtp"), FileError);
     EXPECT_THROW(VtpFile("solid cube\nendsolid\n", "a.vtp"), FileError);
@@ -112,7 +139,17 @@ TEST(CsvReader, ALastLineThatIsCutIsLeftOut) {
         const CsvTable table = read_csv(folder / "a.csv");
         EXPECT_EQ(table.row_count(), 2U) << last;
         EXPECT_TRUE(table.is_cut) << last;
+        EXPECT_EQ(table.lost_from, 0U) << last;
     }
+}
+
+TEST(CsvReader, ADamagedLineInTheMiddleIsNamedWithWhatFollowsIt) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.csv") << "time [s],x [m]\n0,1\n0.1\n0.2,3\n";
+    const CsvTable table = read_csv(folder / "a.csv");
+    EXPECT_EQ(table.row_count(), 1U);
+    EXPECT_TRUE(table.is_cut);
+    EXPECT_EQ(table.lost_from, 3U);
 }
 
 TEST(CsvReader, AForeignTableIsRefused) {

@@ -2,12 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/io/vtp.hpp"
 #include "riprap/io/vtp_reader.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/view/chunk.hpp"
@@ -19,6 +23,8 @@ namespace riprap::view {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -76,10 +82,12 @@ TEST_F(ARunFolder, IsReadWholeWithoutANotice) {
 TEST_F(ARunFolder, IsPackedWithThePosesThatBodiesCsvSays) {
     const PageContent content = pack_run(read_run(run_), plenty);
     const io::CsvTable bodies = io::read_csv(run_ / "bodies.csv");
+    bool is_found = false;
     for (const Chunk& chunk : content.chunks) {
         if (chunk.name != "poses-0") {
             continue;
         }
+        is_found = true;
         std::string bytes = join_planes(decompress(chunk.packed, plenty), sizeof(double));
         restore_rows(bytes, 4 * pose_values * sizeof(double));
         const std::vector<double> poses = values_of<double>(bytes);
@@ -90,6 +98,7 @@ TEST_F(ARunFolder, IsPackedWithThePosesThatBodiesCsvSays) {
             }
         }
     }
+    ASSERT_TRUE(is_found);
 }
 
 TEST_F(ARunFolder, HasEveryShapeInTheFrameOfItsBody) {
@@ -134,6 +143,68 @@ TEST_F(ARunFolder, WithDamagedFilesShowsTheRest) {
     EXPECT_EQ(run.status, "not finished");
     EXPECT_GT(run.ledger.row_count(), 5U);
     EXPECT_EQ(contents()["times"].size(), 11U);
+}
+
+TEST_F(ARunFolder, WithJsonNestedWithoutEndLeavesItOut) {
+    const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+    std::ofstream(run_ / "summary.json") << deep;
+    std::ofstream(run_ / "run.json") << deep;
+    const PageContent content = pack_run(read_run(run_), plenty);
+    EXPECT_THAT(content.notices, Each(HasSubstr("nested")));
+    EXPECT_EQ(content.notices.size(), 2U);
+    std::ofstream(run_ / "summary.json") << R"({"status": "a \"[[" , "x": [[)" << '"' << std::string(100, '{')
+                                         << R"("]]})";
+    EXPECT_EQ(read_run(run_).status, "a \"[[");  // brackets in texts do not count
+}
+
+TEST_F(ARunFolder, WithADamagedLineInATableSaysFromWhereOnRowsAreLost) {
+    std::string text = io::read_file(run_ / "ledger.csv", plenty);
+    const std::size_t third = text.find('\n', text.find('\n') + 1) + 1;
+    text.replace(third, text.find('\n', third) - third, "half");
+    std::ofstream(run_ / "ledger.csv") << text;
+    const RecordedRun run = read_run(run_);
+    EXPECT_EQ(run.ledger.row_count(), 1U);
+    EXPECT_THAT(run.notices, ElementsAre(HasSubstr("line 3 of")));
+}
+
+TEST_F(ARunFolder, WithoutTheBodiesOfItsFirstFramesKeepsPosesAndTimesTogether) {
+    std::string list = io::read_file(run_ / "out.pvd", plenty);
+    for (const char* frame : {"frames/bodies_000000.vtp", "frames/bodies_000001.vtp"}) {
+        const std::size_t at = list.find(frame);
+        ASSERT_NE(at, std::string::npos);
+        list.replace(at, std::string(frame).size(), "elsewhere/bodies.vtp");
+    }
+    std::ofstream(run_ / "out.pvd") << list;
+    const RecordedRun run = read_run(run_);
+    ASSERT_EQ(run.frames.size(), 11U);  // their contacts are still listed
+    const PageContent content = pack_run(run, plenty);
+    const std::size_t times = nlohmann::json::parse(content.contents_json)["times"].size();
+    EXPECT_EQ(times, 9U);
+    const auto poses = std::find_if(content.chunks.begin(), content.chunks.end(),
+                                    [](const Chunk& chunk) { return chunk.name == "poses-0"; });
+    ASSERT_NE(poses, content.chunks.end());
+    EXPECT_EQ(decompress(poses->packed, plenty).size(), times * 4 * pose_values * sizeof(double));
+}
+
+TEST_F(ARunFolder, WithWaterAtInfinityLeavesThatWaterOut) {
+    const std::string bodies = "frames/bodies_000003.vtp";
+    std::string list = io::read_file(run_ / "out.pvd", plenty);
+    const std::size_t name = list.find(bodies), begin = list.rfind("<DataSet", name), end = list.find('>', name) + 1;
+    std::string entry = list.substr(begin, end - begin);
+    entry.replace(entry.find(bodies), bodies.size(), "frames/water_000003.vtp");
+    std::ofstream(run_ / "out.pvd") << list.insert(end, entry);
+    for (const double far : {0.1, std::numeric_limits<double>::infinity(), 1e200}) {
+        io::PolyData water;
+        water.points = {{0, 0, 0}, {far, 0, 0}};
+        water.add_point_array("id", std::array<std::int32_t, 2>{0, 1});
+        water.add_point_array("pressure", std::array{0.0F, 1.0F});
+        water.add_point_array("speed", std::array{0.0F, 1.0F});
+        io::write_vtp(run_ / "frames" / "water_000003.vtp", water, 0.015);
+        const nlohmann::json json = contents(1);
+        EXPECT_EQ(json["water"].is_null(), far > 1) << far;
+        EXPECT_EQ(json["notices"].dump().find("not finite") != std::string::npos, far > 1) << far;
+        EXPECT_EQ(json["times"].size(), 11U);
+    }
 }
 
 TEST_F(ARunFolder, WithoutItsListOfFramesShowsThoseItFinds) {

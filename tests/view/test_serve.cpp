@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <new>
+#include <system_error>
+
 #include "riprap/core/error.hpp"
 #include "riprap/view/serve.hpp"
 
@@ -40,6 +44,15 @@ TEST(Serve, HasOnePageAndTakesNothing) {
 TEST(Serve, TellsTheVisitorWhyARunCannotBeShown) {
     const auto broken = []() -> std::string { throw FileError("'x' holds no run"); };
     EXPECT_THAT(answer_to(get("/", "localhost"), broken), HasSubstr("'x' holds no run"));
+}
+
+TEST(Serve, SurvivesWhateverGoesWrongWithThePage) {
+    const auto without_memory = []() -> std::string { throw std::bad_alloc(); };
+    EXPECT_THAT(answer_to(get("/", "localhost"), without_memory), StartsWith("HTTP/1.1 500"));
+    const auto forbidden = []() -> std::string {
+        throw std::filesystem::filesystem_error("frames", std::make_error_code(std::errc::permission_denied));
+    };
+    EXPECT_THAT(answer_to(get("/", "localhost"), forbidden), HasSubstr("frames"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -204,6 +205,13 @@ TEST(WaterStream, WhatCannotBeGuessedStillFitsWithACoarserStepOrFewerParticles) 
     const PackedWater thinned = pack_water(source_of(frames), frames.size(), spacing, 20'000);
     EXPECT_LE(thinned.bytes(), 20'000U);
     EXPECT_GT(thinned.stride, 1U);
+}
+
+TEST(WaterStream, AStepThatDoublingDoesNotMoveEndsThePackingAllTheSame) {
+    std::vector<WaterFrame> frames = stirred(4, 3);
+    for (const double grain : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::denorm_min()}) {
+        EXPECT_GE(pack_water(source_of(frames), frames.size(), grain, 0).stride, frames[0].id.size() / 2);
+    }
 }
 
 TEST(WaterStream, ADamagedGroupIsRefused) {

@@ -178,7 +178,8 @@ void write_file(const std::filesystem::path& path, std::string_view text, Durabi
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t limit) {
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    // Opening a named pipe would wait for a writer; regular files do not heed the flag.
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
         throw file_error("read", path, errno);

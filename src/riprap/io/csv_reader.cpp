@@ -71,11 +71,13 @@ CsvTable read_csv(const std::filesystem::path& path, std::string_view text_colum
                                     [&](const CsvColumn& column) { return column.name == text_column; });
     const auto text_index = static_cast<std::size_t>(named - table.columns.begin());
     table.values.resize(table.columns.size());
-    for (++at; at < text.size();) {
+    std::size_t line = 2;
+    for (++at; at < text.size(); ++line) {
         const std::size_t end = text.find('\n', at);
         std::vector<std::string> fields = fields_of(std::string_view(text).substr(at, end - at), is_whole);
         if (end == std::string::npos || !is_whole || fields.size() != table.columns.size()) {
             table.is_cut = true;
+            table.lost_from = end == std::string::npos || end + 1 == text.size() ? 0 : line;
             break;
         }
         for (std::size_t k = 0; k < fields.size(); ++k) {

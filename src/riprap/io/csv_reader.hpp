@@ -15,7 +15,8 @@ struct CsvTable {
     std::vector<CsvColumn> columns;
     std::vector<std::vector<double>> values;  ///< per column, a value per row; NaN where the field is empty or a text
     std::vector<std::string> texts;           ///< fields of the column that was asked for as text, a field per row
-    bool is_cut{false};                       ///< the last line had no end or too few fields and was left out
+    bool is_cut{false};        ///< a line had no end or another number of fields: it and those after it were left out
+    std::size_t lost_from{0};  ///< number of that line, the heading being 1; 0 when it is the last, or there is none
 
     std::size_t row_count() const { return values.empty() ? 0 : values.front().size(); }
 };

@@ -118,12 +118,15 @@ std::string encode_vtk_array(std::span<const unsigned char> bytes) {
     return encode_base64(as_bytes_of(std::span<const std::uint64_t>(head))) + encode_base64(packed);
 }
 
-std::string decode_vtk_array(std::string_view text) {
+std::string decode_vtk_array(std::string_view text, std::size_t most_bytes) {
     constexpr std::size_t word = sizeof(std::uint64_t);
     constexpr std::size_t max_ratio = 1032;  // of zlib: a block cannot unpack to more
     constexpr std::size_t max_block = std::size_t{1} << 28U;
-    const auto words_of = [](const std::string& bytes) {
+    const auto words_of = [](const std::string& bytes, std::size_t least) {
         std::vector<std::uint64_t> words(bytes.size() / word);
+        if (words.size() < least) {  // padding makes a text hold fewer bytes than its length promises
+            throw FileError("it ends within its header");
+        }
         std::memcpy(words.data(), bytes.data(), words.size() * word);
         return words;
     };
@@ -133,7 +136,7 @@ std::string decode_vtk_array(std::string_view text) {
     if (text.size() < 12) {
         throw FileError("no header");
     }
-    const std::uint64_t block_count = words_of(decode_base64(text.substr(0, 12)))[0];
+    const std::uint64_t block_count = words_of(decode_base64(text.substr(0, 12)), 1)[0];
     const std::uint64_t max_count = text.size() / word;  // a size per block stands in the header
     if (block_count > max_count) {
         throw FileError("a header that promises more blocks than there are bytes");
@@ -142,7 +145,7 @@ std::string decode_vtk_array(std::string_view text) {
     if (text.size() < head_characters) {
         throw FileError("it ends within its header");
     }
-    const std::vector<std::uint64_t> head = words_of(decode_base64(text.substr(0, head_characters)));
+    const std::vector<std::uint64_t> head = words_of(decode_base64(text.substr(0, head_characters)), 3 + block_count);
     const std::string packed = decode_base64(text.substr(head_characters));
     std::string bytes;
     std::size_t from = 0;
@@ -153,6 +156,9 @@ std::string decode_vtk_array(std::string_view text) {
             throw FileError("it ends within a block, or its header is damaged");
         }
         const std::size_t at = bytes.size();
+        if (size > most_bytes - at) {
+            throw FileError("it unpacks to more than " + std::to_string(most_bytes) + " bytes");
+        }
         bytes.resize(at + size);
         auto unpacked_size = static_cast<uLongf>(size);
         const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data() + at), &unpacked_size,

@@ -4,6 +4,7 @@
 // Arrays as ParaView's XML files hold them: inline, zlib-compressed in blocks, base64. The appended layout would be
 // smaller, but larger appended files do not load in Debian 12's ParaView (docs/howto/output-files.md).
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,8 +22,9 @@ std::string decode_base64(std::string_view text);
 /// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the
 /// compressed blocks.
 std::string encode_vtk_array(std::span<const unsigned char> bytes);
-/// The bytes again. @throws FileError when the text is not that
-std::string decode_vtk_array(std::string_view text);
+/// The bytes again; `most_bytes` bounds them, for a few bytes can promise a thousand times as many.
+/// @throws FileError when the text is not that, or holds more
+std::string decode_vtk_array(std::string_view text, std::size_t most_bytes = std::size_t{4} << 30U);
 
 /// One DataArray element, indented for readers. The entry type decides VTK's name for it.
 std::string vtk_array(std::string_view name, std::span<const float> values, int components = 1);

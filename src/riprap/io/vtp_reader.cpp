@@ -15,6 +15,7 @@ namespace riprap::io {
 namespace {
 
 constexpr std::size_t frame_limit = std::size_t{4} << 30U;  // bytes of one frame
+constexpr std::size_t max_ratio = 1032;                     // of zlib
 constexpr std::size_t list_limit = std::size_t{64} << 20U;
 
 struct SectionName {
@@ -126,6 +127,9 @@ VtpFile::VtpFile(std::string text, std::string name) : text_(std::move(text)), n
     if (!points || !polygons) {
         refuse("it does not say how many points and polygons it has");
     }
+    if (*points / max_ratio > text_.size() || *polygons / max_ratio > text_.size()) {
+        refuse("it promises more points or polygons than can be packed in it");
+    }
     point_count_ = *points;
     polygon_count_ = *polygons;
     const auto time_value = data_array(section(VtpSection::field), "TimeValue");
@@ -159,7 +163,9 @@ std::vector<T> VtpFile::values(VtpSection section, std::string_view array, std::
         if (attribute(element->tag, "format") != "binary") {
             throw FileError("not inline base64");
         }
-        std::vector<T> values = convert<T>(decode_vtk_array(element->content), attribute(element->tag, "type"));
+        const std::size_t most_bytes = expected ? sizeof(double) * *expected : frame_limit;
+        std::vector<T> values =
+            convert<T>(decode_vtk_array(element->content, most_bytes), attribute(element->tag, "type"));
         if (expected && values.size() != *expected) {
             throw FileError(fmt::format("{} values where {} are needed", values.size(), *expected));
         }

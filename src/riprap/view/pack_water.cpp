@@ -132,7 +132,7 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
         if (promises && pack_groups(source, frame_count, budget, water)) {
             break;
         }
-        if (2 * wanted <= coarsest) {
+        if (wanted < coarsest && 2 * wanted <= coarsest) {  // doubling moves neither 0 nor infinity
             wanted *= 2;
         } else if (water.stride < bounds.most_particles) {
             water.stride *= 2;

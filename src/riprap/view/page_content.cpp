@@ -33,6 +33,13 @@ struct Box {
     Json json() const { return low.x > high.x ? Json() : Json{low.x, low.y, low.z, high.x, high.y, high.z}; }
 };
 
+void require_finite(double value, const std::filesystem::path& path) {
+    if (!std::isfinite(value)) {
+        throw FileError(
+            fmt::format("cannot read '{}': its spacing or a position of its water is not finite", path.string()));
+    }
+}
+
 /// Packs one run piece by piece.
 class Packer {
  public:
@@ -54,6 +61,8 @@ class Packer {
 
     /// Bodies and contacts, group by group. A frame whose bodies cannot be read is left out.
     void pack_frames() {
+        has_bodies_ = std::any_of(run_.frames.begin(), run_.frames.end(),
+                                  [](const FrameFiles& files) { return !files.bodies.empty(); });
         for (const FrameFiles& files : run_.frames) {
             try {
                 add_frame(files);
@@ -85,7 +94,7 @@ class Packer {
             note_extremes(body_frame);
             poses_.push_back(std::move(body_frame.pose));
             motions_.push_back(std::move(body_frame.motion));
-        } else if (!bodies_.shape.empty()) {
+        } else if (has_bodies_) {  // poses go by the number of the frame
             throw FileError("the frame has no file of bodies");
         }
         shown_.push_back(files);
@@ -189,11 +198,17 @@ class Packer {
             const io::VtpFile frame = io::read_vtp(files.water);
             const std::size_t count = frame.point_count();
             if (frame.has(io::VtpSection::field, "spacing")) {
-                spacing_ = frame.numbers(io::VtpSection::field, "spacing", 1)[0];
+                const double spacing = frame.numbers(io::VtpSection::field, "spacing", 1)[0];
+                require_finite(spacing, files.water);
+                spacing_ = spacing;
             }
-            return {frame.integers(io::VtpSection::point_data, "id", count), frame.points(),
-                    frame.floats(io::VtpSection::point_data, "pressure", count),
-                    frame.floats(io::VtpSection::point_data, "speed", count)};
+            WaterFrame water{frame.integers(io::VtpSection::point_data, "id", count), frame.points(),
+                             frame.floats(io::VtpSection::point_data, "pressure", count),
+                             frame.floats(io::VtpSection::point_data, "speed", count)};
+            for (const Vec3& x : water.position) {
+                require_finite(dot(x, x), files.water);  // the square, that differences are finite too
+            }
+            return water;
         } catch (const FileError& error) {
             const auto is_known = std::find(content_.notices.begin(), content_.notices.end(), error.what());
             if (is_known == content_.notices.end()) {  // water is read more than once
@@ -294,7 +309,8 @@ class Packer {
         double speed{0}, displacement{0}, force{0}, contact{0};  // [m/s], [m], [N], [N]
     } most_;
     std::size_t groups_done_{0};
-    double spacing_{0};  ///< [m]
+    bool has_bodies_{false};  ///< in some frame; then one without them is left out
+    double spacing_{0};       ///< [m]
     Json water_, tables_ = Json::array();
 };
 

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t text_limit = std::size_t{64} << 20U;  // bytes of a case, a summary
+constexpr std::size_t json_depth = 64;                      // what a run writes has about five
 
 /// Does one part of the reading; what goes wrong becomes a notice.
 void attempt(RecordedRun& run, const std::function<void()>& part) {
@@ -26,11 +27,42 @@ void attempt(RecordedRun& run, const std::function<void()>& part) {
         part();
     } catch (const FileError& error) {
         run.notices.emplace_back(error.what());
+    } catch (const fs::filesystem_error& error) {  // a folder that may not be entered, say
+        run.notices.emplace_back(error.what());
     }
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+/// How many brackets are open at once, at most, outside of texts.
+std::size_t depth_of(std::string_view json) {
+    std::size_t depth = 0, most = 0;
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (is_quoted) {
+            i += c == '\\' ? 1 : 0;
+            is_quoted = c != '"';
+        } else if (c == '"') {
+            is_quoted = true;
+        } else if (c == '[' || c == '{') {
+            most = std::max(most, ++depth);
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+    return most;
 }
 
 std::string json_text(const fs::path& path) {
     std::string text = io::read_file(path, text_limit);
+    if (depth_of(text) > json_depth) {  // writing JSON goes down one call per bracket
+        throw FileError(
+            fmt::format("cannot read '{}': its brackets are nested more than {} deep", path.string(), json_depth));
+    }
     if (!nlohmann::json::accept(text)) {
         throw FileError(fmt::format("cannot read '{}': it is no JSON, or ends in the middle", path.string()));
     }
@@ -80,11 +112,11 @@ void find_frames(RecordedRun& run, const run::RunFolder& folder) {
     Frames frames;
     const fs::path list = folder.root / "out.pvd", contacts = folder.root / "contacts.pvd";
     attempt(run, [&] { add_listed(folder, list, frames); });
-    if (frames.empty() && fs::is_directory(folder.frames())) {
+    if (frames.empty() && is_there(folder.frames())) {
         run.notices.push_back(fmt::format("'{}' lists no frames; those found in '{}' are shown", list.string(),
                                           folder.frames().string()));
-        add_found(run, folder, frames);
-    } else if (fs::exists(contacts)) {
+        attempt(run, [&] { add_found(run, folder, frames); });
+    } else if (is_there(contacts)) {
         attempt(run, [&] { add_listed(folder, contacts, frames); });
     }
     for (const auto& [time, frame] : frames) {
@@ -92,21 +124,29 @@ void find_frames(RecordedRun& run, const run::RunFolder& folder) {
     }
 }
 
+void note_loss(RecordedRun& run, const io::CsvTable& table, const fs::path& path) {
+    if (table.lost_from > 0) {
+        run.notices.push_back(fmt::format("line {} of '{}' is damaged; it and all lines after it were left out",
+                                          table.lost_from, path.string()));
+    } else if (table.is_cut) {
+        run.notices.push_back(fmt::format("the last line of '{}' is not whole and was left out", path.string()));
+    }
+}
+
 io::CsvTable read_table(RecordedRun& run, const fs::path& path) {
     io::CsvTable table;
     attempt(run, [&] { table = io::read_csv(path); });
-    if (table.is_cut) {
-        run.notices.push_back(fmt::format("the last line of '{}' is not whole and was left out", path.string()));
-    }
+    note_loss(run, table, path);
     return table;
 }
 
 void read_bodies(RecordedRun& run, const fs::path& path) {
-    if (!fs::exists(path)) {
+    if (!is_there(path)) {
         return;  // written at the end of a run
     }
     attempt(run, [&] {
         io::CsvTable table = io::read_csv(path, "name");
+        note_loss(run, table, path);
         run.body_names = std::move(table.texts);
         for (std::size_t k = 0; k < table.columns.size(); ++k) {
             if (table.columns[k].name == "mass") {
@@ -147,7 +187,7 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
 
 void read_status(RecordedRun& run, const fs::path& summary) {
     run.status = "not finished";
-    if (!fs::exists(summary)) {
+    if (!is_there(summary)) {
         return;  // it is written at the end: the run goes on, or was killed
     }
     attempt(run, [&] {
@@ -163,10 +203,11 @@ void read_status(RecordedRun& run, const fs::path& summary) {
 
 RecordedRun read_run(const fs::path& path) {
     const run::RunFolder folder{path};
-    if (!fs::is_directory(path)) {
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored)) {
         throw FileError(fmt::format("'{}' is no folder; give the folder that `riprap run` wrote", path.string()));
     }
-    if (!fs::exists(folder.ticket()) && !fs::exists(path / "out.pvd")) {
+    if (!is_there(folder.ticket()) && !is_there(path / "out.pvd")) {
         throw FileError(
             fmt::format("'{}' holds no run: there is neither run.json nor out.pvd; `riprap run CASE --out "
                         "{}` makes one",

@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "riprap/view/browser.hpp"
 #include "riprap/view/page.hpp"
@@ -67,12 +69,13 @@ class Stage {
 /// Takes pictures and makes a movie of them.
 class Encoder {
  public:
-    Encoder(const fs::path& ffmpeg, const fs::path& out, int frames_per_second) {
+    Encoder(const fs::path& ffmpeg, fs::path out, int frames_per_second) : out_(std::move(out)) {
         std::array<int, 2> ends{};
         if (::pipe(ends.data()) != 0) {
             throw FileError(fmt::format("cannot make a pipe to ffmpeg: {}", std::strerror(errno)));
         }
         const std::string rate = std::to_string(frames_per_second);
+        const std::string file = "file:" + out_.string();  // else '-x.mp4' is an option and 'a:b.mp4' a protocol
         child_ = ::fork();
         if (child_ == 0) {
             ::dup2(ends[0], 0);
@@ -81,21 +84,53 @@ class Encoder {
             // H.264 halves colours in pairs of pixels: odd sizes lose a line.
             ::execl(ffmpeg.c_str(), ffmpeg.c_str(), "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate",
                     rate.c_str(), "-c:v", "png", "-i", "-", "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v",
-                    "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", out.c_str(),
-                    static_cast<char*>(nullptr));
+                    "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4",
+                    file.c_str(), static_cast<char*>(nullptr));
             ::_exit(127);
         }
+        const int fork_error = errno;
         ::close(ends[0]);
         pipe_ = io::FileDescriptor(ends[1]);
+        if (child_ < 0) {
+            throw FileError(fmt::format("cannot start ffmpeg: {}", std::strerror(fork_error)));
+        }
+    }
+    Encoder(const Encoder&) = delete;
+    Encoder& operator=(const Encoder&) = delete;
+    /// Without finish() the movie is not whole: nothing of it stays.
+    ~Encoder() {
+        if (child_ > 0) {
+            ::kill(child_, SIGKILL);
+            wait();
+            remove();
+        }
     }
     void add(const std::string& png) { io::write_all(pipe_, png.data(), png.size(), "the pipe to ffmpeg"); }
     bool finish() {
         pipe_.close();
-        int status = 0;
-        return ::waitpid(child_, &status, 0) == child_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        const bool is_made = wait();
+        if (!is_made) {
+            remove();
+        }
+        return is_made;
     }
 
  private:
+    bool wait() {
+        int status = 0;
+        pid_t ended = -1;
+        do {
+            ended = ::waitpid(child_, &status, 0);
+        } while (ended < 0 && errno == EINTR);
+        child_ = -1;
+        return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+    void remove() const {
+        std::error_code ignored;
+        fs::remove(out_, ignored);
+    }
+
+    fs::path out_;
     pid_t child_{-1};
     io::FileDescriptor pipe_;
 };
@@ -120,8 +155,6 @@ std::string render_movie(Stage& stage, const RenderOptions& options) {
         encoder.add(stage.picture());
     }
     if (!encoder.finish()) {
-        std::error_code ignored;
-        fs::remove(partial, ignored);
         throw FileError("ffmpeg could not make the movie; what it said is above");
     }
     fs::rename(partial, out);

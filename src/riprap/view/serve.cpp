@@ -9,9 +9,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <string_view>
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
@@ -22,8 +25,11 @@ namespace riprap::view {
 namespace {
 
 constexpr std::size_t longest_request = 16384;  // bytes; a browser sends a few hundred
-constexpr int patience = 2000;                  // [ms] for a visitor that says nothing
 constexpr int look_at_signals = 200;            // [ms]
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds time_to_ask{2};    // for a whole request
+constexpr std::chrono::seconds time_to_read{60};  // for a whole answer: a long run is tens of megabytes
 
 io::FileDescriptor listen_on(int port, int& chosen) {
     io::FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -44,16 +50,27 @@ io::FileDescriptor listen_on(int port, int& chosen) {
     return socket;
 }
 
-bool is_readable(const io::FileDescriptor& file, int milliseconds) {
-    pollfd entry{file.number(), POLLIN, 0};
+bool is_ready(const io::FileDescriptor& file, short event, int milliseconds) {
+    pollfd entry{file.number(), event, 0};
     return ::poll(&entry, 1, milliseconds) == 1;
 }
 
-std::string read_request(const io::FileDescriptor& visitor) {
+/// Whether the visitor is ready before the deadline, and before the user stops the program.
+bool await(const io::FileDescriptor& visitor, short event, Clock::time_point deadline, const run::StopRequest& stop) {
+    while (stop.signal() == 0 && Clock::now() < deadline) {
+        if (is_ready(visitor, event, look_at_signals)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string read_request(const io::FileDescriptor& visitor, const run::StopRequest& stop) {
+    const Clock::time_point deadline = Clock::now() + time_to_ask;
     std::string request;
     char buffer[4096];
     while (request.find("\r\n\r\n") == std::string::npos && request.size() < longest_request &&
-           is_readable(visitor, patience)) {
+           await(visitor, POLLIN, deadline, stop)) {
         const ssize_t count = ::read(visitor.number(), buffer, sizeof buffer);
         if (count <= 0) {
             break;
@@ -61,6 +78,19 @@ std::string read_request(const io::FileDescriptor& visitor) {
         request.append(buffer, static_cast<std::size_t>(count));
     }
     return request;
+}
+
+/// A visitor that leaves, or does not read, is let go.
+void send(const io::FileDescriptor& visitor, std::string_view answer, const run::StopRequest& stop) {
+    const Clock::time_point deadline = Clock::now() + time_to_read;
+    while (!answer.empty() && await(visitor, POLLOUT, deadline, stop)) {
+        const ssize_t count = ::send(visitor.number(), answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (count >= 0) {
+            answer.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno != EINTR && errno != EAGAIN) {
+            return;
+        }
+    }
 }
 
 std::string response(const std::string& status, const std::string& type, const std::string& body) {
@@ -93,7 +123,7 @@ std::string answer_to(const std::string& request, const std::function<std::strin
     }
     try {
         return response("200 OK", "text/html", page());
-    } catch (const FileError& error) {
+    } catch (const std::exception& error) {  // one bad frame or full memory is no reason to leave the others
         return response("500 Internal Server Error", "text/plain", std::string(error.what()) + '\n');
     }
 }
@@ -105,19 +135,15 @@ void serve(const std::function<std::string()>& page, int port) {
     std::fflush(stdout);
     const run::StopRequest stop;
     while (stop.signal() == 0) {
-        if (!is_readable(socket, look_at_signals)) {
+        if (!is_ready(socket, POLLIN, look_at_signals)) {
             continue;
         }
         const io::FileDescriptor visitor(::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC));
         if (!visitor.is_open()) {
             continue;
         }
-        const std::string answer = answer_to(read_request(visitor), page);
-        try {
-            io::write_all(visitor, answer.data(), answer.size(), "the connection to a browser");
-        } catch (const FileError&) {
-            // the visitor left; the next one may stay
-        }
+        const std::string request = read_request(visitor, stop);
+        send(visitor, answer_to(request, page), stop);
     }
 }
 
