@@ -106,6 +106,55 @@ TEST(OpenWater, a_channel_carries_what_comes_in_and_keeps_its_level) {
     EXPECT_NEAR(static_cast<double>(run.state.fluid.size() - before), 0, 0.03 * static_cast<double>(before));
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(OpenWater, a_channel_that_starts_from_rest_comes_to_the_level_it_is_given) {
+    FlumeRun run(replaced(replaced(channel, "velocity = [0.5, 0.0]", "velocity = [0.0, 0.0]"), "level = 0.3\n",
+                          "level = 0.3\nramp = 1.0\n"));
+    double level = 0, time = 0;
+    std::size_t most = 0;
+    run.until(5.0, [&] {
+        most = std::max(most, run.state.open.position.size());
+        if (run.state.time > 3) {
+            level += run.report.dt * run.read(fluid::GaugeKind::surface, {0.6, 0, 0}, {0.6, 0.8, 0});
+            time += run.report.dt;
+        }
+    });
+    EXPECT_NEAR(level / time, 0.3, 0.5 * 0.025);  // half a spacing
+    EXPECT_LE(most, 12U * (4 + 1));               // rows, and the layers of a support with one on its way out
+}
+
+TEST(OpenWater, a_checkpoint_with_impossible_counts_is_refused) {
+    const auto is_accepted = [](auto change) {
+        FlumeRun run(channel);
+        change(run.state.open);
+        const TemporaryFolder place;
+        const RunFolder folder{place.path()};
+        io::make_folder(folder.checkpoint_latest().parent_path());
+        RunRecord record;
+        record.end = 30;
+        record.frame_interval = record.row_interval = 0.01;
+        record.csv_bytes = {1, 2};
+        record.frame_times = {0};
+        save_checkpoint(folder, run.loaded.model, run.state, record);
+        try {
+            load_checkpoint(folder, run.loaded.model, run.state);
+        } catch (const CheckpointError&) {
+            return false;
+        }
+        return true;
+    };
+    EXPECT_TRUE(is_accepted([](fluid::OpenState&) {}));
+    EXPECT_FALSE(is_accepted([](fluid::OpenState& open) { open.next_id = 3; }));
+    EXPECT_FALSE(is_accepted([](fluid::OpenState& open) { open.next_id = std::int64_t{1} << 40; }));
+    EXPECT_FALSE(is_accepted([](fluid::OpenState& open) { open.layers[0] = -1; }));
+    EXPECT_FALSE(is_accepted([](fluid::OpenState& open) { open.entered[0] = -1; }));
+    EXPECT_FALSE(is_accepted([](fluid::OpenState& open) { open.left[1] = -1; }));
+}
+
 TEST(OpenWater, the_ledgers_close_over_what_comes_in_and_goes) {
     FlumeRun run(channel);
     const double mass = run.loaded.model.fluid->sph.particle_mass;

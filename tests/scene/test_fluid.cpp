@@ -161,5 +161,64 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
                 ElementsAre(HasSubstr("without volume")));
 }
 
+/// A channel between x = 0 and 0.8 m.
+const std::string channel = test::with(test::with(tank, ", periodic = [true, false] }", " }"), "level = \"50 cm\"",
+                                       "box = { low = [0.2, 0.0], high = [0.8, 0.3] }") +
+                            R"([[fluid.inflow]]
+name = "upstream"
+low = [0.2, 0.0]
+high = [0.2, 0.3]
+towards = "x"
+speed = 0.5
+[[fluid.outflow]]
+name = "downstream"
+low = [0.8, 0.0]
+high = [0.8, 0.3]
+towards = "x"
+level = 0.3
+)";
+
+TEST(FluidCase, openings_stand_clear_of_solids_and_of_water_behind_them) {
+    EXPECT_THAT(test::problems_of(channel), testing::IsEmpty());
+    EXPECT_THAT(test::problems_of(test::with(channel, "position = [0.5, 0.5]", "position = [0.05, 0.2]")),
+                ElementsAre(HasSubstr("'block' stands in the opening 'upstream'")));
+    EXPECT_THAT(test::problems_of(test::with(channel, "position = [0.5, 0.5]", "position = [0.95, 0.2]")),
+                ElementsAre(HasSubstr("'block' stands in the opening 'downstream'")));
+    EXPECT_THAT(
+        test::problems_of(test::with(channel, "low = [0.2, 0.0], high = [0.8", "low = [0.16, 0.0], high = [0.8")),
+        ElementsAre(HasSubstr("30 particles of water start behind the opening 'upstream'")));
+    EXPECT_THAT(test::problems_of(test::with(channel, "high = [0.8, 0.3] }", "high = [0.82, 0.3] }")),
+                ElementsAre(HasSubstr("15 particles of water start behind the opening 'downstream'")));
+}
+
+TEST(FluidCase, an_inflow_of_broken_spacings_says_what_it_brings) {
+    const auto warnings = [](const std::string& high) {
+        return test::read(test::with(channel, "high = [0.2, 0.3]", "high = [0.2, " + high + "]")).warnings;
+    };
+    EXPECT_THAT(warnings("0.3"), testing::Not(testing::Contains(HasSubstr("inflow"))));
+    EXPECT_THAT(warnings("0.29"), testing::Contains(HasSubstr("takes 0.28 m of 0.29 m")));
+    EXPECT_THAT(warnings("0.29"), testing::Contains(HasSubstr("it brings 0.14 m^2/s")));
+}
+
+TEST(FluidCase, a_sponge_that_meets_no_water_is_refused) {
+    EXPECT_THAT(
+        test::problems_of(channel + "[[fluid.sponge]]\nlow = [50, 0]\nhigh = [51, 1]\ntowards = \"x\"\nrate = 1.0\n"),
+        ElementsAre(HasSubstr("the sponge lies outside the domain")));
+}
+
+TEST(FluidCase, a_paddle_that_absorbs_does_not_stop) {
+    const auto problems = [](const std::string& more) {
+        return test::problems_of(
+            test::with(tank, "shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }\nfixed = true",
+                       "shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }\nfixed = true\n"
+                       "[[body]]\nname = \"paddle\"\nmaterial = \"wood\"\n"
+                       "shape = { half_space = { normal = [1.0, 0.0] } }\n"
+                       "motion = { wave_maker = { wave = \"none\", depth = 0.5, absorb = [0.0, 0.0] }" +
+                           more + " }"));
+    };
+    EXPECT_THAT(problems(", stop = 0.5"), testing::Contains(HasSubstr("stops and absorbs")));
+    EXPECT_THAT(problems(""), testing::Not(testing::Contains(HasSubstr("stops and absorbs"))));
+}
+
 }  // namespace
 }  // namespace riprap::scene

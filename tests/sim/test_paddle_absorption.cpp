@@ -62,5 +62,53 @@ TEST(PaddleAbsorption, the_delay_takes_off_the_near_field_that_the_correction_ma
     EXPECT_NEAR(absorption_delay(paddle, 10, gauge), 10 / std::sqrt(g * 0.5), 1e-12);
 }
 
+/// A paddle that makes a solitary wave, with its motion as a table from its start on.
+PaddleAbsorption solitary_paddle(wave::MotionSeries& series) {
+    PaddleAbsorption paddle;
+    paddle.depth = 0.5;
+    paddle.still = 0.5;
+    paddle.solitary = wave::SolitaryWave{0.1, 0.5, g};
+    series = wave::solitary_motion(*paddle.solitary);
+    paddle.solitary_crest = 0.5 * series.time.back() - 0.5 * series.value.back() / paddle.solitary->celerity();
+    return paddle;
+}
+
+TEST(PaddleAbsorption, a_paddle_does_not_answer_the_solitary_wave_it_makes_itself) {
+    wave::MotionSeries series;
+    const PaddleAbsorption paddle = solitary_paddle(series);
+    const std::size_t middle = series.time.size() / 2;  // the crest is at the face: half time, half stroke
+    for (const double later : {-0.3, 0.0, 0.2}) {
+        const double t = series.time[middle] + later;
+        const double face = series.value[middle];
+        const double eta = paddle.solitary->elevation(face + gauge - (face + paddle.solitary->celerity() * later));
+        EXPECT_NEAR(absorbing_velocity(paddle, t, 0.5 + eta, face, 0, gauge), 0, 1e-12);
+    }
+}
+
+TEST(PaddleAbsorption, before_its_motion_starts_a_paddle_answers_all_there_is) {
+    wave::MotionSeries series;
+    for (PaddleAbsorption paddle : {solitary_paddle(series), regular_paddle(1.5)}) {
+        paddle.start = 3;
+        EXPECT_EQ(absorbing_velocity(paddle, 2.9, 0.5, 0, 0, gauge), 0);
+        EXPECT_NE(absorbing_velocity(paddle, 3.0, 0.5, 0, 0, gauge), 0);
+    }
+}
+
+TEST(PaddleAbsorption, where_the_gauge_is_dry_the_paddle_stays) {
+    PaddleAbsorption paddle = regular_paddle(1.5);
+    paddle.body = BodyId{0};
+    body::BodySet bodies;
+    bodies.initial_pose.resize(1);
+    body::BodyState state;
+    state.position.resize(1);
+    state.drive_offset = {{0.1, 0, 0}};
+    state.drive_rate.resize(1);
+    fluid::SphSettings settings;
+    settings.spacing = 0.025;
+    settings.domain = {{-5, -5, 0}, {5, 5, 0}, {}, 2};
+    absorb_waves(std::vector{paddle}, bodies, 20, 0.01, settings, {}, state);
+    EXPECT_EQ(state.drive_rate[0], Vec3{});
+}
+
 }  // namespace
 }  // namespace riprap::sim

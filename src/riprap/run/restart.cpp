@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -72,6 +73,16 @@ void check_openings(const io::Checkpoint& checkpoint, const sim::FluidModel& mod
         open.velocity.size() != layers || open.outflow.size() != layers ||
         static_cast<std::int64_t>(count) > model.open.most_particles) {
         refuse(checkpoint, "the fields of the water differ in length");
+    }
+    const auto is_negative = [](std::int64_t n) { return n < 0; };
+    for (const auto* counts : {&open.layers, &open.entered, &open.left}) {
+        if (std::any_of(counts->begin(), counts->end(), is_negative)) {
+            refuse(checkpoint, "an opening has counted less than nothing");
+        }
+    }
+    if (open.next_id < static_cast<std::int64_t>(count) || open.next_id > std::numeric_limits<std::int32_t>::max()) {
+        refuse(checkpoint,
+               fmt::format("the next particle has the number {}, of {} that are there", open.next_id, count));
     }
     if (std::any_of(open.outflow.begin(), open.outflow.end(), [&](auto k) { return k < 0 || k >= outflows; })) {
         refuse(checkpoint, "water lies in an outflow that is not there");

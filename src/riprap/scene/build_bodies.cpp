@@ -153,6 +153,11 @@ void note_absorption(CaseBuild& build, const Value& table, std::size_t first, st
         build.problem(table.place, "copies of a paddle that absorbs waves", "one paddle");
         return;
     }
+    if (const Value* stop = motion->find("stop")) {
+        build.problem(stop->place, "a paddle that stops and absorbs waves: it would answer waves it no longer makes",
+                      "leave out 'stop' or 'absorb'");
+        return;
+    }
     absorption->body = BodyId{static_cast<std::int32_t>(first)};
     absorption->start = get_number(*motion, "start");
     build.absorptions.push_back(*absorption);

@@ -50,7 +50,7 @@ void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
 void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
-/// Sponges, inflows and outflows of the [fluid] in `table`; after its depth is known.
+/// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
 void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up

@@ -315,9 +315,9 @@ void build_fluid(CaseBuild& build) {
     warn_of_thin_bodies(build, fluid);
     warn_of_muller(build, fluid.sph);
     build_absorptions(build, *table, filling.particles, fluid);
-    build_openings(build, *table, fluid);
-    start_openings(fluid.open, fluid.sph, filling.particles, build.state.open);
     build.state.fluid = std::move(filling.particles);
+    build_openings(build, *table, fluid);
+    start_openings(fluid.open, fluid.sph, build.state.fluid, build.state.open);
     build.model.fluid = std::move(fluid);
 }
 

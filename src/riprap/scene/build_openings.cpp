@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <string>
 
+#include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build_case.hpp"
 #include "riprap/scene/limits.hpp"
 
@@ -60,6 +63,16 @@ void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
                       "\"x\", \"-x\", \"y\" or \"-y\"");
         return;
     }
+    for (int axis = 0; axis < fluid.sph.domain.dimension; ++axis) {
+        const double low = fluid.sph.domain.low[axis], high = fluid.sph.domain.high[axis];
+        if (!(sponge.high[axis] > low && sponge.low[axis] < high)) {
+            build.problem(table.place,
+                          fmt::format("the sponge lies outside the domain: from {} m to {} m along {}",
+                                      sponge.low[axis], sponge.high[axis], "xyz"[axis]),
+                          fmt::format("a box that meets it, which reaches from {} m to {} m", low, high));
+            return;
+        }
+    }
     const Value& rate = get(table, "rate");
     const double gravity = norm(weight_of(build, fluid));
     if (rate.is_text() && !(gravity * fluid.depth > 0)) {
@@ -108,6 +121,85 @@ bool read_opening(CaseBuild& build, const Value& table, const fluid::Domain& dom
     return true;
 }
 
+/// The wet body that x lies in, if any.
+std::optional<std::string> solid_at(const CaseBuild& build, const sim::FluidModel& fluid, const Vec3& x) {
+    constexpr double slack = 1e-6;  // of a spacing: faces may touch
+    for (const body::Part& part : build.model.bodies.parts) {
+        const auto b = static_cast<std::size_t>(part.body.value);
+        const Pose body{build.state.bodies.position[b], build.state.bodies.orientation[b]};
+        const Pose pose{to_world(body, part.local.position), body.orientation * part.local.orientation};
+        const geometry::ConvexView shape = build.model.shapes.view(part.shape);
+        if (fluid.is_dry[b] == 0 && norm(x - pose.position) <= shape.circumradius &&
+            geometry::depth_below_faces(shape, to_body(pose, x)) > slack * fluid.sph.spacing) {
+            return build.model.bodies.name(part.body);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Refuses solids among the layers behind an opening, and water that is there already.
+/// @param side  +1 where layers lie past the plane (outflow), -1 where before it
+/// @param rows  of its layers
+void check_behind(CaseBuild& build, const Value& table, const sim::FluidModel& fluid, const fluid::Opening& opening,
+                  double side, const std::vector<Vec3>& rows) {
+    const double dp = fluid.sph.spacing;
+    const auto layers = static_cast<int>(std::ceil(fluid.sph.support_radius() / dp - 1e-9)) + 1;
+    const Vec3 away = side * opening.direction();
+    for (const Vec3& row : rows) {
+        auto solid = solid_at(build, fluid, row - 0.5 * dp * away);
+        if (solid && side > 0) {
+            continue;  // no water comes to the plane there
+        }
+        for (int layer = 0; layer < layers && !solid; ++layer) {
+            solid = solid_at(build, fluid, row + (layer + 0.5) * dp * away);
+        }
+        if (solid) {
+            build.problem(table.place,
+                          fmt::format("'{}' stands in the opening '{}' or in the {:.3g} m behind it", *solid,
+                                      opening.name, layers * dp),
+                          "no solid there, or a body with wet = false");
+            return;
+        }
+    }
+    const auto& water = build.state.fluid.position;
+    const auto is_behind = [&](const Vec3& x) {
+        const double past = side * opening.past(x);
+        return past > 1e-6 * dp && past <= layers * dp && opening.is_across(x, fluid.sph.domain.dimension);
+    };
+    const auto count = std::count_if(water.begin(), water.end(), is_behind);
+    if (count > 0) {
+        build.problem(table.place,
+                      fmt::format("{} particles of water start behind the opening '{}'", count, opening.name),
+                      "regions that end at its plane");
+    }
+}
+
+/// Warns where an inflow is not a whole number of spacings high and wide.
+void warn_of_rows(CaseBuild& build, const Value& table, const fluid::SphSettings& sph, const Vec3& up,
+                  const fluid::Inflow& inflow) {
+    const Value* level = table.find("level");
+    bool is_cut = level == nullptr;
+    double asked = 1, made = static_cast<double>(inflow.rows.size());
+    for (int axis = 0; axis < sph.domain.dimension; ++axis) {
+        if (axis != inflow.opening.axis) {
+            const bool is_up = level != nullptr && up[axis] > 1 - 1e-9;
+            is_cut = is_cut || is_up;
+            const double high =
+                is_up ? std::min(inflow.opening.high[axis], level->as_number()) : inflow.opening.high[axis];
+            asked *= high - inflow.opening.low[axis];
+            made *= sph.spacing;
+        }
+    }
+    constexpr double least = 1e-3;  // of the area: spacings are written with a few digits
+    if (is_cut && std::abs(made - asked) > least * asked) {
+        const char* const area = sph.domain.dimension == 2 ? "m" : "m^2";
+        build.warnings.push_back(fmt::format(
+            "the inflow '{}' takes {:.6g} {} of {:.6g} {}, whole spacings of {:.6g} m: it brings {:.6g} {}/s",
+            inflow.opening.name, made, area, asked, area, sph.spacing, made * inflow.speed,
+            sph.domain.dimension == 2 ? "m^2" : "m^3"));
+    }
+}
+
 }  // namespace
 
 void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
@@ -140,6 +232,10 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
             build.problem(entry.place, fmt::format("an inflow of {} rows", inflow.rows.size()),
                           fmt::format("at most {}", limits::particles));
         }
+        if (!inflow.rows.empty() && static_cast<std::int64_t>(inflow.rows.size()) <= limits::particles) {
+            check_behind(build, entry, fluid, inflow.opening, -1, inflow.rows);
+            warn_of_rows(build, entry, fluid.sph, up, inflow);
+        }
         fluid.open.inflows.push_back(std::move(inflow));
     }
     for (const Value& entry : get(table, "outflow").items) {
@@ -160,6 +256,9 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
                 build.problem(level->place, "a level without gravity", "a speed, or nothing");
             }
         }
+        const bool has_layers = outflow.kind != fluid::OutflowKind::free;
+        check_behind(build, entry, fluid, outflow.opening, 1,
+                     has_layers ? rows_of(outflow.opening, fluid.sph, up, 1e300) : std::vector<Vec3>{});
         fluid.open.outflows.push_back(std::move(outflow));
     }
     fluid.open.most_particles = limits::particles;

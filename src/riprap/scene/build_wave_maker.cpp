@@ -142,7 +142,10 @@ std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, c
     absorption.depth = depth;
     if (kind == "solitary") {
         absorption.solitary = wave::SolitaryWave{get_number(table, "height"), depth, g};
-        absorption.solitary_crest = 0.5 * wave::solitary_motion(*absorption.solitary).time.back();
+        // The crest leaves the paddle at half its time, when it has gone half its stroke from its place at rest.
+        const wave::MotionSeries series = wave::solitary_motion(*absorption.solitary);
+        absorption.solitary_crest =
+            0.5 * series.time.back() - 0.5 * series.value.back() / absorption.solitary->celerity();
     } else if (kind != "none") {
         absorption.regular = wave::linear_wave(get_number(table, "height"), get_number(table, "period"), depth, g);
         absorption.phase = get_number(table, "phase");

@@ -23,10 +23,12 @@ double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const flu
 double absorbing_velocity(const PaddleAbsorption& paddle, double time, double reading, double driven, double offset,
                           double gauge_distance) {
     const double eta = reading - paddle.still, t = std::max(0.0, time - paddle.start);
+    const bool has_begun = time >= paddle.start;
     if (paddle.solitary) {
         const wave::SolitaryWave& wave = *paddle.solitary;
         const double from_crest = gauge_distance + driven - wave.celerity() * (t - paddle.solitary_crest);
-        return -std::sqrt(wave.gravity / wave.depth) * (eta - wave.elevation(from_crest));
+        const double own = has_begun ? wave.elevation(from_crest) : 0.0;
+        return -std::sqrt(wave.gravity / wave.depth) * (eta - own);
     }
     if (!paddle.regular) {
         return -std::sqrt(paddle.gravity / paddle.depth) * eta;
@@ -34,8 +36,8 @@ double absorbing_velocity(const PaddleAbsorption& paddle, double time, double re
     const wave::LinearWave& wave = *paddle.regular;
     const double share = t < paddle.ramp ? 0.5 * (1 - std::cos(std::numbers::pi * t / paddle.ramp)) : 1.0;
     const double angle = wave.angular_frequency * t + paddle.phase - wave.wave_number * gauge_distance;
-    const double own =
-        0.5 * wave.height * share * std::cos(angle) + wave::evanescent_elevation(wave, gauge_distance) * driven;
+    const double made = has_begun ? 0.5 * wave.height * share * std::cos(angle) : 0.0;
+    const double own = made + wave::evanescent_elevation(wave, gauge_distance) * driven;
     const double gain = wave.angular_frequency / height_over_stroke(wave::Paddle::piston, wave.kd());
     const double periods_to_return = 5;
     const double back = wave.angular_frequency / (2 * std::numbers::pi * periods_to_return);
@@ -61,7 +63,9 @@ void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet
         const double shift = dot(state.position[b] - at_rest, paddle.direction);
         const double reading = surface_at_paddle(paddle, shift, settings, water);
         const double distance = absorption_gauge_distance * settings.spacing;
-        const double wanted = absorbing_velocity(paddle, time, reading, shift - offset, offset, distance);
+        // Where the gauge is dry nothing is known of a wave: the paddle stays where corrections have brought it.
+        const double wanted =
+            reading > 0 ? absorbing_velocity(paddle, time, reading, shift - offset, offset, distance) : 0.0;
         const double now = dot(state.drive_rate[b], paddle.direction);
         const double delay = absorption_delay(paddle, settings.spacing, distance);
         state.drive_rate[b] = (now + (wanted - now) * (1 - std::exp(-dt / delay))) * paddle.direction;

@@ -37,7 +37,7 @@ struct PaddleAbsorption {
     std::optional<wave::LinearWave> regular;
     double phase{0}, ramp{0};  ///< of the regular wave [rad], [s]
     std::optional<wave::SolitaryWave> solitary;
-    double solitary_crest{0};  ///< when its crest leaves the paddle [s]
+    double solitary_crest{0};  ///< t_0: when its crest would pass the place at rest [s]
 };
 
 /// Distance of the gauge from the face, in spacings: outside of the support of the face's own layers.
@@ -49,7 +49,7 @@ double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const flu
 
 /// The correction of velocity that the law asks for [m/s].
 /// @param reading  of surface_at_paddle [m]
-/// @param driven   displacement of the paddle by its own motion along `direction`, from its middle [m]
+/// @param driven   displacement of the paddle by its own motion along `direction` [m]
 /// @param offset   what corrections have moved it so far [m]
 double absorbing_velocity(const PaddleAbsorption& paddle, double time, double reading, double driven, double offset,
                           double gauge_distance);

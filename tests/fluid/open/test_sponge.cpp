@@ -31,6 +31,16 @@ ParticleState particle(const Vec3& x, const Vec3& v) {
 /// One step of the kick: force over mass.
 void kick(ParticleState& state, const std::vector<Vec3>& force, double dt) { state.velocity[0] += dt / 10 * force[0]; }
 
+TEST(Sponge, two_that_overlap_never_turn_water_back) {
+    ParticleState state = particle({1, 0, 0}, {3, -1, 0});
+    std::vector<Vec3> force;
+    SpongeWork work;
+    push_sponges(std::vector{sponge, sponge}, settings(), state, 100.0, force, work);
+    kick(state, force, 100.0);
+    EXPECT_NEAR(state.velocity[0].x, 0, 1e-12);
+    EXPECT_NEAR(state.velocity[0].y, 0, 1e-12);
+}
+
 TEST(Sponge, slows_water_by_the_exact_decay_and_leaves_it_alone_outside) {
     for (const double dt : {0.01, 100.0}) {  // no rate is unstable
         ParticleState state = particle({1, 0, 0}, {3, -1, 0});

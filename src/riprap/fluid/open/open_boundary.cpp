@@ -108,18 +108,40 @@ void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec
         state.left[at(passed)] += 1;
         if (passed < static_cast<std::int64_t>(open.outflows.size())) {
             const Outflow& outflow = open.outflows[at(passed)];
-            const Vec3 n = outflow.opening.direction();
             if (outflow.kind != OutflowKind::free) {
-                const double speed =
-                    outflow.kind == OutflowKind::speed ? outflow.speed : std::max(0.0, dot(n, water.velocity[i]));
-                state.position.push_back(water.position[i]);
-                state.velocity.push_back(speed * n);
-                state.outflow.push_back(static_cast<std::int32_t>(passed));
+                enter_layers(outflow, static_cast<std::int32_t>(passed), water.position[i], water.velocity[i], state);
             }
         }
     }
     if (kept.size() < water.position.size()) {
         keep_only(water, kept);
+    }
+}
+
+/// Layers of outflows of a level go with the water in front of them, never back, so that they neither stay behind still
+/// water that begins to move nor pass each other. Where there is none they keep their speed.
+void follow_water(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+                  OpenState& state) {
+    for (std::size_t k = 0; k < open.outflows.size(); ++k) {
+        const Opening& opening = open.outflows[k].opening;
+        if (open.outflows[k].kind != OutflowKind::level) {
+            continue;
+        }
+        double sum = 0;
+        std::int64_t count = 0;
+        for (std::size_t i = 0; i < water.position.size(); ++i) {
+            const double before = -opening.past(water.position[i]);
+            if (before >= 0 && before <= settings.support_radius() &&
+                opening.is_across(water.position[i], settings.domain.dimension)) {
+                sum += dot(opening.direction(), water.velocity[i]);
+                count += 1;
+            }
+        }
+        for (std::size_t i = 0; count > 0 && i < state.position.size(); ++i) {
+            if (state.outflow[i] == static_cast<std::int32_t>(k)) {
+                state.velocity[i] = std::max(0.0, sum / static_cast<double>(count)) * opening.direction();
+            }
+        }
     }
 }
 
@@ -268,6 +290,7 @@ Passage pass_openings(const OpenBoundaries& open, const SphSettings& settings, c
                       ParticleState& water) {
     Passage passage;
     move_layers(open, settings, dt, state);
+    follow_water(open, settings, water, state);
     pass_out(open, settings, gravity, state, water, passage);
     pass_in(open, settings, walls, first, gravity, time, state, water, passage);
     if (water.size() > open.most_particles) {

@@ -51,7 +51,7 @@ struct Inflow {
 enum class OutflowKind : std::uint8_t {
     free,   ///< nothing: it is gone. For water that falls or runs faster than its waves
     speed,  ///< it is drawn off at a given speed
-    level,  ///< still water of a given level: its pressure; water keeps its speed
+    level,  ///< still water of a given level: its pressure; layers go with the water
 };
 
 struct Outflow {

@@ -36,13 +36,16 @@ void push_sponges(std::span<const Sponge> sponges, const SphSettings& settings, 
     work.before.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        Vec3 sum{};
+        double rate = 0;  // of all together: their shares could sum to more than the velocity
+        Vec3 pull{};
         for (const Sponge& sponge : sponges) {
-            const double rate = rate_at(sponge, state.position[i], settings.domain.dimension);
-            if (rate > 0) {
-                const double share = -std::expm1(-rate * dt);
-                sum += (-settings.particle_mass * share / dt) * (state.velocity[i] - sponge.velocity);
-            }
+            const double one = rate_at(sponge, state.position[i], settings.domain.dimension);
+            rate += one;
+            pull += one * (state.velocity[i] - sponge.velocity);
+        }
+        Vec3 sum{};
+        if (rate > 0) {
+            sum = (settings.particle_mass * std::expm1(-rate * dt) / (rate * dt)) * pull;
         }
         force[i] += sum;
         work.force[i] = sum;
