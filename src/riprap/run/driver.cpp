@@ -29,14 +29,17 @@ std::string signal_name(int signal) {
 
 /// Why a ledger ends the run; empty when it closes. Where hardly anything has turned over yet, round-off of the
 /// energies that are there is all there is to see: a residual below 1e-9 of them says nothing. Nor do the first steps,
-/// in which a contact that opens or closes between two kicks is not yet small beside what was turned over.
-std::string ledger_problem(const sim::Ledger& ledger, std::int64_t step, double tolerance) {
+/// in which a contact that opens or closes between two kicks is not yet small beside what was turned over. Water is
+/// resolved by its spacing: beside what was turned over stands what lifts all of it by one spacing, for when it is let
+/// go its lattice settles by hundredths of that before anything flows.
+std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, std::int64_t step) {
     constexpr std::int64_t first_steps = 10;
     constexpr double round_off = 1e-9;
-    const double residual = std::abs(ledger.residual);
+    const double tolerance = model.output.ledger_tolerance, residual = std::abs(ledger.residual);
+    const double grain = model.fluid ? ledger.water.mass * norm(model.gravity.value) * model.fluid->sph.spacing : 0;
     const double scale = std::max({std::abs(ledger.kinetic), std::abs(ledger.potential), ledger.turnover});
     if (!ledger.has_energy || step <= first_steps || ledger.turnover <= 0 || residual <= round_off * scale ||
-        residual <= tolerance * ledger.turnover) {
+        residual <= tolerance * std::max(ledger.turnover, grain)) {
         return "";
     }
     return fmt::format(
@@ -153,7 +156,7 @@ int Driver::run() {
         const std::int64_t step = state_.step;
         Due due;
         sim::StepReport report = take_step(due);
-        const std::string problem = ledger_problem(report.ledger, step + 1, model().output.ledger_tolerance);
+        const std::string problem = ledger_problem(report.ledger, model(), step + 1);
         if (!report.status.ok() || !problem.empty()) {
             state_ = good_.at(model(), step);
             if (!report.status.ok() && retry(report.status.text)) {
@@ -259,8 +262,11 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state_.step)}, {"time", state_.time}});
     fmt::print(stderr,
                "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
-               "  a smaller time_step, a stiffer material or more damping usually helps\n",
-               state_.step + 1, reason, state_.step, state_.time, folder_.checkpoint_latest().string());
+               "  {}\n",
+               state_.step + 1, reason, state_.step, state_.time, folder_.checkpoint_latest().string(),
+               model().fluid ? "water that leaves the domain needs a wall there; else a smaller fluid.courant or "
+                               "fluid.spacing usually helps"
+                             : "a smaller time_step, a stiffer material or more damping usually helps");
     return static_cast<int>(ExitCode::numerical);
 }
 
