@@ -37,16 +37,16 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, s
     constexpr double round_off = 1e-9;
     const double tolerance = model.output.ledger_tolerance, residual = std::abs(ledger.residual);
     const double grain = model.fluid ? ledger.water.mass * norm(model.gravity.value) * model.fluid->sph.spacing : 0;
+    const double counted = std::max(ledger.turnover, grain);
     const double scale = std::max({std::abs(ledger.kinetic), std::abs(ledger.potential), ledger.turnover});
     if (!ledger.has_energy || step <= first_steps || ledger.turnover <= 0 || residual <= round_off * scale ||
-        residual <= tolerance * std::max(ledger.turnover, grain)) {
+        residual <= tolerance * counted) {
         return "";
     }
     return fmt::format(
-        "the energy ledger misses {:.3g} J of {:.3g} J turned over at t = {:.6g} s, more than output.ledger_tolerance "
-        "= "
-        "{:.3g} of it",
-        ledger.residual, ledger.turnover, ledger.time, tolerance);
+        "the energy ledger misses {:.3g} J of {:.3g} J that count as turned over at t = {:.6g} s, more than "
+        "output.ledger_tolerance = {:.3g} of it",
+        ledger.residual, counted, ledger.time, tolerance);
 }
 
 }  // namespace
