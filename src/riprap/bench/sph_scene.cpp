@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "riprap/fluid/particle/sort.hpp"
@@ -37,18 +36,16 @@ SphColumn sph_column(double smoothing_ratio) {
                 if (i >= 0 && j >= 0 && j < lattice[1] && k >= 0) {
                     const double depth = height - place.z;
                     const Vec3 jitter{unit(random), unit(random), unit(random)};
-                    column.water.position.push_back(place + 0.1 * spacing * jitter);
-                    column.water.velocity.push_back({0.1 * s.sound_speed * place.z / height, 0, 0});
-                    column.water.density.push_back(
-                        s.rest_density * (1 + norm(column.gravity) * depth / (s.sound_speed * s.sound_speed)));
+                    const double density =
+                        s.rest_density * (1 + norm(column.gravity) * depth / (s.sound_speed * s.sound_speed));
+                    column.water.add(place + 0.1 * spacing * jitter, {0.1 * s.sound_speed * place.z / height, 0, 0},
+                                     density, static_cast<std::int32_t>(column.water.size()));
                 } else {
                     wall_places.push_back(place);
                 }
             }
         }
     }
-    column.water.id.resize(column.water.position.size());
-    std::iota(column.water.id.begin(), column.water.id.end(), 0);
     sort_by_place(column.water, s.domain, spacing);
 
     for (const std::uint32_t w : order_by_place(wall_places, s.domain, spacing)) {

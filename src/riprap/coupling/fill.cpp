@@ -239,10 +239,7 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         }
         const std::int64_t line = place / row;
         const Vec3 x = lattice.place(place % row, line % lattice.counts[1], line / lattice.counts[1]);
-        particles.id.push_back(static_cast<std::int32_t>(particles.position.size()));
-        particles.position.push_back(x);
-        particles.velocity.push_back(regions[at(r)].velocity);
-        particles.density.push_back(settings.rest_density);
+        particles.add(x, regions[at(r)].velocity, settings.rest_density, static_cast<std::int32_t>(particles.size()));
         filling.region.push_back(r);
         filling.regions[at(r)].count += 1;
         filling.regions[at(r)].volume += cell;

@@ -69,8 +69,8 @@ void check_openings(const io::Checkpoint& checkpoint, const sim::FluidModel& mod
     const fluid::OpenState& open = state.open;
     const std::size_t count = water.position.size(), layers = open.position.size();
     const auto outflows = static_cast<std::int32_t>(model.open.outflows.size());
-    if (water.velocity.size() != count || water.density.size() != count || water.id.size() != count ||
-        open.velocity.size() != layers || open.outflow.size() != layers ||
+    if (water.velocity.size() != count || water.density.size() != count || water.dilution.size() != count ||
+        water.id.size() != count || open.velocity.size() != layers || open.outflow.size() != layers ||
         static_cast<std::int64_t>(count) > model.open.most_particles) {
         refuse(checkpoint, "the fields of the water differ in length");
     }
@@ -126,9 +126,8 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     Restart restart{initial, {}, {}};
     const bool is_open = model.fluid && !model.fluid->open.empty();
     const auto has_fixed_length = [is_open](std::string_view name) {
-        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) || name == "fluid.totals" ||
-               name.starts_with("coupling.") || name == "ledger.totals" || name == "open.layers" ||
-               name == "open.entered" || name == "open.left";
+        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) || name.starts_with("coupling.") ||
+               name == "ledger.totals" || name == "open.layers" || name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, restart.state, has_fixed_length);
     io::restore(checkpoint, restart.record, [](std::string_view) { return false; });

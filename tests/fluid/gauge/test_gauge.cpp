@@ -25,9 +25,7 @@ struct Tank {
             for (int j = 0; j < count(0.5); ++j) {
                 for (int i = 0; i < count(1); ++i) {
                     const double z = dimension == 3 ? (k + 0.5) * spacing : 0.0;
-                    state.position.push_back({(i + 0.5) * spacing, (j + 0.5) * spacing, z});
-                    state.velocity.push_back({});
-                    state.density.push_back(settings.rest_density);
+                    state.add({(i + 0.5) * spacing, (j + 0.5) * spacing, z}, {}, settings.rest_density, 0);
                 }
             }
         }

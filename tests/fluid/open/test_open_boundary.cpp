@@ -42,10 +42,8 @@ struct Stream {
     explicit Stream(OutflowKind kind) : open(stream(kind)) {
         for (int i = 0; i < 20; ++i) {
             for (int j = 0; j < 10; ++j) {
-                water.id.push_back(static_cast<std::int32_t>(water.position.size()));
-                water.position.push_back({0.05 + 0.1 * i, 0.05 + 0.1 * j, 0});
-                water.velocity.push_back({0.7, 0, 0});
-                water.density.push_back(1000);
+                water.add({0.05 + 0.1 * i, 0.05 + 0.1 * j, 0}, {0.7, 0, 0}, 1000,
+                          static_cast<std::int32_t>(water.size()));
             }
         }
         start_openings(open, settings(), water, state);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int across = 24;
 
-/// Vortices in a box that repeats, their particles a tenth of a spacing off a lattice, after one step.
+/// Vortices in a box that repeats, their particles a tenth of a spacing off a lattice.
 Water stirred(double shifting) {
     const double dp = 1.0 / across, wave = 2 * std::numbers::pi;
     Water water;
@@ -30,7 +31,6 @@ Water stirred(double shifting) {
         water.add_particle({x, y, 0},
                            {-std::cos(wave * x) * std::sin(wave * y), std::sin(wave * x) * std::cos(wave * y), 0});
     });
-    water.step();
     return water;
 }
 
@@ -48,16 +48,45 @@ double kernel_sum(const Water& water, std::size_t i) {
 }
 
 TEST(Shifting, takes_from_density_what_it_takes_from_the_sums_of_the_kernel) {
-    const Water without = stirred(0), with = stirred(0.1);  // the identity is of first order in the shift
+    Water without = stirred(0), with = stirred(0.1);  // the identity is of first order in the shift
+    without.step();
+    with.step();
     double of_density = 0, of_sums = 0, farthest = 0;
     for (std::size_t i = 0; i < with.state.position.size(); ++i) {
         farthest = std::max(farthest, norm(with.state.position[i] - without.state.position[i]));
-        of_density += std::log(with.state.density[i] / without.state.density[i]);
+        of_density += std::log1p(-with.state.dilution[i]);
         of_sums += (kernel_sum(with, i) - kernel_sum(without, i)) / (across * across);
     }
     EXPECT_GT(farthest, 1e-5 * with.settings.spacing);
     EXPECT_LT(of_sums, 0);
     EXPECT_NEAR(of_density, of_sums, 0.02 * std::abs(of_sums));
+}
+
+/// What the ledger misses over four steps of vortices, and what it would miss if shifting were booked with the pressure
+/// before or after it: m (c d rho/rho)^2/2 a step, always with one sign [J].
+struct Missed {
+    double booked{0}, one_sided{0};
+};
+
+Missed missed_by_ledger(double shifting) {
+    Water water = stirred(shifting);
+    water.step(1e-3);
+    const double start = water.closure(), c = water.settings.sound_speed;
+    Missed missed;
+    for (int k = 0; k < 4; ++k) {
+        for (const double dilution : water.state.dilution) {
+            missed.one_sided += 0.5 * water.settings.particle_mass * c * c * dilution * dilution;
+        }
+        water.step(1e-3);
+    }
+    missed.booked = water.closure() - start;
+    return missed;
+}
+
+TEST(Shifting, is_booked_with_the_pressure_halfway_between_two_forces) {
+    const Missed missed = missed_by_ledger(10);
+    EXPECT_GT(missed.one_sided, 0);
+    EXPECT_LT(std::abs(missed.booked), 0.1 * missed.one_sided);
 }
 
 }  // namespace

@@ -64,10 +64,7 @@ struct Water {
     }
 
     void add_particle(const Vec3& x, const Vec3& v = {}, double pressure = 0) {
-        state.position.push_back(x);
-        state.velocity.push_back(v);
-        state.density.push_back(density_of(settings, pressure));
-        state.id.push_back(static_cast<std::int32_t>(state.id.size()));
+        state.add(x, v, density_of(settings, pressure), static_cast<std::int32_t>(state.size()));
     }
     void add_wall_particle(const Vec3& x, bool is_slippery, const Vec3& v = {}) {
         walls.position.push_back(x);

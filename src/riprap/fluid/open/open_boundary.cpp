@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 #include "riprap/fluid/sph/state_equation.hpp"
 
@@ -71,18 +72,18 @@ std::int64_t opening_passed(const OpenBoundaries& open, const SphSettings& setti
     return -1;
 }
 
-void keep_only(ParticleState& water, const std::vector<std::size_t>& kept) {
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-        water.position[k] = water.position[kept[k]];
-        water.velocity[k] = water.velocity[kept[k]];
-        water.density[k] = water.density[kept[k]];
-        water.id[k] = water.id[kept[k]];
+struct KeepOnly {
+    const std::vector<std::size_t>& kept;  ///< in rising order
+
+    template <class T>
+    void operator()(std::string_view, std::vector<T>& values) const {
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            values[k] = values[kept[k]];
+        }
+        values.resize(kept.size());
     }
-    water.position.resize(kept.size());
-    water.velocity.resize(kept.size());
-    water.density.resize(kept.size());
-    water.id.resize(kept.size());
-}
+    void operator()(std::string_view, double&) const {}
+};
 
 /// A particle at x with the velocity v of water becomes one of the layers of outflow number k.
 void enter_layers(const Outflow& outflow, std::int32_t k, const Vec3& x, const Vec3& v, OpenState& state) {
@@ -114,7 +115,7 @@ void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec
         }
     }
     if (kept.size() < water.position.size()) {
-        keep_only(water, kept);
+        ParticleState::visit_fields(water, KeepOnly{kept});
     }
 }
 
@@ -172,10 +173,8 @@ void pass_in(const OpenBoundaries& open, const SphSettings& settings, const Boun
         if (phase >= settings.spacing) {
             for (std::size_t row = 0; row < inflow.rows.size(); ++row) {
                 const Vec3 n = inflow.opening.direction();
-                water.position.push_back(inflow.rows[row] + (phase - settings.spacing) * n);
-                water.velocity.push_back(inflow.speed_at(time) * n);
-                water.density.push_back(density_of(settings, walls.pressure[entry + row]));
-                water.id.push_back(static_cast<std::int32_t>(state.next_id));
+                water.add(inflow.rows[row] + (phase - settings.spacing) * n, inflow.speed_at(time) * n,
+                          density_of(settings, walls.pressure[entry + row]), static_cast<std::int32_t>(state.next_id));
                 state.next_id += 1;
                 book(settings, water, water.position.size() - 1, gravity, 1, passage);
             }

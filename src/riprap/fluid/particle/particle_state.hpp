@@ -15,20 +15,28 @@ struct ParticleState {
     std::vector<Vec3> position;    ///< x_n [m]
     std::vector<Vec3> velocity;    ///< v_n [m/s]
     std::vector<double> density;   ///< rho_(n-1/2), half a step behind the rest [kg/m^3]
+    std::vector<double> dilution;  ///< share of density that the last shift took, due at the next update of density [-]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
-    std::vector<double> totals;    ///< running sums of the fluid's ledger (FluidTotal)
 
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
+
+    void add(const Vec3& x, const Vec3& v, double rho, std::int32_t particle) {
+        position.push_back(x);
+        velocity.push_back(v);
+        density.push_back(rho);
+        dilution.push_back(0);
+        id.push_back(particle);
+    }
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
         visit("fluid.position", self.position);
         visit("fluid.velocity", self.velocity);
         visit("fluid.density", self.density);
+        visit("fluid.dilution", self.dilution);
         visit("fluid.id", self.id);
         visit("fluid.max_acceleration", self.max_acceleration);
-        visit("fluid.totals", self.totals);
     }
 };
 

@@ -59,15 +59,12 @@ void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
     values.swap(sorted);
 }
 
-/// Permutes the fields that have one entry per particle.
+/// Permutes the fields.
 struct Permute {
     const std::vector<std::uint32_t>& order;
 
     template <class T>
-    void operator()(std::string_view name, std::vector<T>& values) const {
-        if (name == "fluid.totals") {
-            return;  // of the fluid as a whole
-        }
+    void operator()(std::string_view, std::vector<T>& values) const {
         if (values.size() != order.size()) {
             throw InternalError("a field of the fluid is not as long as there are particles");
         }

@@ -46,7 +46,7 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
     });
 }
 
-/// Returns the energy that it takes away: potential and of compression [J].
+/// Notes the share of density that shifting takes. Returns the potential energy that it takes away [J].
 double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                        const SphScratchData& s) {
     if (settings.shifting == 0) {
@@ -56,15 +56,17 @@ double shift_particles(const SphSettings& settings, ParticleState& state, const 
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.surface_direction[i],
                                              s.bareness[i], strain_rate(settings, s.strain[i]), dt);
-        const double before = state.density[i];
-        const double after = before * density_share_after_shift(shift, s.concentration_gradient[i]);
         state.position[i] += shift;
-        state.density[i] = after;
-        return settings.particle_mass *
-               (dot(gravity, shift) + internal_energy_of(settings, before) - internal_energy_of(settings, after));
+        state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i]);
+        return settings.particle_mass * dot(gravity, shift);
     };
     return parallel::reduce(state.size(), 0.0, shift_one, [](double a, double b) { return a + b; });
 }
+
+/// What leaves the energy of compression as density is updated [J].
+struct Losses {
+    double diffusion{0}, shifting{0};
+};
 
 }  // namespace
 
@@ -91,15 +93,20 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const double before = state.density[i], spread = dt * before * diffusivity * s.diffusion[i];
-        const double after = before + dt * before * s.compression[i] + spread, mean = 0.5 * (before + after);
+        const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
+        const double spread = dt * diluted * diffusivity * s.diffusion[i];
+        const double after = diluted + dt * diluted * s.compression[i] + spread, mean = 0.5 * (before + after);
         state.density[i] = after;
         s.bareness[i] = bareness_of_particle(settings.domain.dimension, s.divergence[i]);
-        // what diffusion takes out of compression: m p/rho^2 d rho
-        return -settings.particle_mass * pressure_of(settings, mean) / (mean * mean) * spread;
+        // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
+        const double per_density = settings.particle_mass * pressure_of(settings, mean) / (mean * mean);
+        return Losses{-per_density * spread, per_density * (before - diluted)};
     };
-    report.dissipated_diffusion =
-        parallel::reduce(state.size(), 0.0, advance_one, [](double a, double b) { return a + b; });
+    const Losses losses = parallel::reduce(state.size(), Losses{}, advance_one, [](Losses a, const Losses& b) {
+        return Losses{a.diffusion + b.diffusion, a.shifting + b.shifting};
+    });
+    report.dissipated_diffusion = losses.diffusion;
+    report.shifted = losses.shifting;
 }
 
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
@@ -123,7 +130,7 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
     scale_by_volume(s);
-    report.shifted = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
+    report.shifted += shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
     kick(settings, state, gravity, dt, s, extra_force, report);
     book_walls(walls, dt, report);
 }

@@ -25,14 +25,14 @@ double bareness_of_particle(int dimension, double divergence);
 Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const Vec3& towards_surface, double bareness,
                        double strain, double dt);
 
-/// The density of a particle after a shift over that before,
+/// The share of its density that a shift takes from a particle,
 ///
-///     1 + 2 delta x . grad C,
+///     -2 delta x . grad C,
 ///
-/// at most 1. Density follows the sums of the kernel over neighbours as they change by motion; a shift changes them
-/// too, by delta x . grad C at the particle and by as much in all at its neighbours (docs/theory/sph.md, 7). Without
-/// this, flow crowds particles, which raises the density, and shifting spreads them, which did not lower it: water
-/// swelled.
-double density_share_after_shift(const Vec3& shift, const Vec3& gradient);
+/// never negative. Density follows the sums of the kernel over neighbours as they change by motion; a shift changes
+/// them too, by delta x . grad C at the particle and by as much in all at its neighbours (docs/theory/sph.md, 7).
+/// Without this, flow crowds particles, which raises the density, and shifting spreads them, which did not lower it:
+/// water swelled.
+double dilution_by_shift(const Vec3& shift, const Vec3& gradient);
 
 }  // namespace riprap::fluid

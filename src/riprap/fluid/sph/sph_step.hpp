@@ -63,6 +63,7 @@ struct FluidReport {
 //     rho_(n+1/2) = rho_(n-1/2) + (dt_(n-1) + dt_n)/2 R(x_n, v_n)            update_density, walls at t_n
 //     x_(n+1/2)   = x_n + dt/2 v_n                                           drift
 //     v_(n+1)     = v_n + dt a(x_(n+1/2), rho_(n+1/2), v_n), and shifting    forces and kick, walls at t_n + dt/2
+//                   of places; the density that it takes goes at the next update
 //     x_(n+1)     = x_(n+1/2) + dt/2 v_(n+1)                                 drift
 //
 // so loads on solids are known at mid-step, where solids are kicked too. Forces and kick are begin_forces, load_walls
