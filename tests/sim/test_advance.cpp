@@ -216,7 +216,7 @@ TEST(Advance, AMovingWallWorksOnWhatItPushes) {
     const ShapeId cube = scene.add_shape(box({1, 1, 1}));
     scene.model.bodies.motions.push_back({body::LinearMotion{{1, 0, 0}}, 0, 1e9});
     const BodyId wall = scene.add("wall", cube, {{-1.05, 0, 0}, {}}, body::Drive::driven);
-    scene.model.bodies.motion[static_cast<std::size_t>(wall.value)] = 0;
+    drive(scene.model.bodies, wall, 0, {{-1.05, 0, 0}, {}});
     scene.add("block", cube, {});
     const StepReport report = scene.run(4000, scene.automatic_step());
     // An elastic push by an infinite mass: the block leaves at twice the wall's speed.

@@ -46,8 +46,7 @@ void update_kinematics(const BodySet& bodies, const BodyState& state, double tim
         kinematics.inverse_mass[i] = 0;
         kinematics.angular_velocity[i] =
             bodies.drive[i] == Drive::driven
-                ? evaluate(bodies.motions[static_cast<std::size_t>(bodies.motion[i])], bodies.initial_pose[i], time)
-                      .angular_velocity
+                ? driven_state(bodies, BodyId{static_cast<std::int32_t>(i)}, time).angular_velocity
                 : Vec3{};
     });
 }

@@ -65,11 +65,22 @@ bool is_free(const BodySet& bodies, BodyId body, double time) {
     return bodies.drive[i] == Drive::free || time >= bodies.release_time[i];
 }
 
+DrivenState driven_state(const BodySet& bodies, BodyId body, double time) {
+    const DrivenBody& entry =
+        bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[static_cast<std::size_t>(body.value)])];
+    return evaluate(bodies.motions[static_cast<std::size_t>(entry.motion)], entry.start, time);
+}
+
+void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start) {
+    bodies.driven[static_cast<std::size_t>(body.value)] = static_cast<std::int32_t>(bodies.driven_bodies.size());
+    bodies.driven_bodies.push_back({motion, start});
+}
+
 void shrink_to_fit(BodySet& bodies, BodyState& state) {
     const auto shrink = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };
     shrink(bodies.name_id, bodies.name_index, bodies.names, bodies.material, bodies.drive, bodies.mass,
-           bodies.principal_moments, bodies.principal_axes, bodies.motion, bodies.release_time, bodies.part_begin,
-           bodies.parts, bodies.motions, bodies.initial_pose);
+           bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time, bodies.part_begin,
+           bodies.parts, bodies.driven_bodies, bodies.motions);
     BodyState::visit_fields(state, [](std::string_view, auto& field) { field.shrink_to_fit(); });
 }
 
@@ -106,7 +117,7 @@ BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& sha
     bodies.mass.push_back(body.density * volume);
     bodies.principal_moments.push_back(volume > 0 ? snap_equal(eigen.values) : Vec3{});
     bodies.principal_axes.push_back(from_matrix(eigen.axes));
-    bodies.motion.push_back(body.motion);
+    bodies.driven.push_back(-1);
     bodies.release_time.push_back(body.release_time);
     if (bodies.part_begin.empty()) {
         bodies.part_begin.push_back(0);
@@ -119,7 +130,9 @@ BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& sha
     bodies.part_begin.push_back(bodies.part_count());
 
     const Pose pose{to_world(body.pose, center), normalized(body.pose.orientation)};
-    bodies.initial_pose.push_back(pose);
+    if (body.motion >= 0) {
+        drive(bodies, id, body.motion, pose);
+    }
     state.position.push_back(pose.position);
     state.orientation.push_back(pose.orientation);
     state.velocity.push_back(body.velocity);

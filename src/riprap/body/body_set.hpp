@@ -27,6 +27,12 @@ struct Part {
     Pose local;  ///< pose of the shape in the body frame (origin: centre of mass of the body)
 };
 
+/// A body that moves as it is told.
+struct DrivenBody {
+    std::int32_t motion;  ///< index into motions
+    Pose start;           ///< that the motion counts from
+};
+
 /// What does not change about the bodies: Model. All arrays have one entry per body unless said.
 struct BodySet {
     std::vector<std::int32_t> name_id;     ///< index into names
@@ -34,16 +40,16 @@ struct BodySet {
     std::vector<std::string> names;
     std::vector<MaterialId> material;
     std::vector<Drive> drive;
-    std::vector<double> mass;              ///< [kg]; also of fixed bodies where known
-    std::vector<Vec3> principal_moments;   ///< of inertia [kg m^2]
-    std::vector<Quat> principal_axes;      ///< principal frame -> body frame
-    std::vector<std::int32_t> motion;      ///< index into motions, -1 = none
-    std::vector<double> release_time;      ///< a fixed or driven body becomes free then [s]; infinity = never
-    std::vector<std::int32_t> part_begin;  ///< size() + 1 entries
-    std::vector<Part> parts;               ///< grouped by body
+    std::vector<double> mass;               ///< [kg]; also of fixed bodies where known
+    std::vector<Vec3> principal_moments;    ///< of inertia [kg m^2]
+    std::vector<Quat> principal_axes;       ///< principal frame -> body frame
+    std::vector<std::int32_t> driven;       ///< index into driven_bodies, -1 = none
+    std::vector<double> release_time;       ///< a fixed or driven body becomes free then [s]; infinity = never
+    std::vector<std::int32_t> part_begin;   ///< size() + 1 entries
+    std::vector<Part> parts;                ///< grouped by body
+    std::vector<DrivenBody> driven_bodies;  ///< one entry per body that is driven
     std::vector<PrescribedMotion> motions;
-    std::vector<Pose> initial_pose;  ///< only read for driven bodies
-    bool is_planar{false};           ///< dimension = 2: motion stays in the x-y plane
+    bool is_planar{false};  ///< dimension = 2: motion stays in the x-y plane
 
     std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
     std::int32_t part_count() const { return static_cast<std::int32_t>(parts.size()); }
@@ -96,8 +102,14 @@ struct NewBody {
     std::vector<Part> parts;  ///< `body` ignored; `local` relative to `pose`
 };
 
+/// Where a driven body is and how it moves at a time, corrections aside.
+DrivenState driven_state(const BodySet& bodies, BodyId body, double time);
+
 /// Gives back memory kept for growth. Worth calling once the scene is read.
 void shrink_to_fit(BodySet& bodies, BodyState& state);
+
+/// Drives a body by a motion that counts from `start`.
+void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start);
 
 /// Adds a body: mass, centre of mass and principal axes from its parts, exact. The parts of one body must not
 /// overlap (concave bodies are unions of touching parts); the State pose is that of the centre of mass.

@@ -86,15 +86,15 @@ constexpr std::uint64_t feature_key(std::uint32_t of_a, std::uint32_t of_b) {
 /// Full account of one contact in one step, for gathering, ledger and output: Scratch. Rows as in ContactHistory.
 struct ContactRow {
     PartPair parts;
-    Vec3 point;             ///< where the force acts [m]
-    Vec3 force;             ///< total on A: normal + damping + shear; B gets the opposite [N]
-    Vec3 moment;            ///< couple on A besides (point - centre) x force [N m]
-    double elastic_energy;  ///< stored in the overlap [J]
-    double friction_loss;   ///< dissipated by sliding in this step [J]
-    Vec3 dashpot;           ///< part of `force` that dashpots add [N]
-    Vec3 dashpot_couple;    ///< part of `moment` that they add [N m]
-    double dashpot_power;   ///< of both before the kick; what they take is negative [W]
-    float omega_squared_a;  ///< share in the highest omega^2 of A's body, see stability.hpp [1/s^2]
+    Vec3 point;                   ///< where the force acts [m]
+    Vec3 force;                   ///< total on A: normal + damping + shear; B gets the opposite [N]
+    Vec3 moment;                  ///< couple on A besides (point - centre) x force [N m]
+    double elastic_energy;        ///< stored in the overlap [J]
+    double friction_loss;         ///< dissipated by sliding in this step [J]
+    Vec3T<float> dashpot;         ///< part of `force` that dashpots add; for the ledger alone [N]
+    Vec3T<float> dashpot_couple;  ///< part of `moment` that they add [N m]
+    float dashpot_power;          ///< of both before the kick; what they take is negative [W]
+    float omega_squared_a;        ///< share in the highest omega^2 of A's body, see stability.hpp [1/s^2]
     float omega_squared_b;
     float damping_a;  ///< the same of the dashpots [1/s]
     float damping_b;

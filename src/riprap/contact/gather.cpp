@@ -67,12 +67,12 @@ double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::Body
         static_cast<std::int64_t>(rows_.size()), 0.0,
         [&](std::int64_t i) {
             const ContactRow& row = rows_[at(i)];
-            if (row.dashpot == Vec3{} && row.dashpot_couple == Vec3{}) {
+            if (row.dashpot == Vec3T<float>{} && row.dashpot_couple == Vec3T<float>{}) {
                 return 0.0;
             }
             const Motion a = motion_at(row.parts.a, row.point), b = motion_at(row.parts.b, row.point);
             const double power_after =
-                dot(a.velocity - b.velocity, row.dashpot) + dot(a.spin - b.spin, row.dashpot_couple);
+                dot(a.velocity - b.velocity, widen(row.dashpot)) + dot(a.spin - b.spin, widen(row.dashpot_couple));
             return -0.5 * (row.dashpot_power + power_after) * dt;
         },
         [](double a, double b) { return a + b; });

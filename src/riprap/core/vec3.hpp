@@ -93,4 +93,10 @@ RIPRAP_HD constexpr Vec3T<T> max(const Vec3T<T>& a, const Vec3T<T>& b) {
 }
 inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
+/// The same in single precision, for what is kept and not computed with.
+RIPRAP_HD constexpr Vec3T<float> narrow(const Vec3& a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+RIPRAP_HD constexpr Vec3 widen(const Vec3T<float>& a) { return {a.x, a.y, a.z}; }
+
 }  // namespace riprap

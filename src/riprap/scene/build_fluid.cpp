@@ -128,11 +128,11 @@ double fastest_start(const CaseBuild& build, const Value& table, const std::vect
         1999;  // times at which a driven body is looked at; prime, so that no period hides between them
     for (std::size_t b = 0; b < bodies.mass.size(); ++b) {
         const double rim = rim_of(build, b);
-        const Vec3 spin = angular_velocity(bodies, build.state.bodies, BodyId{static_cast<std::int32_t>(b)});
+        const BodyId body{static_cast<std::int32_t>(b)};
+        const Vec3 spin = angular_velocity(bodies, build.state.bodies, body);
         fastest = std::max(fastest, norm(build.state.bodies.velocity[b]) + rim * norm(spin));
-        for (int k = 0; bodies.motion[b] >= 0 && k <= looks; ++k) {
-            const auto state = evaluate(bodies.motions[static_cast<std::size_t>(bodies.motion[b])],
-                                        bodies.initial_pose[b], build.model.time.end * k / looks);
+        for (int k = 0; bodies.driven[b] >= 0 && k <= looks; ++k) {
+            const auto state = driven_state(bodies, body, build.model.time.end * k / looks);
             fastest = std::max(fastest, norm(state.velocity) + rim * norm(state.angular_velocity));
         }
     }

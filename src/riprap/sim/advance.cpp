@@ -268,8 +268,7 @@ void initialise(const Model& model, State& state) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;
         }
-        const body::DrivenState driven = body::evaluate(model.bodies.motions[at(model.bodies.motion[at(i)])],
-                                                        model.bodies.initial_pose[at(i)], state.time);
+        const body::DrivenState driven = driven_state(model.bodies, BodyId{i}, state.time);
         state.bodies.position[at(i)] = driven.pose.position;
         state.bodies.orientation[at(i)] = driven.pose.orientation;
         state.bodies.velocity[at(i)] = driven.velocity;
@@ -288,8 +287,8 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     const body::BodySet& bodies = model.bodies;
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
     bytes += of(bodies.name_id) + of(bodies.name_index) + of(bodies.material) + of(bodies.drive) + of(bodies.mass) +
-             of(bodies.principal_moments) + of(bodies.principal_axes) + of(bodies.motion) + of(bodies.release_time) +
-             of(bodies.part_begin) + of(bodies.parts) + of(bodies.initial_pose);
+             of(bodies.principal_moments) + of(bodies.principal_axes) + of(bodies.driven) + of(bodies.release_time) +
+             of(bodies.part_begin) + of(bodies.parts) + of(bodies.driven_bodies);
     if (model.fluid) {
         const coupling::SampleSet& samples = model.fluid->samples;
         bytes += of(samples.body) + of(samples.anchor) + of(samples.normal) + of(samples.depth) + of(samples.volume) +

@@ -58,7 +58,7 @@ void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet
                   const fluid::SphSettings& settings, const fluid::ParticleState& water, body::BodyState& state) {
     for (const PaddleAbsorption& paddle : paddles) {
         const auto b = static_cast<std::size_t>(paddle.body.value);
-        const Vec3 at_rest = bodies.initial_pose[b].position;
+        const Vec3 at_rest = bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[b])].start.position;
         const double offset = dot(state.drive_offset[b], paddle.direction);
         const double shift = dot(state.position[b] - at_rest, paddle.direction);
         const double reading = surface_at_paddle(paddle, shift, settings, water);

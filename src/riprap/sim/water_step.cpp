@@ -16,10 +16,10 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// How a driven body speeds up over the step: where its velocity jumps, the jump is spread over the step and no more.
 coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::size_t b, double time, double dt) {
-    const auto& motion = bodies.motions[at(bodies.motion[b])];
+    const BodyId body{static_cast<std::int32_t>(b)};
     const double moment = 0.5 * dt;
-    const body::DrivenState before = evaluate(motion, bodies.initial_pose[b], time - moment);
-    const body::DrivenState after = evaluate(motion, bodies.initial_pose[b], time + moment);
+    const body::DrivenState before = driven_state(bodies, body, time - moment);
+    const body::DrivenState after = driven_state(bodies, body, time + moment);
     return {(after.velocity - before.velocity) / (2 * moment),
             (after.angular_velocity - before.angular_velocity) / (2 * moment)};
 }

@@ -55,8 +55,7 @@ void drift(const body::BodySet& bodies, body::BodyState& state, double end_time,
             state.orientation[i] = body::rotate_free(state.orientation[i], state.angular_momentum[i],
                                                      bodies.principal_moments[i], bodies.principal_axes[i], dt);
         } else if (bodies.drive[i] == body::Drive::driven) {
-            const body::DrivenState driven =
-                evaluate(bodies.motions[at(bodies.motion[i])], bodies.initial_pose[i], end_time);
+            const body::DrivenState driven = driven_state(bodies, id, end_time);
             state.position[i] = driven.pose.position;
             state.orientation[i] = driven.pose.orientation;
             state.velocity[i] = driven.velocity;

@@ -230,7 +230,7 @@ TEST(Coulomb, AStuckTorsionSpringRingsDownAtTheDampingRatioOfThePair) {
         coulomb(pressed(1000), damped, motion, step == 0 ? nullptr : &springs, after, row);
         springs = after;
         spin += dt / inertia * row.moment.z;
-        ASSERT_LE(dot(row.dashpot_couple, motion.relative_spin), 0);
+        ASSERT_LE(dot(widen(row.dashpot_couple), motion.relative_spin), 0);
         if (torsion_before * springs.torsion < 0) {  // passes through no torsion
             ++half_cycles;
             (half_cycles == 0 ? first : last) = std::abs(spin);

@@ -165,10 +165,11 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
     row.moment = normal.moment + (after.torsion + springs.anchor_couple + drag_couple) * n;
     row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
-    row.dashpot = drag - (normal_force - elastic) * n;
-    row.dashpot_couple = drag_couple * n;
+    const Vec3 dashpot = drag - (normal_force - elastic) * n, dashpot_couple = drag_couple * n;
+    row.dashpot = narrow(dashpot);
+    row.dashpot_couple = narrow(dashpot_couple);
     row.dashpot_power =
-        dot(row.dashpot, kinematics.relative_velocity) + dot(row.dashpot_couple, kinematics.relative_spin);
+        static_cast<float>(dot(dashpot, kinematics.relative_velocity) + dot(dashpot_couple, kinematics.relative_spin));
     row.normal_force = static_cast<float>(normal_force);
     row.shear_force = static_cast<float>(norm(tangential_force));
     row.overlap = static_cast<float>(normal.depth);
