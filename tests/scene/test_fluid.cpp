@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "riprap/sim/quantity.hpp"
 #include "scene/case_fixture.hpp"
 
@@ -101,6 +103,20 @@ TEST(FluidCase, problems_name_their_place) {
                 ElementsAre(HasSubstr("not implemented")));
 }
 
+TEST(FluidCase, a_level_above_its_region_is_refused) {
+    const auto problems = [](const std::string& region) {
+        return test::problems_of(test::with(tank, "level = \"50 cm\"", region));
+    };
+    const std::string box = "box = { low = [0.0, 0.0], high = [0.3, 0.4] }\n";
+    EXPECT_THAT(problems(box + "level = 0.4"), testing::IsEmpty());
+    EXPECT_THAT(problems(box + "level = 0.42"),
+                ElementsAre(HasSubstr("case.toml:22:9: the level 0.42 m lies above its region, which ends at 0.4 m")));
+    EXPECT_THAT(problems("shape = { box = [0.2, 0.2] }\nposition = [0.2, 0.2]\nlevel = 0.4"),
+                ElementsAre(HasSubstr("ends at 0.3 m")));
+    EXPECT_THAT(problems("level = 1.0"), testing::IsEmpty());  // the domain is the region
+    EXPECT_THAT(problems("level = 1.1"), ElementsAre(HasSubstr("ends at 1 m")));
+}
+
 TEST(FluidCase, density_at_the_start_is_hydrostatic) {
     const LoadedCase loaded = test::read(tank);
     const double c = loaded.model.fluid->sph.sound_speed;
@@ -159,6 +175,10 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
                 ElementsAre(HasSubstr("without extent along 0 axes")));
     EXPECT_THAT(problems("kind = \"volume\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n"),
                 ElementsAre(HasSubstr("without volume")));
+    for (const char* kind : {"pressure", "velocity", "level"}) {
+        EXPECT_THAT(problems(fmt::format("kind = \"{}\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n", kind)),
+                    ElementsAre(HasSubstr(fmt::format("'end' does nothing for a '{}' gauge", kind))));
+    }
 }
 
 /// A channel between x = 0 and 0.8 m.

@@ -214,6 +214,25 @@ TEST(WaterStream, AStepThatDoublingDoesNotMoveEndsThePackingAllTheSame) {
     }
 }
 
+TEST(WaterStream, PressuresThatAreNotNumbersAreCountedAndBoundNothing) {
+    std::vector<WaterFrame> frames = stirred(8, 3);
+    const PackedWater sound = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    EXPECT_EQ(sound.not_numbers, 0U);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < frames[1].id.size(); i += 3) {
+        frames[1].pressure[i] = i % 2 == 0 ? nan : -infinity;
+    }
+    frames[2].speed[5] = infinity;
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);
+    EXPECT_EQ(water.not_numbers, (frames[1].id.size() + 2) / 3 + 1);
+    // The bounds are those of what is left of the same water, so near those of all of it.
+    EXPECT_NEAR(water.scale.pressure_low, sound.scale.pressure_low, 0.1 * sound.scale.pressure_high);
+    EXPECT_NEAR(water.scale.pressure_high, sound.scale.pressure_high, 0.1 * sound.scale.pressure_high);
+    EXPECT_NEAR(water.scale.speed_high, sound.scale.speed_high, 0.1 * sound.scale.speed_high);
+    const std::vector<WaterNumbers> group = decode_group(water.groups[0]);
+    EXPECT_EQ(group[1].channel[3][static_cast<std::size_t>(frames[1].id[0])], 0);
+}
+
 TEST(WaterStream, ADamagedGroupIsRefused) {
     const std::vector<WaterFrame> frames = stirred(4, 3);
     const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);

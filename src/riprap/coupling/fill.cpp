@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
@@ -49,15 +50,16 @@ Polyhedron slab_of(const fluid::Domain& domain) {
     return box;
 }
 
+/// The pieces of a region: the whole domain where it names none.
+std::vector<Polyhedron> pieces_of(const FillRegion& region, const fluid::Domain& domain) {
+    return region.pieces.empty() ? std::vector<Polyhedron>{slab_of(domain)} : region.pieces;
+}
+
 /// The region cut at its level, with its volume and surface.
 RegionPlanes planes_of(const FillRegion& region, const fluid::SphSettings& settings, const Vec3& up,
                        FillReport& report) {
-    std::vector<Polyhedron> pieces = region.pieces;
-    if (pieces.empty()) {
-        pieces.push_back(slab_of(settings.domain));
-    }
     RegionPlanes result{{}, {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}}, -1e300};
-    for (const Polyhedron& whole : pieces) {
+    for (const Polyhedron& whole : pieces_of(region, settings.domain)) {
         const Polyhedron piece = std::isfinite(region.level) ? geometry::clip_convex(whole, {up, region.level}) : whole;
         if (piece.faces.empty()) {
             continue;
@@ -189,6 +191,14 @@ class Solids {
 };
 
 }  // namespace
+
+double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3& up) {
+    double top = -std::numeric_limits<double>::infinity();
+    for (const Polyhedron& piece : pieces_of(region, domain)) {
+        top = std::max(top, geometry::range_along(piece, up).high);
+    }
+    return top;
+}
 
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
              const fluid::SphSettings& settings, const Vec3& up, std::span<const FillRegion> regions,

@@ -37,6 +37,9 @@ struct Filling {
     Vec3 lattice_corner{};  ///< low corner of a cell of the lattice; particles start in the middle of cells [m]
 };
 
+/// Height along `up` at which a region ends, whatever its level [m].
+double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3& up);
+
 /// Fills regions with particles on one lattice of spacing dp for all of them, so regions that touch or overlap join
 /// without a seam; a place in several regions belongs to the first. The lattice starts half a spacing inside the low
 /// corner of the first region. A place is filled when it lies in a region, half a spacing below its level at least,

@@ -71,6 +71,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.bodies = model.bodies.size();
     check.parts = model.bodies.part_count();
     check.shapes = model.shapes.size();
+    check.is_planar = model.bodies.is_planar;
     sim::Scratch scratch;
     const sim::TimeStep first = choose_time_step(model, loaded.state, scratch);
     check.time_step = first.dt;
@@ -140,10 +141,10 @@ std::string check_text(const CaseCheck& check) {
         check.frames);
     if (check.particles > 0) {
         text += fmt::format(
-            "  water         {} particles, {:.6g} kg, {} boundary particles; {:.3g} of its regions' volume holds none\n"
+            "  water         {} particles, {:.6g} {}, {} boundary particles; {:.3g} {} of its regions hold none\n"
             "  sound speed   {:.6g} m/s ({})\n",
-            check.particles, check.water_mass, check.samples, check.trimmed_volume, check.sound_speed,
-            check.sound_speed_reason);
+            check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, check.trimmed_volume,
+            check.is_planar ? "m^2" : "m^3", check.sound_speed, check.sound_speed_reason);
     }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
@@ -160,6 +161,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"free_bodies", check.free_bodies},
                                 {"parts", check.parts},
                                 {"shapes", check.shapes},
+                                {"is_planar", check.is_planar},
                                 {"mass", check.mass},
                                 {"particles", check.particles},
                                 {"boundary_particles", check.samples},

@@ -14,6 +14,7 @@ namespace riprap::run {
 struct CaseCheck {
     std::string title;
     std::int64_t bodies{0}, free_bodies{0}, parts{0}, shapes{0};
+    bool is_planar{false};
     double mass{0};             ///< of free bodies [kg]
     std::int64_t particles{0};  ///< of water
     std::int64_t samples{0};    ///< of boundary particles

@@ -62,6 +62,27 @@ fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
     return sph;
 }
 
+Vec3 up_of(const CaseBuild& build) {
+    const Vec3 gravity = build.model.gravity.value;
+    return norm(gravity) > 0 ? -1.0 * normalized(gravity) : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+
+/// Refuses a level that its region does not reach: the water would end at the top of the region instead.
+void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
+                 const fluid::SphSettings& sph) {
+    constexpr double slack = 1e-6;  // of a spacing: the level may be the top
+    if (!std::isfinite(region.level)) {
+        return;
+    }
+    const double top = coupling::top_of(region, sph.domain, up_of(build));
+    if (region.level > top + slack * sph.spacing) {
+        build.problem(
+            get(table, "level").place,
+            fmt::format("the level {:.6g} m lies above its region, which ends at {:.6g} m", region.level, top),
+            "a level in the region, or none to fill it whole");
+    }
+}
+
 /// The region of one table. Nothing with a problem.
 std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& table) {
     coupling::FillRegion region;
@@ -240,6 +261,60 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     }
 }
 
+/// The regions of the case; false where one of them has a problem.
+bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions) {
+    if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
+        build.problem(list.place, fmt::format("{} regions of water", list.items.size()),
+                      fmt::format("at most {}", limits::fluid_regions));
+        return false;
+    }
+    for (const Value& entry : list.items) {
+        if (auto region = read_region(build, entry)) {
+            regions.push_back(std::move(*region));
+        }
+    }
+    return regions.size() == list.items.size();
+}
+
+/// Water where bodies leave room for it, and the boundary particles of those that are wet. False with a problem.
+bool place_particles(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
+                     sim::FluidModel& fluid, coupling::Filling& filling) {
+    const geometry::ShapeSet& shapes = build.model.shapes;
+    const body::BodySet& bodies = build.model.bodies;
+    fluid.is_dry = build.is_dry;
+    fluid.is_dry.resize(static_cast<std::size_t>(bodies.size()), 0);
+    std::vector<std::uint8_t> is_slippery(fluid.is_dry.size(), 1);
+    for (std::size_t b = 0; b < build.sticks.size(); ++b) {
+        is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
+    }
+    bool is_good = place_problems(build, get(table, "region"), [&] {
+        filling =
+            coupling::fill(shapes, bodies, build.state.bodies, fluid.sph, up_of(build), regions, limits::particles);
+    });
+    if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
+        is_good = place_problems(build, table, [&] {
+            fluid.samples =
+                coupling::sample_shapes(shapes, bodies, build.state.bodies,
+                                        {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
+                                         filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
+        });
+    }
+    return is_good;
+}
+
+/// Sums the volumes up and refuses regions without water.
+void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling, sim::FluidModel& fluid) {
+    for (std::size_t r = 0; r < filling.regions.size(); ++r) {
+        const coupling::FillReport& report = filling.regions[r];
+        fluid.filled_volume += report.volume;
+        fluid.region_volume += report.region_volume;
+        if (report.count == 0) {
+            build.problem(list.items[r].place, "no particle of water fits into this region",
+                          "a region larger than the spacing, in the domain, outside of solids and earlier regions");
+        }
+    }
+}
+
 }  // namespace
 
 void build_fluid(CaseBuild& build) {
@@ -252,60 +327,22 @@ void build_fluid(CaseBuild& build) {
     }
     sim::FluidModel fluid;
     fluid.sph = read_settings(build, *table);
-    bool is_good = read_domain(build, get(*table, "domain"), fluid.sph.domain);
     fluid.wall =
         get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
-    std::vector<coupling::FillRegion> regions;
     const Value& list = get(*table, "region");
-    if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
-        build.problem(list.place, fmt::format("{} regions of water", list.items.size()),
-                      fmt::format("at most {}", limits::fluid_regions));
-        return;
-    }
-    for (const Value& entry : list.items) {
-        if (auto region = read_region(build, entry)) {
-            regions.push_back(std::move(*region));
-        } else {
-            is_good = false;
-        }
-    }
-    if (!is_good) {
-        return;
-    }
-    const body::BodySet& bodies = build.model.bodies;
-    fluid.is_dry = build.is_dry;
-    fluid.is_dry.resize(static_cast<std::size_t>(bodies.size()), 0);
-    std::vector<std::uint8_t> is_slippery(fluid.is_dry.size(), 1);
-    for (std::size_t b = 0; b < build.sticks.size(); ++b) {
-        is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
-    }
+    const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
+    std::vector<coupling::FillRegion> regions;
     coupling::Filling filling;
-    const Vec3 gravity = build.model.gravity.value;
-    const Vec3 up = norm(gravity) > 0 ? -1.0 * normalized(gravity) : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-    is_good = place_problems(build, list, [&] {
-        filling =
-            coupling::fill(build.model.shapes, bodies, build.state.bodies, fluid.sph, up, regions, limits::particles);
-    });
-    if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
-        is_good = place_problems(build, *table, [&] {
-            fluid.samples =
-                coupling::sample_shapes(build.model.shapes, bodies, build.state.bodies,
-                                        {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
-                                         filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
-        });
-    }
-    if (!is_good) {
+    if (!read_regions(build, list, regions) || !has_domain) {
         return;
     }
-    for (std::size_t r = 0; r < filling.regions.size(); ++r) {
-        const coupling::FillReport& report = filling.regions[r];
-        fluid.filled_volume += report.volume;
-        fluid.region_volume += report.region_volume;
-        if (report.count == 0) {
-            build.problem(list.items[r].place, "no particle of water fits into this region",
-                          "a region larger than the spacing, in the domain, outside of solids and earlier regions");
-        }
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        check_level(build, list.items[r], regions[r], fluid.sph);
     }
+    if (!place_particles(build, *table, regions, fluid, filling)) {
+        return;
+    }
+    check_filling(build, list, filling, fluid);
     if (filling.particles.size() == 0) {
         return;
     }

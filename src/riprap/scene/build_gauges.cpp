@@ -90,6 +90,9 @@ void build_gauges(CaseBuild& build, const Value& list) {
         }
         if (needs_end(gauge.kind)) {
             check_extent(build, table, gauge, model.fluid->sph.domain.dimension);
+        } else if (const Value* end = table.find("end")) {
+            build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
+                          "no 'end', or a kind along a line, through a rectangle or in a box");
         }
         const auto& gauges = model.output.gauges;
         const auto& probes = model.output.probes;

@@ -46,8 +46,8 @@ const Table& fluid_region_table() {
          {"orientation", {form::table(orientation_table)}, "How the shape is turned.", {}},
          {"level",
           {number(dimension::length)},
-          "Height of the surface at the start, against gravity from the origin: z where gravity points down z. The "
-          "top of the region when not given.",
+          "Height of the surface at the start, against gravity from the origin: z where gravity points down z. At most "
+          "the top of the region, which it is when not given.",
           {}},
          {"velocity", {vector(dimension::velocity)}, "At the start.", Value::of(Vec3{})}},
         {{GroupRule::at_most_one, {"box", "shape"}}}};

@@ -47,7 +47,10 @@ const Table& gauge_table() {
           {},
           true},
          {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
-         {"end", {vector(dimension::length)}, "End of the line; the opposite corner.", {}}}};
+         {"end",
+          {vector(dimension::length)},
+          "End of the line; the opposite corner. Not with a kind that looks at a point.",
+          {}}}};
     return table;
 }
 

@@ -21,6 +21,7 @@ struct Bounds {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     std::vector<float> pressure, speed;
     std::size_t most_particles{0};
+    std::size_t not_numbers{0};  ///< pressures and speeds that bound nothing
 
     void add(const WaterFrame& frame) {
         most_particles = std::max(most_particles, frame.id.size());
@@ -29,9 +30,18 @@ struct Bounds {
             high = max(high, x);
         }
         const std::size_t stride = frame.id.size() / values_per_frame + 1;
-        for (std::size_t i = 0; i < frame.id.size(); i += stride) {
-            pressure.push_back(frame.pressure[i]);
-            speed.push_back(frame.speed[i]);
+        note(frame.pressure, stride, pressure);
+        note(frame.speed, stride, speed);
+    }
+
+ private:
+    void note(const std::vector<float>& values, std::size_t stride, std::vector<float>& noted) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!std::isfinite(values[i])) {
+                ++not_numbers;
+            } else if (i % stride == 0) {
+                noted.push_back(values[i]);
+            }
         }
     }
 };
@@ -113,6 +123,7 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
     if (bounds.most_particles == 0) {
         return water;
     }
+    water.not_numbers = bounds.not_numbers;
     const Vec3 size = bounds.high - bounds.low;
     const double extent = std::max({size.x, size.y, size.z});
     water.stride = (bounds.most_particles + most_drawn - 1) / most_drawn;

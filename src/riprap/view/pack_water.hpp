@@ -20,6 +20,7 @@ struct PackedWater {
     std::vector<std::string> groups;  ///< of frames_per_group frames each
     std::size_t most_particles{0};    ///< in a frame, as stored
     std::size_t stride{1};            ///< every so many-th particle was kept
+    std::size_t not_numbers{0};       ///< pressures and speeds that are not finite: stored as the lower bound
     double error() const { return scale.step / 2; }  ///< bound per coordinate [m]
     std::size_t bytes() const;
 };

@@ -236,6 +236,10 @@ class Packer {
         if (water.stride > 1) {
             content_.notices.push_back(fmt::format("of the water one particle in {} is shown", water.stride));
         }
+        if (water.not_numbers > 0) {
+            content_.notices.push_back(fmt::format(
+                "{} pressures and speeds of water are not finite: they are drawn as the lowest", water.not_numbers));
+        }
         content_.water_error = water.error();
         for (Box* box : {&box_first_, &box_all_}) {
             box->add(water.scale.origin);

@@ -95,6 +95,7 @@ Coded code_channel(const Numbers& numbers, const Past& past) {
     return best;
 }
 
+/// What is not finite becomes 0.
 std::uint16_t rounded(double value, double largest) {
     return static_cast<std::uint16_t>(std::lround(std::clamp(std::isfinite(value) ? value : 0.0, 0.0, largest)));
 }
