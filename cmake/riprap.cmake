@@ -47,6 +47,10 @@ function(riprap_library name)
   if(sources)
     add_library(riprap_${name} STATIC ${sources})
     target_link_libraries(riprap_${name} PUBLIC riprap_flags ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
+    # The program and the Python module are linked from the same objects: that is why they give the same bits. With
+    # hidden names the code is that of a program, calls and inlining included.
+    set_target_properties(riprap_${name} PROPERTIES
+      POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   else()
     add_library(riprap_${name} INTERFACE)
     target_link_libraries(riprap_${name} INTERFACE riprap_flags ${arg_DEPENDS})

@@ -11,19 +11,6 @@ namespace riprap::run {
 
 namespace {
 
-/// Every quantity of the scene except time, which has a column of its own.
-std::vector<sim::Column> all_scene_columns() {
-    std::vector<sim::Column> columns;
-    for (const sim::QuantityInfo& info : sim::quantities()) {
-        if (!info.is_of_body && info.name != "time") {
-            for (sim::Column& column : sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)})) {
-                columns.push_back(std::move(column));
-            }
-        }
-    }
-    return columns;
-}
-
 std::vector<io::CsvColumn> with_time(const std::vector<sim::Column>& columns) {
     std::vector<io::CsvColumn> headings{{"time", "s"}};
     for (const sim::Column& column : columns) {
@@ -51,6 +38,18 @@ std::string frame_tag(std::size_t number) { return fmt::format("{:06}", number);
 
 }  // namespace
 
+std::vector<sim::Column> scene_columns() {
+    std::vector<sim::Column> columns;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body && info.name != "time") {
+            for (sim::Column& column : sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)})) {
+                columns.push_back(std::move(column));
+            }
+        }
+    }
+    return columns;
+}
+
 double frame_interval(const sim::Model& model) {
     return model.output.interval > 0 ? model.output.interval : model.time.end / 100;
 }
@@ -66,7 +65,7 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       row_schedule_(record.row_interval, record.next_row),
       planes_(io::draw_planes(model, initial)),
       probe_columns_(sim::record_columns(model)),
-      ledger_columns_(all_scene_columns()),
+      ledger_columns_(scene_columns()),
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
       frame_times_(record.frame_times) {

@@ -32,12 +32,17 @@ void use_threads(int threads) {
 
 int run_case(const RunOptions& options) {
     use_threads(options.threads);
-    scene::LoadedCase loaded = scene::read_case(options.case_path, options.overrides);
+    return run_loaded(scene::read_case(options.case_path, options.overrides), options);
+}
+
+int run_loaded(scene::LoadedCase loaded, const RunOptions& options) {
+    use_threads(options.threads);
     const RunFolder folder{options.out};
     refuse_case_inside(folder, loaded.folder);
     const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
     const sim::TimeSettings time = loaded.model.time;
-    Driver driver(folder, std::move(loaded), options.quiet);  // refuses a bad case before any file is touched
+    const Voice voice = options.silent ? Voice::none : options.quiet ? Voice::verdicts : Voice::all;
+    Driver driver(folder, std::move(loaded), voice);  // refuses a bad case before any file is touched
     claim(folder, existing);
     const FolderLock lock(folder);
     // Looked at again now that it is ours alone: another process may have run there in between.
@@ -50,13 +55,13 @@ int run_case(const RunOptions& options) {
         driver.store_case(options.overrides);
         driver.start();
     }
-    return driver.run();
+    return driver.run(options.watch);
 }
 
 int resume_run(const ResumeOptions& options) {
     use_threads(options.threads);
     const RunFolder folder{options.folder};
-    Driver driver(folder, load_stored_case(folder), options.quiet);
+    Driver driver(folder, load_stored_case(folder), options.quiet ? Voice::verdicts : Voice::all);
     const FolderLock lock(folder);
     end_marking(folder);
     if (folder.has_checkpoint()) {

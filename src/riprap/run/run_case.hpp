@@ -6,11 +6,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "riprap/scene/read_case.hpp"
+
 namespace riprap::run {
+
+class Simulation;
+
+/// Called after every accepted step, outputs written; false stops the run as a signal does, but with exit code 0. May
+/// read, and take storage; may not step.
+using Watch = std::function<bool(Simulation&)>;
 
 struct RunOptions {
     std::string case_path;               ///< the case file
@@ -20,6 +29,8 @@ struct RunOptions {
     bool resume{false};                  ///< continue the run in `out` if there is one
     bool force{false};                   ///< replace the run in `out` if there is one
     bool quiet{false};                   ///< print errors and verdicts only
+    bool silent{false};                  ///< print nothing; summary.json says it all
+    Watch watch;                         ///< may be empty
 };
 
 struct ResumeOptions {
@@ -35,6 +46,9 @@ void use_threads(int threads);
 
 /// Runs a case from the beginning, or continues it with `resume`.
 int run_case(const RunOptions& options);
+
+/// The same with a case that was read already, from a file or a text; `case_path` is not looked at.
+int run_loaded(scene::LoadedCase loaded, const RunOptions& options);
 
 /// Continues the run in a folder with the case stored there. With the same end the result has the same bits as a run
 /// that was never stopped, at any number of threads.

@@ -49,7 +49,7 @@ Json to_json(const ExpectResult& result) {
 
 }  // namespace
 
-void write_summary(const RunFolder& folder, const Summary& summary) {
+std::string summary_json(const Summary& summary) {
     Json expects = Json::array();
     for (const ExpectResult& result : summary.expects) {
         expects.push_back(to_json(result));
@@ -80,7 +80,11 @@ void write_summary(const RunFolder& folder, const Summary& summary) {
                     {"expects", expects},
                     {"build", Json::parse(build_json())},
                     {"machine", Json::parse(machine_json())}};
-    io::write_file(folder.summary(), json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_summary(const RunFolder& folder, const Summary& summary) {
+    io::write_file(folder.summary(), summary_json(summary));
 }
 
 }  // namespace riprap::run

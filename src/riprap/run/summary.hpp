@@ -33,6 +33,9 @@ struct Summary {
     std::vector<ExpectResult> expects;
 };
 
+/// The text of summary.json.
+std::string summary_json(const Summary& summary);
+
 /// Writes summary.json (docs/howto/output-files.md). @throws FileError
 void write_summary(const RunFolder& folder, const Summary& summary);
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A case that is being stepped, in memory: what the command line's driver and the Python module have in common.
+
+#include <string>
+
+#include "riprap/run/expects.hpp"
+#include "riprap/run/good_state.hpp"
+#include "riprap/run/restart.hpp"
+#include "riprap/run/summary.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+
+/// What became of one step.
+struct StepOutcome {
+    enum class Kind {
+        accepted,
+        retried,  ///< refused; the State is the one before it, and the next step is half as long
+        refused,  ///< for good: the State is the last good one
+    };
+    Kind kind{Kind::accepted};
+    std::string reason;  ///< of a refusal: quantity, body and time
+    bool is_accepted() const { return kind == Kind::accepted; }
+};
+
+/// Model and State of a case with all that a step needs to be chosen, taken, judged and, where it was refused, taken
+/// back. Touches no file. The bits of the State depend on the case and the number of steps alone, not on who asks for
+/// them, in what portions, with what Measure or with how many threads.
+class Simulation {
+ public:
+    /// At time 0. @throws CaseError
+    explicit Simulation(scene::LoadedCase loaded);
+    Simulation(const Simulation&) = delete;  // who watches the expected answers keeps a reference to the Model
+    Simulation& operator=(const Simulation&) = delete;
+    ~Simulation() = default;
+
+    const scene::LoadedCase& loaded() const { return loaded_; }
+    const sim::Model& model() const { return loaded_.model; }
+    const sim::State& initial() const { return initial_; }
+    const sim::State& state() const { return state_; }
+    /// The fields of the State as storage: who needs an array of them to outlive the next step takes it and puts a copy
+    /// in its place. No value may change.
+    sim::State& storage() { return state_; }
+    /// The scene now, as quantities read it; with contacts and a report where has_stepped().
+    sim::Moment now() const {
+        return {model(), initial_, state_, has_stepped_ ? &scratch_ : nullptr, has_stepped_ ? &report_ : nullptr};
+    }
+    const sim::Scratch& scratch() const { return scratch_; }
+    /// Of the last accepted step of this process.
+    const sim::StepReport& report() const { return report_; }
+    /// Contacts and forces of the last step are there: not at time 0, after a restart, a new end or a refused step.
+    bool has_stepped() const { return has_stepped_; }
+    const sim::TimeStepBound& bound() const { return bound_; }
+
+    /// Where to stop: a time [s], and a number of steps in all (-1 = no limit). An automatic step is chosen so that the
+    /// last one meets the end.
+    void set_end(double end, std::int64_t max_steps);
+    double end() const { return model().time.end; }
+    std::int64_t max_steps() const { return model().time.max_steps; }
+    std::int64_t steps_left() const;
+    bool is_at_end() const { return next_.steps_left == 0; }  ///< in time; max_steps may stop it earlier
+    double next_dt() const { return next_.dt; }               ///< of the step that comes next [s]
+    bool next_is_last() const;
+
+    /// Takes one step; only where steps_left() > 0.
+    StepOutcome step(sim::Measure measure);
+
+    std::vector<ExpectResult> judge() const { return judge(is_at_end()); }
+    std::vector<ExpectResult> judge(bool at_end) const { return watch_.judge(at_end); }
+
+    /// What a checkpoint must know besides the State, and back. @throws CheckpointError
+    void note(RunRecord& record) const;
+    void restore(sim::State state, const RunRecord& record);
+
+    /// All of a Summary that does not depend on files, clocks and restarts.
+    Summary summary() const;
+
+ private:
+    void forget_scratch();
+
+    scene::LoadedCase loaded_;
+    sim::State initial_, state_;
+    sim::TimeStepBound bound_;
+    sim::Scratch scratch_;
+    sim::TimeStep next_;  ///< the step to take from state_
+    sim::StepReport report_;
+    bool has_stepped_{false};
+    std::int64_t retries_{0}, steps_above_bound_{0};
+    ExpectWatch watch_;
+    GoodState good_;
+};
+
+}  // namespace riprap::run
