@@ -30,7 +30,7 @@ struct RunOptions {
     bool force{false};                   ///< replace the run in `out` if there is one
     bool quiet{false};                   ///< print errors and verdicts only
     bool silent{false};                  ///< print nothing; summary.json says it all
-    Watch watch;                         ///< may be empty
+    Watch watch{};                       ///< may be empty
 };
 
 struct ResumeOptions {
