@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -38,6 +39,17 @@ void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, c
             std::pair(history.pair[i - 1], history.feature[i - 1]) >= std::pair(history.pair[i], history.feature[i])) {
             refuse(checkpoint, fmt::format("contact {} is out of order", i));
         }
+    }
+}
+
+void check_near_samples(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::CouplingState& coupling) {
+    const std::vector<std::int32_t>& near = coupling.near_samples;
+    const std::int64_t count = model.fluid ? model.fluid->samples.size() : 0;
+    const bool is_rising = std::adjacent_find(near.begin(), near.end(), std::greater_equal<>()) == near.end();
+    if (!is_rising || (!near.empty() && (near.front() < 0 || near.back() >= count))) {
+        refuse(checkpoint, fmt::format("the samples of walls in reach of the water are not among the {} of the case in "
+                                       "rising order",
+                                       count));
     }
 }
 
@@ -126,8 +138,9 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     Restart restart{initial, {}, {}};
     const bool is_open = model.fluid && !model.fluid->open.empty();
     const auto has_fixed_length = [is_open](std::string_view name) {
-        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) || name.starts_with("coupling.") ||
-               name == "ledger.totals" || name == "open.layers" || name == "open.entered" || name == "open.left";
+        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) ||
+               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
+               name == "open.layers" || name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, restart.state, has_fixed_length);
     io::restore(checkpoint, restart.record, [](std::string_view) { return false; });
@@ -143,6 +156,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
         refuse(checkpoint, fmt::format("the time step is halved {} times, {} steps ago; allowed: 0 to {} times",
                                        stepping.halvings, stepping.accepted, sim::max_halvings));
     }
+    check_near_samples(checkpoint, model, restart.state.coupling);
     if (is_open) {
         check_openings(checkpoint, *model.fluid, restart.state);
     }

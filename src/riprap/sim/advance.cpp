@@ -227,7 +227,7 @@ StepReport advance_with_water(const Model& model, State& state, ScratchData& dat
     const ScopedTimer timer(data.times.water);
     const double work_given = work_done(model, data.before, state, data.water);
     note_accelerations(model, data.before, state, data.water, dt);
-    const fluid::Passage passage = end_water_step(model, state, data.water, dt);
+    const fluid::Passage passage = end_water_step(model, state, water.fluid, data.water, dt);
     report.status.text = passage.problem;
     account_water({water.fluid, water.absorbed, water.flow_work, water.work_on_free, work_given}, state.ledger,
                   report.ledger);

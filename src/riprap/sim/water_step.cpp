@@ -6,6 +6,7 @@
 #include <span>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/near_samples.hpp"
 #include "riprap/fluid/sph/kick.hpp"
 
 namespace riprap::sim {
@@ -56,7 +57,7 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
 /// Boundary particles of bodies that move as scratch.motion says, `ahead` seconds after the State, and behind openings.
 void place_walls(const Model& model, const State& state, double ahead, WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
-    place_samples(water.samples, scratch.motion, scratch.walls, scratch.is_still);
+    place_samples(scratch.near, scratch.motion, scratch.walls, scratch.is_still);
     if (!water.open.empty()) {
         place_openings(water.open, state.open, water.sph, state.time + ahead, ahead, scratch.walls);
     }
@@ -117,7 +118,7 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     }
     load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), scratch.sph);
     if (!is_penalty) {
-        gather_loads(water.samples, scratch.motion, scratch.walls, scratch.loads);
+        gather_loads(scratch.near, scratch.motion, scratch.walls, scratch.loads);
         for (std::size_t b = 0; b < scratch.guard_loads.pressure_force.size(); ++b) {
             scratch.loads.pressure_force[b] += scratch.guard_loads.pressure_force[b];
             scratch.loads.pressure_torque[b] += scratch.guard_loads.pressure_torque[b];
@@ -129,6 +130,40 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     for (std::size_t b = 0; b < count; ++b) {
         scratch.force[b] = in_plane_force(model, scratch.loads.pressure_force[b] + scratch.loads.viscous_force[b]);
         scratch.torque[b] = scratch.loads.pressure_torque[b] + scratch.loads.viscous_torque[b];
+    }
+}
+
+/// Everywhere that water may be until near samples are found again.
+std::vector<Vec3> places_of_water(const FluidModel& water, const State& state) {
+    std::vector<Vec3> places = state.fluid.position;
+    places.insert(places.end(), state.open.position.begin(), state.open.position.end());
+    for (const fluid::Inflow& inflow : water.open.inflows) {
+        places.insert(places.end(), inflow.rows.begin(), inflow.rows.end());
+    }
+    return places;
+}
+
+/// Keeps scratch.near those samples that the water may feel in this step. They are found anew when it may have come
+/// farther than the margin that was left the last time, which follows from the State alone.
+void find_near_samples(const Model& model, State& state, WaterScratch& scratch, double dt) {
+    const FluidModel& water = *model.fluid;
+    CouplingState& coupling = state.coupling;
+    const double margin = 2 * water.sph.spacing;
+    const double fastest = parallel::reduce(
+        state.fluid.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.fluid.velocity[at(i)]); },
+        [](double a, double b) { return std::max(a, b); });
+    const double ahead = 0.5 * dt * std::sqrt(fastest);
+    if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
+        coupling.near_samples =
+            near_samples(water.samples, scratch.motion, scratch.is_still, places_of_water(water, state),
+                         water.sph.domain, water.sph.support_radius() + margin + ahead);
+        coupling.near_travel = 0;
+    }
+    coupling.near_travel += ahead;
+    if (scratch.near_numbers != coupling.near_samples || scratch.near.size() != std::ssize(coupling.near_samples)) {
+        scratch.near_numbers = coupling.near_samples;
+        scratch.near = subset(water.samples, scratch.near_numbers);
+        scratch.walls = {};
     }
 }
 
@@ -153,6 +188,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     }
     update_kinematics(model.bodies, state.bodies, time, scratch.kinematics);
     fill_motion(model, state.bodies, scratch.kinematics, guess, scratch.correction, time, 0, dt, scratch.motion);
+    find_near_samples(model, state, scratch, dt);
     place_walls(model, state, 0, scratch);
     const double since_density = 0.5 * (state.coupling.previous_dt + dt);  // the first density is half a step old
     update_density(water.sph, state.fluid, scratch.walls, model.gravity.at(time), since_density, scratch.sph,
@@ -194,7 +230,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     kick_fluid(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, time, scratch.sph, report.fluid,
                scratch.extra_force);
     report.absorbed = water.sponges.empty() ? 0 : absorbed_energy(state.fluid, dt, scratch.sponge);
-    report.flow_work = dt * power_on_openings(scratch.walls, at(water.samples.size()));
+    report.flow_work = dt * power_on_openings(scratch.walls, at(scratch.near.size()));
     report.passes = iteration.passes();
     report.residual = iteration.residual();
     for (std::size_t b = 0; b < found.size(); ++b) {
@@ -206,14 +242,16 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     return report;
 }
 
-fluid::Passage end_water_step(const Model& model, State& state, WaterScratch& scratch, double dt) {
+fluid::Passage end_water_step(const Model& model, State& state, const fluid::FluidReport& kicked, WaterScratch& scratch,
+                              double dt) {
     const FluidModel& water = *model.fluid;
     fluid::drift(water.sph, state.fluid, 0.5 * dt);
+    state.coupling.near_travel += 0.5 * dt * kicked.max_speed + kicked.max_shift;
     if (water.open.empty()) {
         return {};
     }
     const double time = state.time + dt;
-    return pass_openings(water.open, water.sph, scratch.walls, at(water.samples.size()),
+    return pass_openings(water.open, water.sph, scratch.walls, at(scratch.near.size()),
                          without_periodic(model.gravity.at(time), water.sph.domain), time, dt, state.open, state.fluid);
 }
 
@@ -253,6 +291,8 @@ double work_done(const Model& model, const body::BodyState& before, const State&
 void reset(const Model& model, CouplingState& coupling) {
     const auto count = model.fluid ? at(model.bodies.size()) : 0;
     coupling.previous_dt = 0;
+    coupling.near_samples.clear();
+    coupling.near_travel = -1;
     coupling.acceleration.assign(count, {});
     coupling.angular_acceleration.assign(count, {});
     coupling.dry_acceleration.assign(count, model.gravity.at(0));

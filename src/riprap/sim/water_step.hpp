@@ -19,6 +19,8 @@ namespace riprap::sim {
 struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
+    coupling::SampleSet near;                ///< the samples that the water may feel ...
+    std::vector<std::int32_t> near_numbers;  ///< ... and their numbers, as in the State
     coupling::PenaltyWalls penalty;
     coupling::BodyMotion motion;       ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;        ///< at the last kick
@@ -50,8 +52,10 @@ struct WaterReport {
 /// end_water_step is due.
 WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, double dt);
 
-/// Ends the step of the water: the second half of the drift, and what passes inflows and outflows.
-fluid::Passage end_water_step(const Model& model, State& state, WaterScratch& scratch, double dt);
+/// Ends the step of the water, `water` being what kick_water found: the second half of the drift, and what passes
+/// inflows and outflows.
+fluid::Passage end_water_step(const Model& model, State& state, const fluid::FluidReport& water, WaterScratch& scratch,
+                              double dt);
 
 /// Notes how bodies sped up over the step that took them from `before` to where they are: the first guess of the next.
 void note_accelerations(const Model& model, const body::BodyState& before, State& state, const WaterScratch& scratch,

@@ -46,11 +46,17 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
     });
 }
 
-/// Notes the share of density that shifting takes. Returns the potential energy that it takes away [J].
-double shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-                       const SphScratchData& s) {
+/// What shifting did in a step.
+struct Shifting {
+    double potential{0};        ///< energy that it took away [J]
+    double longest_squared{0};  ///< [m^2]
+};
+
+/// Moves particles and notes the share of density that this takes.
+Shifting shift_particles(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
+                         const SphScratchData& s) {
     if (settings.shifting == 0) {
-        return 0;
+        return {};
     }
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
@@ -58,9 +64,11 @@ double shift_particles(const SphSettings& settings, ParticleState& state, const 
                                              s.bareness[i], strain_rate(settings, s.strain[i]), dt);
         state.position[i] += shift;
         state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i]);
-        return settings.particle_mass * dot(gravity, shift);
+        return Shifting{settings.particle_mass * dot(gravity, shift), norm_squared(shift)};
     };
-    return parallel::reduce(state.size(), 0.0, shift_one, [](double a, double b) { return a + b; });
+    return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
+        return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+    });
 }
 
 /// What leaves the energy of compression as density is updated [J].
@@ -130,7 +138,9 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
     scale_by_volume(s);
-    report.shifted += shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
+    const Shifting shifting = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
+    report.shifted += shifting.potential;
+    report.max_shift = std::sqrt(shifting.longest_squared);
     kick(settings, state, gravity, dt, s, extra_force, report);
     book_walls(walls, dt, report);
 }

@@ -54,6 +54,7 @@ struct FluidReport {
     Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
     double mass{0};              ///< [kg]
     double max_speed{0}, max_acceleration{0};
+    double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
     std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
     std::string problem;              ///< why, with particle, place and time
 };

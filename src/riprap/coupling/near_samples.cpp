@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/near_samples.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "riprap/core/mat3.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+using Cell = std::array<std::int64_t, 3>;
+
+/// Cells about the water, and whether there is water within two of them.
+class WetCells {
+ public:
+    WetCells(std::span<const Vec3> water, const fluid::Domain& domain, double reach) : domain_(domain) {
+        span_box(water, reach);
+        choose_cells(0.5 * reach, water.size());
+        wet_.assign(at(counts_[0] * counts_[1] * counts_[2]), 0);
+        for (const Vec3& x : water) {
+            Cell cell{};
+            if (is_finite(x) && find(x, cell)) {
+                wet_[entry(cell)] = 1;
+            }
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            spread(axis);
+        }
+    }
+
+    bool has_water_near(const Vec3& x) const {
+        Cell cell{};
+        return find(x, cell) && wet_[entry(cell)] != 0;
+    }
+
+ private:
+    /// The water with two reaches about it; along periodic axes the domain.
+    void span_box(std::span<const Vec3> water, double reach) {
+        low_ = Vec3{1e300, 1e300, 1e300};
+        high_ = -low_;
+        for (const Vec3& x : water) {
+            if (is_finite(x)) {
+                low_ = min(low_, x);
+                high_ = max(high_, x);
+            }
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis >= domain_.dimension || !(low_[axis] <= high_[axis])) {
+                low_[axis] = high_[axis] = 0;
+            } else if (domain_.is_periodic[at(axis)]) {
+                low_[axis] = domain_.low[axis];
+                high_[axis] = domain_.high[axis];
+            } else {
+                low_[axis] -= 2 * reach;
+                high_[axis] += 2 * reach;
+            }
+        }
+    }
+
+    /// Cells of at least `side`, and not many more than there are particles: a drop far away must not fill the memory.
+    void choose_cells(double side, std::size_t particles) {
+        const double most = 1e5 + 64 * static_cast<double>(particles);
+        for (;; side *= 1.5) {
+            double all = 1;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double count = std::max(1.0, std::floor((high_[axis] - low_[axis]) / side));
+                counts_[at(axis)] = static_cast<std::int64_t>(std::min(count, 1e9));
+                all *= count;
+            }
+            if (all <= most) {
+                break;
+            }
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            const double width = (high_[axis] - low_[axis]) / static_cast<double>(counts_[at(axis)]);
+            per_metre_[axis] = width > 0 ? 1 / width : 0;
+        }
+    }
+
+    /// False where x lies outside all cells, which no water is near.
+    bool find(const Vec3& x, Cell& cell) const {
+        for (int axis = 0; axis < domain_.dimension; ++axis) {
+            const std::int64_t count = counts_[at(axis)];
+            const double place = std::floor((x[axis] - low_[axis]) * per_metre_[axis]);
+            if (domain_.is_periodic[at(axis)]) {
+                const auto turn = static_cast<double>(count);
+                cell[at(axis)] =
+                    std::min(count - 1, static_cast<std::int64_t>(place - turn * std::floor(place / turn)));
+            } else if (place >= 0 && place < static_cast<double>(count)) {
+                cell[at(axis)] = static_cast<std::int64_t>(place);
+            } else {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    std::size_t entry(const Cell& c) const { return at((c[2] * counts_[1] + c[1]) * counts_[0] + c[0]); }
+
+    /// Every cell becomes wet that has a wet one up to two away along an axis.
+    void spread(std::size_t axis) {
+        const std::vector<std::uint8_t> before = wet_;
+        const std::int64_t count = counts_[axis];
+        const bool wraps = domain_.is_periodic[axis];
+        Cell c{};
+        for (c[2] = 0; c[2] < counts_[2]; ++c[2]) {
+            for (c[1] = 0; c[1] < counts_[1]; ++c[1]) {
+                for (c[0] = 0; c[0] < counts_[0]; ++c[0]) {
+                    if (before[entry(c)] == 0) {
+                        continue;
+                    }
+                    for (std::int64_t k = -2; k <= 2; ++k) {
+                        Cell other = c;
+                        const std::int64_t to = c[axis] + k;
+                        other[axis] =
+                            wraps ? ((to % count) + count) % count : std::clamp(to, std::int64_t{0}, count - 1);
+                        wet_[entry(other)] = 1;
+                    }
+                }
+            }
+        }
+    }
+
+    const fluid::Domain& domain_;
+    Vec3 low_{}, high_{}, per_metre_{};
+    Cell counts_{1, 1, 1};
+    std::vector<std::uint8_t> wet_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotion& motion,
+                                       std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
+                                       const fluid::Domain& domain, double reach) {
+    const WetCells cells(water, domain, reach);
+    std::vector<std::uint8_t> is_near(at(samples.size()));
+    parallel::for_each(samples.size(), [&](std::int64_t index) {
+        const auto i = at(index);
+        const auto body = at(samples.body[i].value);
+        const Pose& pose = motion.pose[body];
+        is_near[i] =
+            is_still[body] == 0 || cells.has_water_near(pose.position + rotate(pose.orientation, samples.anchor[i]))
+                ? 1
+                : 0;
+    });
+    std::vector<std::int32_t> numbers;
+    for (std::size_t i = 0; i < is_near.size(); ++i) {
+        if (is_near[i] != 0) {
+            numbers.push_back(static_cast<std::int32_t>(i));
+        }
+    }
+    return numbers;
+}
+
+SampleSet subset(const SampleSet& samples, std::span<const std::int32_t> numbers) {
+    SampleSet some;
+    const auto pick = [&numbers](const auto& from, auto& to) {
+        to.reserve(numbers.size());
+        for (const std::int32_t n : numbers) {
+            to.push_back(from[at(n)]);
+        }
+    };
+    pick(samples.body, some.body);
+    pick(samples.anchor, some.anchor);
+    pick(samples.normal, some.normal);
+    pick(samples.depth, some.depth);
+    pick(samples.volume, some.volume);
+    pick(samples.is_slippery, some.is_slippery);
+    return some;
+}
+
+}  // namespace riprap::coupling

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/near_samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace riprap::coupling::testing {
+namespace {
+
+/// A wall of samples all over a box, half of them on a body that never moves, and a few drops of water.
+struct Wall {
+    SampleSet samples;
+    BodyMotion motion;
+    std::vector<std::uint8_t> is_still{1, 0};
+    std::vector<Vec3> water;
+    fluid::Domain domain;
+
+    explicit Wall(int dimension, bool is_periodic) {
+        domain = {{-1, -1, -1}, {1, 2, 3}, {is_periodic, false, false}, dimension};
+        motion.pose = {{{0.3, -0.2, 0}, {}}, {{}, {}}};
+        std::mt19937_64 random(5);
+        const auto point = [&] {
+            std::uniform_real_distribution<double> x(-1, 1), y(-1, 2), z(-1, 3);
+            return Vec3{x(random), y(random), dimension == 3 ? z(random) : 0};
+        };
+        for (int i = 0; i < 4000; ++i) {
+            samples.body.push_back(BodyId{i < 2000 ? 0 : 1});
+            samples.anchor.push_back(point() - (i < 2000 ? motion.pose[0].position : Vec3{}));
+        }
+        samples.normal.resize(4000);
+        samples.depth.resize(4000);
+        samples.volume.resize(4000);
+        samples.is_slippery.resize(4000);
+        for (int i = 0; i < 12; ++i) {
+            water.push_back(point());
+        }
+    }
+    double distance_to_water(std::size_t sample) const {
+        const Vec3 x =
+            motion.pose[static_cast<std::size_t>(samples.body[sample].value)].position + samples.anchor[sample];
+        double least = 1e9;
+        for (const Vec3& drop : water) {
+            Vec3 d = drop - x;
+            d.x -= domain.is_periodic[0] ? 2 * std::round(d.x / 2) : 0;
+            least = std::min(least, norm(d));
+        }
+        return least;
+    }
+};
+
+TEST(NearSamples, leave_out_none_within_reach_of_water_and_none_of_a_body_that_can_move) {
+    constexpr double reach = 0.15;
+    for (const int dimension : {2, 3}) {
+        for (const bool is_periodic : {false, true}) {
+            const Wall wall(dimension, is_periodic);
+            const auto found = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, reach);
+            EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+            std::size_t still = 0, within = 0;
+            for (std::int32_t i = 0; i < 4000; ++i) {
+                const bool is_found = std::binary_search(found.begin(), found.end(), i);
+                if (i >= 2000) {
+                    ASSERT_TRUE(is_found) << i;
+                    continue;
+                }
+                const double distance = wall.distance_to_water(static_cast<std::size_t>(i));
+                ASSERT_TRUE(is_found || distance > reach) << i;
+                // three cells of half a reach along every axis at most
+                ASSERT_TRUE(!is_found || distance < 3 * reach) << i;
+                still += is_found ? 1 : 0;
+                within += distance <= reach ? 1 : 0;
+            }
+            EXPECT_GT(within, 0U);
+            EXPECT_LT(still, 2000U);
+        }
+    }
+}
+
+TEST(NearSamples, bear_water_that_is_lost_and_water_that_is_not_there) {
+    Wall wall(3, false);
+    const auto all = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, 0.15);
+    wall.water.push_back({std::nan(""), 0, 0});
+    EXPECT_EQ(near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, 0.15), all);
+    wall.water.push_back({1e12, 0, 0});  // cells grow, none is left out
+    const auto more = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, 0.15);
+    EXPECT_TRUE(std::includes(more.begin(), more.end(), all.begin(), all.end()));
+    const auto none = near_samples(wall.samples, wall.motion, wall.is_still, {}, wall.domain, 0.15);
+    EXPECT_EQ(none.size(), 2000U);
+}
+
+TEST(NearSamples, a_subset_keeps_what_each_sample_was) {
+    const Wall wall(3, false);
+    const std::vector<std::int32_t> numbers{3, 17, 2500};
+    const SampleSet some = subset(wall.samples, numbers);
+    ASSERT_EQ(some.size(), 3);
+    EXPECT_EQ(some.anchor[1], wall.samples.anchor[17]);
+    EXPECT_EQ(some.body[2], BodyId{1});
+}
+
+}  // namespace
+}  // namespace riprap::coupling::testing
