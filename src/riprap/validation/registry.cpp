@@ -18,6 +18,8 @@ std::span<const ValidationCase> all_cases() {
                        zhao::two_tetrahedra},
         ValidationCase{"zhao", "incline", "A block slides up an incline, stops, and slides back or stays", false,
                        zhao::incline},
+        ValidationCase{"zhao", "free_columns", "Columns of blocks by themselves on a tilting platform", true,
+                       zhao::free_columns},
         ValidationCase{"zhao", "slope_1", "Tilted slope: large blocks, persistent joints", true, zhao::slope_1},
         ValidationCase{"zhao", "slope_2", "Tilted slope: large blocks, stepped joints", false, zhao::slope_2},
         ValidationCase{"zhao", "slope_3", "Tilted slope: cubes, persistent joints", true, zhao::slope_3},
