@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `pip install .` calls (PEP 517): builds the module with CMake in build/pip and packs it into a wheel. Needs
+nothing but CMake, the compiler and the Debian packages of Riprap, so that an install needs no network.
+"""
+import base64
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sysconfig
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build" / "pip"
+
+
+def project():
+    """Name, version, summary and Python asked for, from the one place that has them."""
+    import tomllib  # Python 3.11, that of Debian 12
+
+    return tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+
+
+def version():
+    return re.search(r"project\(riprap VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+
+
+def metadata():
+    about = project()
+    lines = ["Metadata-Version: 2.1", f"Name: {about['name']}", f"Version: {version()}",
+             f"Summary: {about['description']}", "License: Apache-2.0", f"Requires-Python: {about['requires-python']}"]
+    return "\n".join(lines + [f"Requires-Dist: {one}" for one in about["dependencies"]]) + "\n"
+
+
+def compile_module():
+    """Configures and builds what the package consists of; returns its folder."""
+    configure = ["cmake", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=Release", "-DRIPRAP_TESTS=OFF",
+                 "-DRIPRAP_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+    subprocess.run(configure, check=True)
+    subprocess.run(["cmake", "--build", BUILD, "--target", "riprap_python", "--parallel", str(os.cpu_count())],
+                   check=True)
+    return BUILD / "python" / "riprap"
+
+
+def tag():
+    """Of the interpreter that runs this and of this machine: cp311-cp311-linux_x86_64."""
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    package = compile_module()
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    files = sorted(file for file in package.iterdir() if file.suffix == ".py" or file.name.endswith(suffix))
+    info = f"riprap-{version()}.dist-info"
+    contents = {f"riprap/{file.name}": file.read_bytes() for file in files}
+    contents[f"{info}/METADATA"] = metadata().encode()
+    contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    contents[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: riprap\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode()
+    record = ""
+    for name, data in contents.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).decode().rstrip("=")
+        record += f"{name},sha256={digest},{len(data)}\n"
+    contents[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()
+    wheel = f"riprap-{version()}-{tag()}.whl"
+    with zipfile.ZipFile(os.path.join(wheel_directory, wheel), "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in contents.items():
+            archive.writestr(name, data)
+    return wheel
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    raise NotImplementedError("riprap is installed from its source tree: pip install .")

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Riprap: discrete solid blocks in and under water.
+
+    case = riprap.load("hello_block")
+    simulation = riprap.Simulation(case)
+    simulation.run()
+    print(simulation.value("block.displacement.x"))
+
+Everything is in SI. docs/howto/python.md shows what there is; help(riprap.Simulation) says it by name.
+"""
+import os as _os
+
+# Threads that wait actively make a busy machine many times slower, and OpenMP reads its settings when it is loaded.
+_os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
+from ._riprap import (  # noqa: E402
+    Bodies,
+    Case,
+    Fluid,
+    Simulation,
+    __version__,
+    build,
+    build_info,
+    load,
+    loads,
+    run,
+    set_threads,
+    threads,
+)
+from .errors import (  # noqa: E402
+    CaseError,
+    CheckpointError,
+    Error,
+    FileError,
+    InternalError,
+    NumericalError,
+    Problem,
+)
+
+__all__ = [
+    "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
+    "Problem", "Simulation", "__version__", "build", "build_info", "load", "loads", "run", "set_threads", "threads",
+]
