@@ -19,7 +19,7 @@ namespace py = pybind11;
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double seconds_between_looks = 0.05;  // at Ctrl-C
+constexpr double seconds_between_looks = 0.05;  // at Ctrl-C; after the last step Python looks itself
 
 /// Marks a simulation as busy for its lifetime.
 class Busy {
@@ -101,7 +101,7 @@ std::int64_t Simulation::step(std::int64_t count, bool with_energy, double until
             ++taken;
             rows_.meet(simulation.state().time, simulation.state().previous_dt);
         }
-        if (since_look.seconds() > seconds_between_looks) {
+        if (taken < count && since_look.seconds() > seconds_between_looks) {
             look_at_signals();
             since_look.restart();
         }
@@ -218,6 +218,8 @@ void define_simulation(py::module_& module) {
     py::class_<Simulation> type(module, "Simulation",
                                 "A case that is stepped in memory; writes no file. Simulation(case) is at time 0.");
     type.def(py::init<const Case&>(), "case"_a, py::call_guard<py::gil_scoped_release>())
+        .def(
+            "step", [](Simulation& self) { return self.step(1, false, never); }, "One step: 1, or 0 at the end.")
         .def(
             "step",
             [](Simulation& self, std::int64_t count, bool energy, std::optional<double> until) {
