@@ -52,6 +52,34 @@ TEST_F(Runs, EveryExampleGetsThroughItsFirstStepsWithItsLedgerLookedAt) {
     EXPECT_GE(count, 10);
 }
 
+TEST_F(Runs, ARunStoppedByMaxStepsPredictsWhatTheWholeTakes) {
+    const Ending ending =
+        run({"run", "cases/floating_box", "--out", out("a"), "--threads", "1", "--set", "max_steps=5"});
+    EXPECT_THAT(ending.out, HasSubstr("of at most"));
+    EXPECT_THAT(ending.out, HasSubstr("(sound in water)"));
+    EXPECT_THAT(ending.out, HasSubstr("bodies take steps of their own within its steps"));
+    EXPECT_THAT(ending.out, HasSubstr("ns per particle-step"));
+    EXPECT_THAT(ending.out, HasSubstr("stopped by max_steps: "));
+    EXPECT_THAT(ending.out, HasSubstr("predicted total "));
+    const nlohmann::json summary = summary_of("a");
+    const double per_step = summary.at("seconds_per_step"), total = summary.at("predicted_seconds");
+    EXPECT_GT(per_step, 0);
+    EXPECT_GT(total, 100 * per_step);  // the case takes thousands of steps
+    EXPECT_GT(summary.at("particles").get<double>(), 0);
+    EXPECT_LE(summary.at("time_step_min").get<double>(), summary.at("time_step_mean").get<double>());
+    EXPECT_LE(summary.at("time_step_mean").get<double>(), summary.at("time_step_max").get<double>());
+    EXPECT_THAT(text_of(in("a", "run.log")), HasSubstr("predicted total "));
+}
+
+TEST_F(Runs, TheStepThatMeetsTheEndDoesNotCountAmongTheShortest) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "time_step=\"auto\""}).code, 0);
+    const nlohmann::json summary = summary_of("a");
+    EXPECT_GT(summary.at("time_step_min").get<double>(), 0);
+    EXPECT_NEAR(summary.at("time_step_mean").get<double>(),
+                summary.at("time").get<double>() / summary.at("steps").get<double>(), 1e-15);
+    EXPECT_NEAR(summary.at("predicted_seconds").get<double>(), summary.at("wall_seconds").get<double>(), 0.05);
+}
+
 TEST_F(Runs, ARunResumedAtAnyStepWithAnyThreadsIsTheSameRun) {
     const Whole whole = whole_run("1");
     for (const auto& [steps, threads] : {std::pair{"1", "2"}, {"37", "3"}, {"64", "1"}, {"200", "4"}}) {
@@ -345,44 +373,6 @@ TEST_F(Runs, DamagedAndForeignCheckpointsAreRefusedWithSix) {
     EXPECT_EQ(truncated.code, 6);
     EXPECT_THAT(truncated.err, HasSubstr("truncated"));
     EXPECT_EQ(run({"resume", out("nowhere")}).code, 5);
-}
-
-TEST_F(Runs, CheckPredictsARunAndNamesEveryProblem) {
-    const nlohmann::json good = nlohmann::json::parse(run({"check", case_file(), "--json"}).out);
-    EXPECT_EQ(good.at("bodies"), 4);
-    EXPECT_EQ(good.at("free_bodies"), 3);
-    EXPECT_EQ(good.at("steps"), full_steps);
-    EXPECT_GT(good.at("time_step_limit").get<double>(), good.at("time_step").get<double>());
-    EXPECT_GT(good.at("memory_bytes").get<double>(), 0);
-    const std::string bad = write_case("bad.toml", "gravty = [0, 0, -9.81]\nend = \"3 kg\"\n");
-    const Ending ending = run({"check", bad, "--json"});
-    EXPECT_EQ(ending.code, 3);
-    const nlohmann::json problems = nlohmann::json::parse(ending.out).at("problems");
-    ASSERT_GE(problems.size(), 2U);
-    EXPECT_EQ(problems.at(0).at("line"), 1);
-    EXPECT_TRUE(problems.at(0).at("allowed").is_string());
-    EXPECT_EQ(run({"check", bad}).code, 3);
-}
-
-TEST_F(Runs, CheckWarnsOfStepsThatNoMachineGetsThrough) {
-    const std::vector<std::string> words{"check", case_file(), "--set", "time_step=1e-9", "--set", "end=1e12"};
-    const Ending ending = run(words);
-    EXPECT_EQ(ending.code, 0);
-    EXPECT_THAT(ending.out, AllOf(HasSubstr("warning: about 1e+21 steps"), HasSubstr("steps         about 1e+21 to")));
-    EXPECT_THAT(ending.out, Not(HasSubstr("9000000000000000000")));
-    EXPECT_THAT(run({"check", case_file()}).out, Not(HasSubstr("warning")));
-}
-
-TEST_F(Runs, ThePredictedOutputIsWhatARunWrites) {
-    const nlohmann::json check = nlohmann::json::parse(run({"check", case_file(), "--json"}).out);
-    whole_run("1");
-    std::uintmax_t bytes = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(out("whole"))) {
-        const std::string extension = entry.path().extension().string();
-        bytes += extension == ".vtp" || extension == ".csv" ? entry.file_size() : 0;
-    }
-    EXPECT_GT(check.at("output_bytes").get<double>(), 0.5 * static_cast<double>(bytes));
-    EXPECT_LT(check.at("output_bytes").get<double>(), 2.0 * static_cast<double>(bytes));
 }
 
 TEST_F(Runs, KnownCasesAreListedAndFoundByName) {

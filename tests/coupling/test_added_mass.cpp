@@ -49,6 +49,22 @@ TEST(AddedMass, a_body_whose_added_mass_differs_with_direction_settles_too) {
     EXPECT_LE(residual, 1e-2);
 }
 
+TEST(AddedMass, what_never_settles_ends_after_the_stated_number_of_passes_and_says_so) {
+    const std::vector<double> mass{1}, inertia{1}, estimate{5};
+    AddedMassIteration iteration(mass, inertia, estimate);
+    std::vector<Acceleration> a(1);
+    int pass = 0;
+    const auto contrary = [&] {  // answers that have nothing to do with what was asked
+        const double load = ++pass % 3 == 0 ? -100.0 : 70.0;
+        return std::vector<Acceleration>{{{0, 0, load}, {}}};
+    };
+    while (!iteration.accept(a, contrary(), 9.81)) {
+    }
+    EXPECT_EQ(iteration.passes(), AddedMassIteration::most);
+    EXPECT_FALSE(iteration.is_settled());
+    EXPECT_GT(iteration.residual(), AddedMassIteration::tolerance);
+}
+
 TEST(AddedMass, a_heavy_body_takes_one_pass) {
     std::vector<Acceleration> a(1);
     double residual = 0;

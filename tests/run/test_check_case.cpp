@@ -5,6 +5,7 @@
 
 #include "riprap/run/check_case.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
 
 namespace riprap::run {
 namespace {
@@ -40,6 +41,21 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
     EXPECT_NEAR(check.trimmed_volume, 0.5 * 0.005, 1e-12);
     EXPECT_THAT(check_text(check), HasSubstr("100 kg/m, "));
     EXPECT_THAT(check_text(check), HasSubstr("0.0025 m^2 of its regions hold none"));
+}
+
+TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {
+    const scene::LoadedCase loaded = scene::read_case_text(tank, "case.toml", "/nonexistent", {});
+    sim::State state = loaded.state;
+    sim::initialise(loaded.model, state);
+    sim::Scratch scratch;
+    for (int k = 0; k < 50; ++k) {
+        ASSERT_TRUE(
+            advance(loaded.model, state, scratch, choose_time_step(loaded.model, state, scratch).dt).status.ok());
+    }
+    const auto run = static_cast<double>(sim::memory_bytes(loaded.model, state, scratch));
+    const auto told = static_cast<double>(check_case(loaded).memory_bytes);
+    EXPECT_NEAR(told, run, 0.2 * run);
+    EXPECT_GT(told / static_cast<double>(loaded.state.fluid.size()), 600);  // bytes per particle
 }
 
 }  // namespace

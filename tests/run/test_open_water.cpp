@@ -127,6 +127,28 @@ TEST(OpenWater, a_channel_that_starts_from_rest_comes_to_the_level_it_is_given) 
     EXPECT_LE(most, 12U * (4 + 1));               // rows, and the layers of a support with one on its way out
 }
 
+TEST(OpenWater, a_block_that_drifts_into_an_outflow_is_told_when_it_gets_there) {
+    FlumeRun run(replaced(channel, "[fluid]", R"([[body]]
+name = "block"
+material = "wood"
+shape = { box = [0.2, 0.1] }
+position = [0.95, 0.3]
+velocity = [0.5, 0.0]
+[fluid]
+)") + "[material.wood]\ndensity = 500.0\nnormal_stiffness = 1.0e6\nfriction_coefficient = 0.3\n[contact]\nmixing = "
+      "\"mean\"\n");
+    const double spacing = 0.025;
+    double front = 0;
+    std::string told;
+    while (run.state.time < 1.0 && told.empty()) {
+        run.step();
+        told = run.report.intruder;
+        front = run.state.bodies.position[1].x + 0.1;
+    }
+    EXPECT_EQ(told, "'block' stands behind the opening 'downstream', among the layers of its water");
+    EXPECT_NEAR(front, 1.2 + spacing, spacing);  // its outermost boundary particles lie under its face
+}
+
 TEST(OpenWater, a_checkpoint_with_impossible_counts_is_refused) {
     const auto is_accepted = [](auto change) {
         FlumeRun run(channel);

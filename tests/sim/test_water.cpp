@@ -7,6 +7,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
 #include "sim/small_scene.hpp"
 
@@ -241,6 +242,37 @@ Basin dam_break() {
     basin.add_walls(4);
     basin.fill({0, 0, 0}, {0.5, 1, 0}, {4, 2, 0}, 1, {0, -9.81, 0});
     return basin;
+}
+
+TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_forced) {
+    Basin basin = collision();
+    Scratch scratch;
+    initialise(basin.model, basin.state);
+    const double limit = choose_fluid_time_step(basin.model.fluid->sph, basin.state.fluid).limit;
+    basin.model.time.time_step = 0.95 * limit;
+    ASSERT_TRUE(basin.steps(2, scratch).status.ok());
+    basin.state.fluid.velocity[0] = {30, 0, 0};  // as fast as sound: the limit is about half as long
+    const std::uint64_t before = state_hash(basin.state);
+    State last = basin.state;
+    const std::string problem = advance(basin.model, last, scratch, 0.95 * limit).status.text;
+    EXPECT_NE(problem.find("is above what the water allows, "), std::string::npos) << problem;
+    EXPECT_NE(problem.find("at t = "), std::string::npos) << problem;
+    EXPECT_EQ(state_hash(basin.state), before);
+    basin.model.time.force_time_step = true;
+    const StepReport forced = advance(basin.model, basin.state, scratch, 0.95 * limit);
+    EXPECT_TRUE(forced.status.ok()) << forced.status.text;
+    EXPECT_LT(forced.water_dt_bound, 0.6 * limit);
+}
+
+TEST(Water, the_memory_that_is_counted_grows_with_the_lists_of_neighbours) {
+    Basin basin = collision();
+    Scratch scratch;
+    initialise(basin.model, basin.state);
+    const std::size_t before = memory_bytes(basin.model, basin.state, scratch);
+    basin.steps(1, scratch);
+    const auto particles = static_cast<std::size_t>(basin.state.fluid.size());
+    // Forces, gradients, densities, heat and the rest: some forty numbers of eight bytes for each particle at least.
+    EXPECT_GT(memory_bytes(basin.model, basin.state, scratch), before + 40 * 8 * particles);
 }
 
 TEST(Water, a_run_continued_from_its_state_takes_the_same_bits) {

@@ -49,7 +49,7 @@ bool AddedMassIteration::accept(std::vector<Acceleration>& guess, std::span<cons
         next[b].linear += relaxation_[b] * r.linear;
         next[b].angular += relaxation_[b] * r.angular;
     }
-    if (!(residual_ > tolerance) || passes_ >= most) {
+    if (is_settled() || passes_ >= most) {
         return true;
     }
     guess = std::move(next);

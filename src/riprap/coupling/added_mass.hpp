@@ -39,6 +39,8 @@ class AddedMassIteration {
     bool accept(std::vector<Acceleration>& guess, std::span<const Acceleration> found, double scale);
 
     int passes() const { return passes_; }
+    /// False where the last pass was taken for want of more, not because nothing needed to change.
+    bool is_settled() const { return !(residual_ > tolerance); }
     double residual() const { return residual_; }  ///< largest |r| over |a| + |g| of the last pass [-]
 
  private:

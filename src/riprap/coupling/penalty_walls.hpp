@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/core/bytes.hpp"
 #include "riprap/coupling/rigid_map.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
@@ -15,9 +16,10 @@ namespace riprap::coupling {
 
 /// Strength of walls that push particles away.
 struct PenaltySettings {
-    double reach;      ///< r_0: the push begins at this distance from a face [m]
-    double stiffness;  ///< k_s [N/m]; in 2D per metre of width
-    double damping;    ///< k_d [N s/m]
+    double reach;            ///< r_0: the push begins at this distance from a face [m]
+    double stiffness;        ///< k_s [N/m]; in 2D per metre of width
+    double damping;          ///< k_d [N s/m]
+    fluid::Domain domain{};  ///< faces reach across its periodic sides
 };
 
 /// r_0 = dp/2, k_s = 0.1 rho_0 c_0^2 dp^(dim-2), k_d = 2 zeta sqrt(k_s m) with zeta = 0.5, m a particle's mass. At rest
@@ -39,8 +41,9 @@ PenaltySettings guard_settings(const fluid::SphSettings& settings);
 ///
 /// n the outward normal of the nearest point of the part (outside: from there to the particle; inside: of the nearest
 /// face), v_s the velocity of the solid there. The solid takes -F at the place of the particle, so both momenta change
-/// by opposite amounts to round-off. Every convex part pushes by itself. There is no shear and no layer of water behind
-/// the wall: pressure near it is too low, forces are noisy.
+/// by opposite amounts to round-off. Every convex part pushes by itself, across periodic sides by the image that
+/// reaches deepest. There is no shear and no layer of water behind the wall: pressure near it is too low, forces are
+/// noisy.
 class PenaltyWalls {
  public:
     /// @param motion  of all bodies at the places of the particles
@@ -52,11 +55,16 @@ class PenaltyWalls {
               std::span<const std::uint8_t> is_dry, const PenaltySettings& settings, std::span<const double> share,
               const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads);
 
+    std::size_t bytes() const { return bytes_of(count_, blocks_); }
+
  private:
     struct Push {
         std::int32_t body;
         Vec3 force;  ///< on the particle
+        Vec3 place;  ///< of the image of the particle that the body meets [m]
     };
+    void gather(const body::BodySet& bodies, const BodyMotion& motion, std::int64_t particles, FluidLoads& loads) const;
+
     std::vector<std::int32_t> count_;        ///< pushes on each particle
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "riprap/body/body_kinematics.hpp"
+#include "riprap/core/bytes.hpp"
 #include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
 
@@ -15,12 +16,14 @@ struct BodyMotion {
     std::vector<Pose> pose;                                ///< of the centre of mass
     std::vector<Vec3> velocity, angular_velocity;          ///< [m/s], [rad/s]
     std::vector<Vec3> acceleration, angular_acceleration;  ///< [m/s^2], [rad/s^2]
+    std::size_t bytes() const { return bytes_of(pose, velocity, angular_velocity, acceleration, angular_acceleration); }
 };
 
 /// What the fluid does to every body, pressure and viscosity apart; moments about the centre of mass.
 struct FluidLoads {
     std::vector<Vec3> pressure_force, viscous_force;    ///< [N]; in 2D per metre of width
     std::vector<Vec3> pressure_torque, viscous_torque;  ///< [N m]
+    std::size_t bytes() const { return bytes_of(pressure_force, viscous_force, pressure_torque, viscous_torque); }
 };
 
 /// Moves the samples with rigid bodies, r = R X being a sample's place relative to the centre of mass:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -82,12 +83,26 @@ void Driver::announce(const std::string& beginning) {
         log_->add("warning", warning);
         say("warning: " + warning);
     }
-    say(fmt::format(
-        "{}\n  {} bodies, {} convex parts, {} threads\n  time step {:.6g} s of at most {:.6g} s ({})\n"
-        "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
-        model().title.empty() ? "(untitled)" : model().title, model().bodies.size(), model().bodies.part_count(),
-        parallel::thread_count(), simulation_.next_dt(), simulation_.bound().limit, simulation_.bound().reason, steps,
-        record_.end, state().step, folder_.root.string()));
+    const sim::TimeStepBound limit = sim::step_bound(model(), state());
+    say(
+        fmt::format("{}\n  {} bodies, {} convex parts, {} threads\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
+                    "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
+                    model().title.empty() ? "(untitled)" : model().title, model().bodies.size(),
+                    model().bodies.part_count(), parallel::thread_count(), water_text(), simulation_.next_dt(),
+                    limit.limit, limit.reason, steps, record_.end, state().step, folder_.root.string()));
+}
+
+/// The line of the beginning that is about water, where there is any.
+std::string Driver::water_text() const {
+    if (!model().fluid) {
+        return {};
+    }
+    std::string text = fmt::format("  {} particles of water", state().fluid.size());
+    if (const sim::TimeStepBound& solids = simulation_.bound(); std::isfinite(solids.limit)) {
+        text += fmt::format("; bodies take steps of their own within its steps, of {:.6g} s or less ({})",
+                            sim::largest_time_step(model(), solids), solids.reason);
+    }
+    return text + '\n';
 }
 
 StepOutcome Driver::take_step(Due& due) {
@@ -104,7 +119,7 @@ int Driver::run(const Watch& watch) {
         return verdict(simulation_.judge());
     }
     const StopRequest stop;
-    Progress progress(state().step, model().bodies.size(), voice_ != Voice::all);
+    Progress progress(state().step, model().bodies.size(), state().fluid.size(), voice_ != Voice::all);
     while (simulation_.steps_left() > 0) {
         if (stop.signal() != 0) {
             return interrupt(progress, "stopped by " + signal_name(stop.signal()),
@@ -119,7 +134,7 @@ int Driver::run(const Watch& watch) {
             tell_retry(outcome);
             continue;
         }
-        watch_bound();
+        tell_notices();
         outputs_->after_step(simulation_.now(), due);
         // The checkpoint of the last step is written by finish(), when everything else is: see there.
         const bool is_due = progress.seconds() - last_checkpoint_ >= model().output.checkpoint_interval;
@@ -143,21 +158,32 @@ void Driver::tell_retry(const StepOutcome& outcome) {
     say(text);
 }
 
-/// Told when it happens first and whenever the excess has doubled; the summary counts all of them.
-void Driver::watch_bound() {
-    const sim::StepReport& report = simulation_.report();
-    const double excess = report.dt / report.dt_bound;
-    if (!(excess > 1) || excess < 2 * logged_excess_) {
-        return;
+void Driver::tell_notices() {
+    for (const Notice& notice : step_watch_.look(simulation_.report(), state(), simulation_.counts())) {
+        log_->add(
+            "warning", notice.text,
+            {{"step", static_cast<double>(state().step)}, {"time", state().time}, {notice.number_name, notice.number}});
+        say("warning: " + notice.text);
     }
-    logged_excess_ = excess;
+}
+
+double Driver::predicted_seconds(const Progress& progress) const {
+    return earlier_seconds_ + progress.seconds() +
+           progress.seconds_per_step(state().step) * static_cast<double>(simulation_.steps_to_end());
+}
+
+/// For a run that max_steps has stopped: a few steps tell what the whole would take.
+void Driver::tell_prediction(const Progress& progress) {
+    const double step_seconds = progress.seconds_per_step(state().step), total = predicted_seconds(progress);
+    const std::int64_t particles = state().fluid.size(), left = simulation_.steps_to_end();
     const std::string text = fmt::format(
-        "step {}, t = {:.6g} s: the time step {:.4g} s is {:.3g} times what the contacts allow now ({:.4g} s, a bound "
-        "that errs on the safe side); a smaller time_step, or time_step_factor, is safer",
-        state().step, state().time, report.dt, excess, report.dt_bound);
-    log_->add("warning", text,
-              {{"step", static_cast<double>(state().step)}, {"time", state().time}, {"dt_bound", report.dt_bound}});
-    say("warning: " + text);
+        "stopped by max_steps: {:.4g} ms per step{}, about {} steps more to t = {:.6g} s; predicted total {} with {} "
+        "threads",
+        1e3 * step_seconds, particles > 0 ? fmt::format(" with {} particles of water", particles) : std::string(), left,
+        record_.end, duration_text(total), parallel::thread_count());
+    log_->add("prediction", text,
+              {{"seconds_per_step", step_seconds}, {"steps_left", static_cast<double>(left)}, {"seconds", total}});
+    say(text);
 }
 
 void Driver::note(const Progress& progress) {
@@ -173,7 +199,8 @@ void Driver::checkpoint(const Progress& progress) {
     log_->add("checkpoint", fmt::format("step {}, t = {:.6g} s", state().step, state().time),
               {{"step", static_cast<double>(state().step)},
                {"time", state().time},
-               {"ns_per_body_step", progress.cost(state().step)}});
+               {"ns_per_body_step", progress.cost_per_body(state().step)},
+               {"seconds_per_step", progress.seconds_per_step(state().step)}});
 }
 
 int Driver::finish(const Progress& progress) {
@@ -186,6 +213,13 @@ int Driver::finish(const Progress& progress) {
     summarise(progress, "finished", simulation_.is_at_end() ? "" : "max_steps reached", results);
     note(progress);
     save_checkpoint(folder_, model(), state(), record_);
+    for (const std::string& line : StepWatch::totals(simulation_.counts(), state().step)) {
+        log_->add("warning", line);
+        say("warning: " + line);
+    }
+    if (!simulation_.is_at_end() && simulation_.has_stepped()) {
+        tell_prediction(progress);
+    }
     log_->add("end", fmt::format("finished at step {}, t = {:.6g} s", state().step, state().time),
               {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     const sim::Ledger& ledger = simulation_.report().ledger;
@@ -209,14 +243,17 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
     checkpoint(progress);
     summarise(progress, "failed", reason, simulation_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
+    const char* const advice =
+        !model().fluid ? "a smaller time_step, a stiffer material or more damping usually helps"
+        : sim::fixed_step_problem(model(), state()).empty()
+            ? "water that leaves the domain needs a wall there; else a smaller fluid.courant or fluid.spacing usually "
+              "helps"
+            : "the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
         fmt::print(stderr,
                    "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
                    "  {}\n",
-                   state().step + 1, reason, state().step, state().time, folder_.checkpoint_latest().string(),
-                   model().fluid ? "water that leaves the domain needs a wall there; else a smaller fluid.courant or "
-                                   "fluid.spacing usually helps"
-                                 : "a smaller time_step, a stiffer material or more damping usually helps");
+                   state().step + 1, reason, state().step, state().time, folder_.checkpoint_latest().string(), advice);
     }
     return static_cast<int>(ExitCode::numerical);
 }
@@ -238,7 +275,9 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
     summary.status = status;
     summary.reason = reason;
     summary.wall_seconds = earlier_seconds_ + progress.seconds();
-    summary.cost = progress.cost(state().step);
+    summary.predicted_seconds = predicted_seconds(progress);
+    summary.seconds_per_step = progress.seconds_per_step(state().step);
+    summary.cost = progress.cost_per_body(state().step);
     summary.resumes = record_.resumes;
     summary.expects = results;
     write_summary(folder_, summary);

@@ -11,6 +11,7 @@
 #include "riprap/run/run_case.hpp"
 #include "riprap/run/run_log.hpp"
 #include "riprap/run/simulation.hpp"
+#include "riprap/run/step_watch.hpp"
 
 namespace riprap::run {
 
@@ -38,7 +39,10 @@ class Driver {
  private:
     StepOutcome take_step(Due& due);
     void tell_retry(const StepOutcome& outcome);
-    void watch_bound();
+    void tell_notices();
+    void tell_prediction(const Progress& progress);
+    /// Wall-clock time of the whole run, to its end whatever max_steps says, at the pace of this process so far [s].
+    double predicted_seconds(const Progress& progress) const;
     int finish(const Progress& progress);
     int interrupt(const Progress& progress, const std::string& reason, int code);
     int fail(const Progress& progress, const std::string& reason);
@@ -46,6 +50,7 @@ class Driver {
     void note(const Progress& progress);
     void checkpoint(const Progress& progress);
     void announce(const std::string& beginning);
+    std::string water_text() const;
     void summarise(const Progress& progress, const std::string& status, const std::string& reason,
                    const std::vector<ExpectResult>& results) const;
     const sim::Model& model() const { return simulation_.model(); }
@@ -58,7 +63,7 @@ class Driver {
     RunRecord record_;
     double earlier_seconds_{0};
     double last_checkpoint_{0};  ///< [s] of the progress timer
-    double logged_excess_{0};    ///< largest dt / dt_bound that was told [-]
+    StepWatch step_watch_;
     std::unique_ptr<Outputs> outputs_;
     std::unique_ptr<RunLog> log_;
 };

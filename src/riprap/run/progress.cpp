@@ -35,9 +35,10 @@ std::string duration_text(double seconds) {
     return s < 9.5 ? fmt::format("{:.1f} s", s) : fmt::format("{} s", whole);
 }
 
-Progress::Progress(std::int64_t first_step, std::int64_t body_count, bool is_quiet)
+Progress::Progress(std::int64_t first_step, std::int64_t body_count, std::int64_t particle_count, bool is_quiet)
     : first_step_(first_step),
       body_count_(std::max<std::int64_t>(1, body_count)),
+      particle_count_(particle_count),
       is_quiet_(is_quiet),
       is_terminal_(isatty(STDOUT_FILENO) != 0),
       next_print_(is_terminal_ ? terminal_period : plain_period) {}
@@ -47,17 +48,18 @@ int Progress::tenths_done(std::int64_t step, std::int64_t steps_left) const {
     return static_cast<int>(10 * done / std::max(1.0, done + static_cast<double>(steps_left)));
 }
 
-double Progress::cost(std::int64_t step) const {
-    const auto done = static_cast<double>(step - first_step_);
-    return done > 0 ? 1e9 * timer_.seconds() / (done * static_cast<double>(body_count_)) : 0;
+double Progress::seconds_per_step(std::int64_t step) const {
+    return step > first_step_ ? timer_.seconds() / static_cast<double>(step - first_step_) : 0;
 }
 
 std::string Progress::line(std::int64_t step, std::int64_t steps_left, double time) const {
-    const auto done = static_cast<double>(step - first_step_), left = static_cast<double>(steps_left);
-    const double seconds_left = done > 0 ? timer_.seconds() / done * left : 0;
-    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {:.0f} ns per body-step  {} left",
-                       100 * share_done(step, steps_left), time, step, step + steps_left, cost(step),
-                       duration_text(seconds_left));
+    const double step_seconds = seconds_per_step(step);
+    const std::string cost =
+        particle_count_ > 0
+            ? fmt::format("{:.0f} ns per particle-step", 1e9 * step_seconds / static_cast<double>(particle_count_))
+            : fmt::format("{:.0f} ns per body-step", cost_per_body(step));
+    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {}  {} left", 100 * share_done(step, steps_left), time,
+                       step, step + steps_left, cost, duration_text(step_seconds * static_cast<double>(steps_left)));
 }
 
 void Progress::print(std::int64_t step, std::int64_t steps_left, double time) {

@@ -10,6 +10,7 @@
 
 #include "riprap/io/checkpoint.hpp"
 #include "riprap/run/run_folder.hpp"
+#include "riprap/run/step_watch.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
@@ -17,15 +18,15 @@ namespace riprap::run {
 
 /// The driver's memory at one step.
 struct RunRecord {
-    double end{0};                      ///< time asked for, which `riprap resume --end` may have moved [s]
-    std::int64_t max_steps{-1};         ///< likewise
-    double frame_interval{0};           ///< between frames [s]
-    double row_interval{0};             ///< between rows of the tables [s]
-    std::int64_t next_frame{0};         ///< the next frame is due at next_frame * frame_interval
-    std::int64_t next_row{0};           ///< likewise
-    std::int64_t retries{0};            ///< steps refused and taken again with half the length
-    std::int64_t steps_above_bound{0};  ///< steps longer than what the contacts allowed (StepReport::dt_bound)
-    double wall_seconds{0};             ///< of all processes so far [s]
+    double end{0};               ///< time asked for, which `riprap resume --end` may have moved [s]
+    std::int64_t max_steps{-1};  ///< likewise
+    double frame_interval{0};    ///< between frames [s]
+    double row_interval{0};      ///< between rows of the tables [s]
+    std::int64_t next_frame{0};  ///< the next frame is due at next_frame * frame_interval
+    std::int64_t next_row{0};    ///< likewise
+    std::int64_t retries{0};     ///< steps refused and taken again with half the length
+    StepCounts steps;
+    double wall_seconds{0};  ///< of all processes so far [s]
     std::int64_t resumes{0};
     std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
     std::vector<double> frame_times;       ///< times of the frames written [s]
@@ -40,7 +41,7 @@ struct RunRecord {
         visit("run.next_frame", self.next_frame);
         visit("run.next_row", self.next_row);
         visit("run.retries", self.retries);
-        visit("run.steps_above_bound", self.steps_above_bound);
+        StepCounts::visit_fields(self.steps, visit);
         visit("run.wall_seconds", self.wall_seconds);
         visit("run.resumes", self.resumes);
         visit("run.csv_bytes", self.csv_bytes);

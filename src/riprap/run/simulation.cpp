@@ -85,8 +85,8 @@ StepOutcome Simulation::step(sim::Measure measure) {
     }
     report_ = std::move(report);
     has_stepped_ = true;
-    steps_above_bound_ += report_.dt > report_.dt_bound ? 1 : 0;
     next_ = choose_time_step(model(), state_, scratch_);
+    counts_.add(report_, is_at_end());
     watch_.look(now());
     return {};
 }
@@ -95,7 +95,7 @@ void Simulation::note(RunRecord& record) const {
     record.end = end();
     record.max_steps = max_steps();
     record.retries = retries_;
-    record.steps_above_bound = steps_above_bound_;
+    record.steps = counts_;
     record.expects = watch_.save();
 }
 
@@ -103,7 +103,7 @@ void Simulation::restore(sim::State state, const RunRecord& record) {
     watch_.load(record.expects);
     state_ = std::move(state);
     retries_ = record.retries;
-    steps_above_bound_ = record.steps_above_bound;
+    counts_ = record.steps;
     set_end(record.end, record.max_steps);
 }
 
@@ -113,10 +113,11 @@ Summary Simulation::summary() const {
     summary.state_hash = sim::state_hash(state_);
     summary.steps = state_.step;
     summary.time = state_.time;
-    summary.dt = state_.previous_dt;
+    summary.dt = report_.dt > 0 ? report_.dt : state_.previous_dt;
     summary.retries = retries_;
-    summary.steps_above_bound = steps_above_bound_;
+    summary.counts = counts_;
     summary.body_count = model().bodies.size();
+    summary.particle_count = state_.fluid.size();
     summary.memory_bytes = sim::memory_bytes(model(), state_, scratch_);
     summary.threads = parallel::thread_count();
     summary.ledger = report_.ledger;

@@ -53,7 +53,7 @@ class Simulation {
     const sim::StepReport& report() const { return report_; }
     /// Contacts and forces of the last step are there: not at time 0, after a restart, a new end or a refused step.
     bool has_stepped() const { return has_stepped_; }
-    const sim::TimeStepBound& bound() const { return bound_; }
+    const sim::TimeStepBound& bound() const { return bound_; }  ///< of the solids
 
     /// Where to stop: a time [s], and a number of steps in all (-1 = no limit). An automatic step is chosen so that the
     /// last one meets the end.
@@ -62,7 +62,10 @@ class Simulation {
     std::int64_t max_steps() const { return model().time.max_steps; }
     std::int64_t steps_left() const;
     bool is_at_end() const { return next_.steps_left == 0; }  ///< in time; max_steps may stop it earlier
-    double next_dt() const { return next_.dt; }               ///< of the step that comes next [s]
+    /// To the end, whatever max_steps says.
+    std::int64_t steps_to_end() const { return next_.steps_left; }
+    const StepCounts& counts() const { return counts_; }
+    double next_dt() const { return next_.dt; }  ///< of the step that comes next [s]
     bool next_is_last() const;
 
     /// Takes one step; only where steps_left() > 0.
@@ -88,7 +91,8 @@ class Simulation {
     sim::TimeStep next_;  ///< the step to take from state_
     sim::StepReport report_;
     bool has_stepped_{false};
-    std::int64_t retries_{0}, steps_above_bound_{0};
+    std::int64_t retries_{0};
+    StepCounts counts_;
     ExpectWatch watch_;
     GoodState good_;
 };

@@ -7,6 +7,7 @@
 
 #include "riprap/run/expects.hpp"
 #include "riprap/run/run_folder.hpp"
+#include "riprap/run/step_watch.hpp"
 #include "riprap/sim/advance.hpp"
 
 namespace riprap::run {
@@ -18,13 +19,16 @@ struct Summary {
     std::string title;
     std::uint64_t state_hash{0};
     std::int64_t steps{0};
-    double time{0};                     ///< [s]
-    double dt{0};                       ///< of the last step [s]
-    std::int64_t retries{0};            ///< steps refused and taken again with half the length
-    std::int64_t steps_above_bound{0};  ///< steps longer than the contacts allowed
-    double wall_seconds{0};             ///< of all processes that ran it [s]
-    double cost{0};                     ///< of this process [ns per body and step]
+    double time{0};           ///< [s]
+    double dt{0};             ///< of the last step [s]
+    std::int64_t retries{0};  ///< steps refused and taken again with half the length
+    StepCounts counts;
+    double wall_seconds{0};       ///< of all processes that ran it [s]
+    double predicted_seconds{0};  ///< of the run to its end [s]
+    double seconds_per_step{0};   ///< of this process [s]
+    double cost{0};               ///< of this process [ns per body and step]
     std::int64_t body_count{0};
+    std::int64_t particle_count{0};
     std::size_t memory_bytes{0};  ///< State and Scratch
     int threads{1};
     std::int64_t resumes{0};

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "riprap/contact/distance_potential_physics.hpp"
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
@@ -194,6 +195,12 @@ void join(StepReport& all, const StepReport& step) {
 StepReport advance_with_water(const Model& model, State& state, ScratchData& data, double dt, Measure measure) {
     StepReport report;
     WaterReport water;
+    const double dt_bound = model.time.is_automatic() ? std::numeric_limits<double>::infinity()
+                                                      : choose_fluid_time_step(model.fluid->sph, state.fluid).limit;
+    report.status.text = fixed_step_problem(model, state);
+    if (!report.status.ok()) {
+        return report;
+    }
     {
         const ScopedTimer timer(data.times.water);
         if (state.step % model.fluid->sph.sort_interval == 0) {
@@ -237,7 +244,10 @@ StepReport advance_with_water(const Model& model, State& state, ScratchData& dat
     report.substeps = count;
     report.water_passes = water.passes;
     report.water_residual = water.residual;
+    report.is_water_settled = water.is_settled;
     report.max_water_speed = water.fluid.max_speed;
+    report.water_dt_bound = dt_bound;
+    report.intruder = std::move(water.intruder);
     return report;
 }
 
@@ -278,25 +288,26 @@ void initialise(const Model& model, State& state) {
 }
 
 std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch) {
-    std::size_t bytes = model.shapes.bytes() + scratch.data().pipeline.bytes();
-    State::visit_fields(state, [&bytes](std::string_view, const auto& field) {
-        if constexpr (is_field_array<std::remove_cvref_t<decltype(field)>>) {
-            bytes += field.capacity() * sizeof(field[0]);
-        }
-    });
+    const ScratchData& data = scratch.data();
     const body::BodySet& bodies = model.bodies;
-    const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    bytes += of(bodies.name_id) + of(bodies.name_index) + of(bodies.material) + of(bodies.drive) + of(bodies.mass) +
-             of(bodies.principal_moments) + of(bodies.principal_axes) + of(bodies.driven) + of(bodies.release_time) +
-             of(bodies.part_begin) + of(bodies.parts) + of(bodies.driven_bodies);
+    std::size_t bytes = model.shapes.bytes() + data.pipeline.bytes();
+    const auto add = [&bytes](std::string_view, const auto& field) {
+        if constexpr (is_field_array<std::remove_cvref_t<decltype(field)>>) {
+            bytes += bytes_of(field);
+        }
+    };
+    State::visit_fields(state, add);
+    body::BodyState::visit_fields(data.before, add);
+    bytes += bytes_of(bodies.name_id, bodies.name_index, bodies.material, bodies.drive, bodies.mass) +
+             bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time) +
+             bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
     if (model.fluid) {
         const coupling::SampleSet& samples = model.fluid->samples;
-        bytes += of(samples.body) + of(samples.anchor) + of(samples.normal) + of(samples.depth) + of(samples.volume) +
-                 of(samples.is_slippery);
+        bytes += bytes_of(samples.body, samples.anchor, samples.normal, samples.depth, samples.volume) +
+                 bytes_of(samples.is_slippery) + data.water.bytes();
     }
-    const ScratchData& data = scratch.data();
-    return bytes + of(data.loads.force) + of(data.loads.torque) + of(data.kinematics.angular_velocity) +
-           of(data.kinematics.inverse_inertia) + of(data.kinematics.inverse_mass);
+    return bytes + bytes_of(data.loads.force, data.loads.torque, data.kinematics.angular_velocity) +
+           bytes_of(data.kinematics.inverse_inertia, data.kinematics.inverse_mass);
 }
 
 }  // namespace riprap::sim

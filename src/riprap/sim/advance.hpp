@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -66,7 +67,10 @@ struct StepReport {
     std::int64_t substeps{1};      ///< steps of the solids within this one of the water
     std::int64_t water_passes{0};  ///< force passes of the water: more than one where light bodies need it
     double water_residual{0};      ///< of the accelerations of light bodies, over |a| + |g| [-]
+    bool is_water_settled{true};   ///< false where that iteration ended for want of passes
     double max_water_speed{0};     ///< [m/s]
+    double water_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the water allows a step that is fixed [s]
+    std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };
 
 /// How much of the ledger a step works out. The elastic energy of an overlap is a function of the pose and costs more
@@ -91,7 +95,9 @@ void initialise(const Model& model, State& state);
 
 StageTimes stage_times(const Scratch& scratch);
 
-/// Bytes of State and Scratch per body and in all, measured.
+/// Bytes of Model, State and Scratch in all, counted from their arrays as they are: what bodies and particles stand
+/// for, and, once steps were taken, all buffers and lists of neighbours. Not in it: the program, the copies of the
+/// State that a driver keeps, the buffers of a sort, what is written.
 std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch);
 
 /// Hash of the final State: equal at any thread count and after restart.

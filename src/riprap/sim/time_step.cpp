@@ -13,6 +13,10 @@
 
 namespace riprap::sim {
 
+namespace {
+constexpr const char* other_steps = "use \"auto\", a smaller step, or force_time_step = true";
+}  // namespace
+
 TimeStepBound time_step_bound(const Model& model) {
     const solid::DemTimeStep bound = solid::time_step_bound(model.bodies, model.shapes, model.materials);
     return {bound.limit, bound.body, bound.reason};
@@ -27,7 +31,7 @@ double largest_time_step(const Model& model, const TimeStepBound& bound) {
         Diagnostic problem;
         problem.message = fmt::format("time_step = {:.6g} s is above the stability limit {:.6g} s ({})", time.time_step,
                                       bound.limit, bound.reason);
-        problem.allowed = "use \"auto\", a smaller step, or force_time_step = true";
+        problem.allowed = other_steps;
         throw CaseError(std::move(problem));
     }
     return time.time_step;
@@ -35,24 +39,45 @@ double largest_time_step(const Model& model, const TimeStepBound& bound) {
 
 namespace {
 
-/// The step that the case fixes, checked against what the water allows at the start.
-double fixed_water_step(const Model& model, const State& state) {
-    const double fixed = model.time.time_step;
-    if (state.step > 0 || model.time.force_time_step) {
-        return fixed;
+std::string above_water_limit(const Model& model, const State& state) {
+    const TimeSettings& time = model.time;
+    if (!model.fluid || time.is_automatic() || time.force_time_step) {
+        return {};
     }
     const fluid::FluidTimeStep water = choose_fluid_time_step(model.fluid->sph, state.fluid);
-    if (fixed > water.limit) {
-        Diagnostic problem;
-        problem.message = fmt::format("time_step = {:.6g} s is above what the water allows, {:.6g} s ({})", fixed,
-                                      water.limit, water.reason);
-        problem.allowed = "use \"auto\", a smaller step, or force_time_step = true";
-        throw CaseError(std::move(problem));
+    return time.time_step > water.limit
+               ? fmt::format("time_step = {:.6g} s is above what the water allows, {:.6g} s ({})", time.time_step,
+                             water.limit, water.reason)
+               : std::string();
+}
+
+/// The step that the case fixes: a case that starts above what the water allows is refused. Later it is the step.
+double fixed_water_step(const Model& model, const State& state) {
+    if (state.step == 0) {
+        if (std::string message = above_water_limit(model, state); !message.empty()) {
+            Diagnostic problem;
+            problem.message = std::move(message);
+            problem.allowed = other_steps;
+            throw CaseError(std::move(problem));
+        }
     }
-    return fixed;
+    return model.time.time_step;
 }
 
 }  // namespace
+
+std::string fixed_step_problem(const Model& model, const State& state) {
+    const std::string message = above_water_limit(model, state);
+    return message.empty() ? message : fmt::format("{} at t = {:.6g} s; {}", message, state.time, other_steps);
+}
+
+TimeStepBound step_bound(const Model& model, const State& state) {
+    if (!model.fluid) {
+        return time_step_bound(model);
+    }
+    const fluid::FluidTimeStep water = choose_fluid_time_step(model.fluid->sph, state.fluid);
+    return {water.limit, BodyId{}, water.reason};
+}
 
 std::int64_t steps_across(double span, double dt) {
     constexpr double forgiven = 1e-9;  // of a step; span/dt carries a few units in the last place of error

@@ -26,6 +26,13 @@ TimeStepBound time_step_bound(const Model& model);
 /// water, whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
 double largest_time_step(const Model& model, const TimeStepBound& bound);
 
+/// The same with water: what it allows from this State, whose step the solids cut into steps of their own.
+TimeStepBound step_bound(const Model& model, const State& state);
+
+/// Why a step that the case fixes cannot be taken from this State: it is longer than what the water allows and not
+/// forced. Empty where it can, and where the step is automatic.
+std::string fixed_step_problem(const Model& model, const State& state);
+
 /// The step to take from a State.
 struct TimeStep {
     double dt{0};                ///< [s]

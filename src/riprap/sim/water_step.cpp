@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/water_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/near_samples.hpp"
 #include "riprap/fluid/sph/kick.hpp"
@@ -100,6 +103,24 @@ coupling::Acceleration response(const State& state, const WaterScratch& scratch,
             scratch.kinematics.inverse_inertia[b] * scratch.torque[b] + state.coupling.dry_angular_acceleration[b]};
 }
 
+/// A body that moves and has boundary particles among the layers of an opening, in words; empty where there is none.
+/// Bodies that stay are looked at when the case is read.
+std::string find_intruder(const Model& model, const WaterScratch& scratch) {
+    const FluidModel& water = *model.fluid;
+    for (std::size_t i = 0; !water.open.empty() && i < at(scratch.near.size()); ++i) {
+        const BodyId body = scratch.near.body[i];  // all those of bodies that move are near
+        if (scratch.is_still[at(body.value)] != 0) {
+            continue;
+        }
+        const fluid::Opening* const opening = opening_with_layers_at(water.open, water.sph, scratch.walls.position[i]);
+        if (opening != nullptr) {
+            return fmt::format("'{}' stands behind the opening '{}', among the layers of its water",
+                               model.bodies.name(body), opening->name);
+        }
+    }
+    return {};
+}
+
 Vec3 in_plane_force(const Model& model, const Vec3& f) { return model.bodies.is_planar ? Vec3{f.x, f.y, 0} : f; }
 
 /// Loads on bodies that speed up as `guess` says.
@@ -169,6 +190,17 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
 
 }  // namespace
 
+std::size_t WaterScratch::bytes() const {
+    std::size_t bytes = sph.bytes() + walls.bytes() + penalty.bytes() + motion.bytes() + loads.bytes() +
+                        guard_loads.bytes() + bytes_of(near.body, near.anchor, near.normal, near.depth, near.volume) +
+                        bytes_of(near.is_slippery, near_numbers) +
+                        bytes_of(force, torque, extra_force, sponge.force, sponge.before, correction) +
+                        bytes_of(kappa, inertia, is_still, guard_share, kinematics.angular_velocity) +
+                        bytes_of(kinematics.inverse_inertia, kinematics.inverse_mass);
+    body::BodyState::visit_fields(middle, [&](std::string_view, const auto& field) { bytes += bytes_of(field); });
+    return bytes;
+}
+
 WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, double dt) {
     const FluidModel& water = *model.fluid;
     const double time = state.time;
@@ -233,6 +265,8 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     report.flow_work = dt * power_on_openings(scratch.walls, at(scratch.near.size()));
     report.passes = iteration.passes();
     report.residual = iteration.residual();
+    report.is_settled = iteration.is_settled();
+    report.intruder = find_intruder(model, scratch);
     for (std::size_t b = 0; b < found.size(); ++b) {
         if (scratch.kinematics.inverse_mass[b] > 0) {
             report.work_on_free += dt * (dot(scratch.force[b], scratch.motion.velocity[b]) +

@@ -34,6 +34,8 @@ struct WaterScratch {
     std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
     std::vector<std::uint8_t> is_still;  ///< bodies that never move
     std::vector<double> guard_share;     ///< of the guard's stiffness, per body
+
+    std::size_t bytes() const;
 };
 
 /// What the water's step brings.
@@ -44,6 +46,8 @@ struct WaterReport {
     double work_on_free{0};  ///< on free bodies, as the water sees it, in this step [J]
     int passes{0};           ///< force passes, more than one where light bodies feed back
     double residual{0};      ///< of the added-mass iteration, over |a| + |g| [-]
+    bool is_settled{true};   ///< of that iteration
+    std::string intruder;    ///< a moving body among the layers of an opening, and which; empty = none
     bool ok() const { return fluid.problem.empty(); }
 };
 

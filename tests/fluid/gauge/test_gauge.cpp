@@ -52,6 +52,44 @@ TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corne
     }
 }
 
+// One metre of water that repeats: there is no first place and no last.
+TEST(Gauge, in_still_periodic_water_no_reading_depends_on_the_place) {
+    for (const int dimension : {2, 3}) {
+        Tank tank(dimension, 0.05);
+        tank.settings.domain = {{0, 0, 0}, {1, 1, 1}, {true, false, false}, dimension};
+        const double depth = 0.5;
+        for (std::size_t j = 0; j < tank.state.position.size(); ++j) {
+            const double height = dimension == 3 ? tank.state.position[j].z : tank.state.position[j].y;
+            tank.state.density[j] = density_of(tank.settings, 1000 * 9.81 * (depth - height));
+            tank.state.velocity[j] = {0.3, 0, 0};
+        }
+        const double y = dimension == 3 ? 0.25 : 0.0;
+        const auto read = [&](GaugeKind kind, double x, double low, double high, double width = 0) {
+            const Vec3 point = dimension == 3 ? Vec3{x, width > 0 ? 0 : y, low} : Vec3{x, low, 0};
+            const Vec3 end = dimension == 3 ? Vec3{x + width, width > 0 ? 0.5 : y, high} : Vec3{x + width, high, 0};
+            return tank.read(kind, point, end);
+        };
+        const auto flow_at = [&](double x) {
+            const Vec3 top = dimension == 3 ? Vec3{x, 0.5, 0.8} : Vec3{x, 0.8, 0};
+            return tank.read(GaugeKind::flow, {x, 0, 0}, top);
+        };
+        for (const double x : {0.0, 0.05, 0.95, 1.0}) {  // places that lie alike between particles
+            const double middle = 0.5;
+            EXPECT_NEAR(read(GaugeKind::pressure, x, 0.2, 0.2), read(GaugeKind::pressure, middle, 0.2, 0.2), 1e-8);
+            EXPECT_NEAR(read(GaugeKind::pressure, x, 0.2, 0.2), 9810 * 0.3, 1);
+            EXPECT_NEAR(read(GaugeKind::velocity, x, 0.2, 0.2), 0.3, 1e-12);
+            EXPECT_NEAR(read(GaugeKind::level, x, 0, 0), read(GaugeKind::level, middle, 0, 0), 1e-12);
+            EXPECT_NEAR(read(GaugeKind::level, x, 0, 0), depth, 2e-3);
+            EXPECT_NEAR(read(GaugeKind::surface, x, 0.1, 0.9), read(GaugeKind::surface, middle, 0.1, 0.9), 1e-12);
+            EXPECT_NEAR(read(GaugeKind::run_up, x, 0.1, 0.9), read(GaugeKind::run_up, middle, 0.1, 0.9), 1e-12);
+            EXPECT_NEAR(flow_at(x), flow_at(middle), 1e-12);
+        }
+        // A box across the seam holds what the same box holds elsewhere; one wider than the domain holds all, once.
+        EXPECT_NEAR(read(GaugeKind::volume, 0.9, 0, 1, 0.2), read(GaugeKind::volume, 0.4, 0, 1, 0.2), 1e-12);
+        EXPECT_NEAR(read(GaugeKind::volume, -0.5, 0, 1, 2), read(GaugeKind::volume, 0, 0, 1, 1), 1e-12);
+    }
+}
+
 TEST(Gauge, hydrostatic_pressure_is_read_on_the_bed_of_a_tank) {
     Tank tank(2);
     const double depth = 0.5;

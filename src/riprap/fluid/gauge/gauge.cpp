@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/gauge/gauge.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/core/error.hpp"
@@ -35,12 +36,20 @@ double level(const Gauge& gauge, const SphSettings& settings, const ParticleStat
     const bool is_planar = settings.domain.dimension == 2;
     const Vec3 first = across(gauge.up, settings.domain.dimension);
     const Vec3 second = cross(gauge.up, first);
-    double sum = 0;
-    for (std::size_t j = 0; j < state.position.size(); ++j) {
-        const Vec3 d = state.position[j] - gauge.point;
+    const auto weight_at = [&](const Vec3& d) {
         double weight = dot(d, gauge.up) < 0 ? 0.0 : spline_weight(dot(d, first), settings.spacing);
         if (weight > 0 && !is_planar) {
             weight *= spline_weight(dot(d, second), settings.spacing);
+        }
+        return weight;
+    };
+    const PeriodicImages images(settings.domain);
+    double sum = 0;
+    for (std::size_t j = 0; j < state.position.size(); ++j) {
+        const Vec3 d = images.nearest(state.position[j], gauge.point) - gauge.point;
+        double weight = 0;
+        for (const Vec3& shift : images.shifts()) {
+            weight += weight_at(d + shift);
         }
         sum += weight > 0 ? settings.particle_mass / state.density[j] * weight : 0.0;
     }
@@ -117,21 +126,29 @@ double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState
     const int axis = settings.domain.dimension == 2
                          ? (std::abs(gauge.end.x - gauge.point.x) < std::abs(gauge.end.y - gauge.point.y) ? 0 : 1)
                          : normal_axis(gauge);
+    const PeriodicImages images(settings.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
-        const Vec3& x = state.position[j];
-        const double weight = spline_weight(x[axis] - gauge.point[axis], settings.spacing);
-        if (weight > 0 && is_between(x, gauge.point, gauge.end, axis, settings.domain.dimension)) {
-            sum += settings.particle_mass / state.density[j] * weight * state.velocity[j][axis];
+        double weight = 0;
+        for (const Vec3& shift : images.shifts()) {
+            const Vec3 x = state.position[j] + shift;
+            if (is_between(x, gauge.point, gauge.end, axis, settings.domain.dimension)) {
+                weight = std::max(weight, spline_weight(x[axis] - gauge.point[axis], settings.spacing));
+            }
         }
+        sum += weight > 0 ? settings.particle_mass / state.density[j] * weight * state.velocity[j][axis] : 0.0;
     }
     return sum;
 }
 
 double volume(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+    const PeriodicImages images(settings.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
-        if (is_between(state.position[j], gauge.point, gauge.end, -1, settings.domain.dimension)) {
+        const auto is_in = [&](const Vec3& shift) {
+            return is_between(state.position[j] + shift, gauge.point, gauge.end, -1, settings.domain.dimension);
+        };
+        if (std::any_of(images.shifts().begin(), images.shifts().end(), is_in)) {
             sum += settings.particle_mass / state.density[j];
         }
     }

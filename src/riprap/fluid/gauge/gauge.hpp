@@ -49,6 +49,9 @@ const GaugeInfo* find_gauge_kind(std::string_view name);
 /// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
 /// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.
 /// flow: sum_j V_j (v_j . n) B(s_j), s_j the distance from the plane, over the particles beside the rectangle.
+///
+/// Across periodic sides a particle counts where its image lies: the nearest one for sums about a place, all of them
+/// for the column of `level`, any one of them, once, for `flow` and `volume`.
 std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state);
 
 }  // namespace riprap::fluid

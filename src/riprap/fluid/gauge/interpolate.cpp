@@ -30,11 +30,17 @@ std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const
     const double reach = settings.support_radius();
     const Vec3 way = b - a;
     const double length_squared = norm_squared(way);
+    const PeriodicImages images(settings.domain);
+    const auto is_near = [&](const Vec3& x) {
+        const Vec3 d = x - a;
+        const double share = length_squared > 0 ? std::clamp(dot(d, way) / length_squared, 0.0, 1.0) : 0.0;
+        return norm_squared(d - share * way) < reach * reach;
+    };
     std::vector<std::size_t> near;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
-        const Vec3 d = state.position[j] - a;
-        const double share = length_squared > 0 ? std::clamp(dot(d, way) / length_squared, 0.0, 1.0) : 0.0;
-        if (norm_squared(d - share * way) < reach * reach) {
+        const Vec3& x = state.position[j];
+        if (std::any_of(images.shifts().begin(), images.shifts().end(),
+                        [&](const Vec3& shift) { return is_near(x + shift); })) {
             near.push_back(j);
         }
     }
@@ -44,9 +50,10 @@ std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const
 double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
                       const std::vector<std::size_t>& near) {
     const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    const PeriodicImages images(settings.domain);
     double sum = 0;
     for (const std::size_t j : near) {
-        sum += settings.particle_mass / state.density[j] * kernel.value(norm(state.position[j] - x));
+        sum += settings.particle_mass / state.density[j] * kernel.value(norm(images.nearest(state.position[j], x) - x));
     }
     return sum;
 }

@@ -7,6 +7,7 @@
 
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
@@ -15,11 +16,12 @@ namespace riprap::fluid {
 /// 1/w wherever they begin, so rows of particles at their spacing count exactly.
 double spline_weight(double distance, double width);  ///< [1/m]
 
-/// Indices of the particles within a support of the line from a to b, ascending.
+/// Indices of the particles that have an image within a support of the line from a to b, ascending.
 std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
                                              const ParticleState& state);
 
-/// sum_j V_j W(|x - x_j|) over the listed particles: 1 inside water, about one half at its surface and on a wall [-].
+/// sum_j V_j W(|x - x_j|) over the nearest images of the listed particles: 1 inside water, about one half at its
+/// surface and on a wall [-].
 double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
                       const std::vector<std::size_t>& near);
 
@@ -40,9 +42,10 @@ template <class Field>
 double interpolate(const Vec3& x, const SphSettings& settings, const ParticleState& state, const Field& field) {
     const double h = settings.smoothing_length();
     const WendlandC2 kernel(h, settings.domain.dimension);
+    const PeriodicImages images(settings.domain);
     LinearFit fit;
     for (const std::size_t j : particles_near_line(x, x, settings, state)) {
-        const Vec3 d = state.position[j] - x;
+        const Vec3 d = images.nearest(state.position[j], x) - x;
         const double weight = settings.particle_mass / state.density[j] * kernel.value(norm(d));
         fit.add(weight, {1, d.x / h, d.y / h, d.z / h}, field(j));
     }

@@ -197,6 +197,25 @@ bool Opening::is_across(const Vec3& x, int dimension) const {
     return true;
 }
 
+const Opening* opening_with_layers_at(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x) {
+    const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
+    const auto is_behind = [&](const Opening& opening, double side) {
+        const double past = side * opening.past(x);
+        return past > 0 && past <= reach && opening.is_across(x, settings.domain.dimension);
+    };
+    for (const Inflow& inflow : open.inflows) {
+        if (is_behind(inflow.opening, -1)) {
+            return &inflow.opening;
+        }
+    }
+    for (const Outflow& outflow : open.outflows) {
+        if (outflow.kind != OutflowKind::free && is_behind(outflow.opening, 1)) {
+            return &outflow.opening;
+        }
+    }
+    return nullptr;
+}
+
 double Inflow::speed_at(double time) const {
     return time < ramp ? 0.5 * speed * (1 - std::cos(std::numbers::pi * time / ramp)) : speed;
 }

@@ -102,6 +102,10 @@ struct Passage {
     std::string problem;               ///< why there can be no more particles
 };
 
+/// The opening whose layers x lies among: that of an inflow, or of an outflow that has layers; nullptr where there is
+/// none.
+const Opening* opening_with_layers_at(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x);
+
 /// The places of an opening at which rows of particles pass: a lattice from its low corner on, below `level` along
 /// `up`.
 std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, const Vec3& up, double level);

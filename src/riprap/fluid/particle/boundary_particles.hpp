@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/vec3.hpp"
 
 namespace riprap::fluid {
@@ -24,6 +25,10 @@ struct BoundaryParticles {
     /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N].
     std::vector<Vec3> pressure_force, viscous_force;
 
+    std::size_t bytes() const {
+        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, pressure, pressure_force,
+                        viscous_force);
+    }
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
 };
 

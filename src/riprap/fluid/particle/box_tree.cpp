@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 
@@ -169,5 +170,7 @@ std::uint32_t BoxTree::near(const Block& block, const Box& box, float distance) 
     }
     return bits_below(square, distance * distance);
 }
+
+std::size_t BoxTree::bytes() const { return bytes_of(levels_); }
 
 }  // namespace riprap::fluid

@@ -39,6 +39,7 @@ class BoxTree {
     Box box_of_block(std::int64_t block) const;
     /// Bound of what rounding to float can do to a distance between boxes [m].
     float slack() const { return slack_; }
+    std::size_t bytes() const;
 
  private:
     Box box(std::size_t level, std::int64_t entry) const;

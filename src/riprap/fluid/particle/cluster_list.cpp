@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/list_search.hpp"
@@ -145,6 +146,15 @@ std::int64_t ClusterList::cluster_pairs() const {
         pairs += static_cast<std::int64_t>(patch.entries.size());
     }
     return pairs;
+}
+
+std::size_t ClusterList::bytes() const {
+    std::size_t bytes = targets_.bytes() + candidates_.bytes() + target_boxes_.bytes() + candidate_boxes_.bytes() +
+                        bytes_of(patches_, mention_start_, mentions_);
+    for (const Patch& patch : patches_) {
+        bytes += bytes_of(patch.blocks, patch.entries, patch.start, patch.watched);
+    }
+    return bytes;
 }
 
 }  // namespace riprap::fluid

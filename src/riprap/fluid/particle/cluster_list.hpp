@@ -62,6 +62,7 @@ class ClusterList {
     /// For the record: how often lists were made, how many pairs of clusters they hold.
     std::int64_t builds() const { return builds_; }
     std::int64_t cluster_pairs() const;
+    std::size_t bytes() const;
 
  private:
     class Search;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::fluid {
@@ -116,5 +117,7 @@ void ClusterPlaces::remember() {
     remembered_ = places_;
     remembered_fixed_ = fixed_;
 }
+
+std::size_t ClusterPlaces::bytes() const { return bytes_of(motions_, places_, remembered_); }
 
 }  // namespace riprap::fluid

@@ -33,6 +33,7 @@ class ClusterPlaces {
     void remember();
 
     std::int64_t size() const { return size_; }
+    std::size_t bytes() const;
     std::int64_t cluster_count() const { return (size_ + cluster_size - 1) / cluster_size; }
     std::int64_t block_count() const { return (cluster_count() + block_size - 1) / block_size; }
     /// Four places along each axis in turn.

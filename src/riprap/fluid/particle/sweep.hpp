@@ -68,6 +68,7 @@ class SweepScratch {
     SweepScratch(SweepScratch&&) noexcept;
     SweepScratch& operator=(SweepScratch&&) noexcept;
     SweepScratchData& data() { return *data_; }
+    std::size_t bytes() const;
 
  private:
     std::unique_ptr<SweepScratchData> data_;

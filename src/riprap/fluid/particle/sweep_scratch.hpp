@@ -16,9 +16,10 @@ class BufferPool {
     using Buffer = std::vector<float>;
     std::unique_ptr<Buffer> take();
     void give(std::unique_ptr<Buffer> buffer);
+    std::size_t bytes() const;  ///< of buffers that were given back
 
  private:
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::vector<std::unique_ptr<Buffer>> free_;
 };
 

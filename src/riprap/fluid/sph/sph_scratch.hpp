@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
@@ -29,6 +30,14 @@ struct SphScratchData {
     std::vector<double> grip;             ///< 0 on slippery walls, else 1
 
     SweepScratch fluid_fluid, fluid_walls, walls_fluid;
+
+    std::size_t bytes() const {
+        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, compression, diffusion, strain,
+                        divergence, bareness, force, concentration_gradient, surface_direction, heat, wall_heat,
+                        wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment, wall_velocity,
+                        mirrored_velocity, grip) +
+               fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
+    }
 };
 
 /// Makes `count` zeros of it.

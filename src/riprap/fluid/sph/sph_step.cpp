@@ -29,6 +29,7 @@ SphScratch::SphScratch() : data_(std::make_unique<SphScratchData>()) {}
 SphScratch::~SphScratch() = default;
 SphScratch::SphScratch(SphScratch&&) noexcept = default;
 SphScratch& SphScratch::operator=(SphScratch&&) noexcept = default;
+std::size_t SphScratch::bytes() const { return data_->bytes(); }
 
 FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const ParticleState& state) {
     struct Fastest {

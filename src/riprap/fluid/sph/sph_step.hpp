@@ -21,6 +21,7 @@ class SphScratch {
     SphScratch(SphScratch&&) noexcept;
     SphScratch& operator=(SphScratch&&) noexcept;
     SphScratchData& data() { return *data_; }
+    std::size_t bytes() const;
 
  private:
     std::unique_ptr<SphScratchData> data_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/step_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace riprap::run {
+
+namespace {
+
+double bound_of(const sim::StepReport& report) { return std::min(report.dt_bound, report.water_dt_bound); }
+
+}  // namespace
+
+void StepCounts::add(const sim::StepReport& report, bool meets_end) {
+    above_bound += report.dt > bound_of(report) ? 1 : 0;
+    unsettled += report.is_water_settled ? 0 : 1;
+    with_intruder += report.intruder.empty() ? 0 : 1;
+    longest = std::max(longest, report.dt);
+    if (!meets_end) {
+        shortest = shortest > 0 ? std::min(shortest, report.dt) : report.dt;
+    }
+}
+
+std::vector<Notice> StepWatch::look(const sim::StepReport& report, const sim::State& state, const StepCounts& counts) {
+    const std::string when = fmt::format("step {}, t = {:.6g} s", state.step, state.time);
+    std::vector<Notice> notices;
+    look_at_length(report, when, notices);
+    if (!report.is_water_settled && counts.unsettled == 1) {
+        notices.push_back(
+            {fmt::format("{}: the accelerations of light bodies in water have not settled after {} passes, {:.2g} "
+                         "of them is still open; the summary counts the steps",
+                         when, report.water_passes, report.water_residual),
+             "water_residual", report.water_residual});
+    }
+    if (!report.intruder.empty() && counts.with_intruder == 1) {
+        notices.push_back(
+            {fmt::format("{}: {}: neither is right there; the summary counts the steps", when, report.intruder), "time",
+             state.time});
+    }
+    return notices;
+}
+
+void StepWatch::look_at_length(const sim::StepReport& report, const std::string& when, std::vector<Notice>& notices) {
+    const double bound = bound_of(report), excess = report.dt / bound;
+    if (!(excess > 1) || excess < 2 * told_excess_) {
+        return;
+    }
+    told_excess_ = excess;
+    const bool is_water = report.water_dt_bound <= report.dt_bound;
+    notices.push_back({fmt::format("{}: the time step {:.4g} s is {:.3g} times what {} now ({:.4g} s, a bound that "
+                                   "errs on the safe side); a smaller {} is safer",
+                                   when, report.dt, excess, is_water ? "the water allows" : "the contacts allow", bound,
+                                   is_water ? "time_step" : "time_step, or time_step_factor,"),
+                       "dt_bound", bound});
+}
+
+std::vector<std::string> StepWatch::totals(const StepCounts& counts, std::int64_t steps) {
+    std::vector<std::string> lines;
+    if (counts.unsettled > 0) {
+        lines.push_back(fmt::format("the accelerations of light bodies in water did not settle in {} of {} steps",
+                                    counts.unsettled, steps));
+    }
+    if (counts.with_intruder > 0) {
+        lines.push_back(fmt::format("bodies stood behind openings in {} of {} steps", counts.with_intruder, steps));
+    }
+    return lines;
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+
+/// What is counted of the steps of a run, over all processes that ran it.
+struct StepCounts {
+    std::int64_t above_bound{0};    ///< longer than what the contacts, or the water, allowed
+    std::int64_t unsettled{0};      ///< in which the added-mass iteration ended for want of passes
+    std::int64_t with_intruder{0};  ///< with a moving body behind an opening
+    double longest{0};              ///< [s]
+    double shortest{0};             ///< that which meets the end not counted; 0 before there is one [s]
+
+    void add(const sim::StepReport& report, bool meets_end);
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("run.steps_above_bound", self.above_bound);
+        visit("run.steps_unsettled", self.unsettled);
+        visit("run.steps_with_intruder", self.with_intruder);
+        visit("run.longest_step", self.longest);
+        visit("run.shortest_step", self.shortest);
+    }
+};
+
+/// What to tell of a step that was taken all the same.
+struct Notice {
+    std::string text;
+    std::string_view number_name;  ///< of the number that goes with it
+    double number{0};
+};
+
+/// Looks at every step for what does not end a run but must not pass in silence. It is told when it is counted first,
+/// a step that is too long again whenever its excess has doubled.
+class StepWatch {
+ public:
+    /// What is to be told of the last step, which is in `counts`.
+    std::vector<Notice> look(const sim::StepReport& report, const sim::State& state, const StepCounts& counts);
+
+    /// The counts in words, for the end of the run; empty where there is nothing to tell.
+    static std::vector<std::string> totals(const StepCounts& counts, std::int64_t steps);
+
+ private:
+    void look_at_length(const sim::StepReport& report, const std::string& when, std::vector<Notice>& notices);
+
+    double told_excess_{0};  ///< largest step over its bound that was told [-]
+};
+
+}  // namespace riprap::run

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/coupling/penalty_walls.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+constexpr double dp = 0.05;
+
+struct Push {
+    Vec3 force;   ///< on the particle
+    Vec3 load;    ///< on the body
+    Vec3 torque;  ///< likewise
+};
+
+/// One particle beside a box of 0.2 m (or as wide as `width`) in a planar domain 1 m long that repeats along x.
+Push push_of(const Vec3& box_place, const Vec3& x, const Vec3& velocity = {}, double width = 0.2,
+             bool is_periodic = true) {
+    test::Scene scene;
+    scene.bodies.is_planar = true;
+    const std::vector<geometry::Point2> corners{
+        {-0.5 * width, -0.1}, {0.5 * width, -0.1}, {0.5 * width, 0.1}, {-0.5 * width, 0.1}};
+    scene.add(geometry::planar_prism(corners).value(), {box_place, {}});
+    fluid::SphSettings settings;
+    settings.spacing = dp;
+    settings.particle_mass = settings.rest_density * dp * dp;
+    settings.sound_speed = 30;
+    settings.domain = {{0, 0, 0}, {1, 1, 0}, {is_periodic, false, false}, 2};
+    fluid::ParticleState particles;
+    particles.add(x, velocity, settings.rest_density, 0);
+    BodyMotion motion;
+    motion.pose = {{box_place, {}}};
+    motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration = {Vec3{}};
+    std::vector<Vec3> force;
+    FluidLoads loads;
+    PenaltyWalls walls;
+    walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings), {}, particles, force, loads);
+    return {force[0], loads.pressure_force[0], loads.pressure_torque[0]};
+}
+
+void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
+    EXPECT_LE(norm(a - b), tolerance) << a.x << ' ' << b.x;
+}
+
+TEST(PenaltyWalls, a_face_that_reaches_across_a_periodic_side_pushes_there_as_anywhere) {
+    const Vec3 closing{-0.2, 0.1, 0};
+    const Push middle = push_of({0.5, 0.5, 0}, {0.605, 0.53, 0}, closing);
+    ASSERT_GT(middle.force.x, 0);
+    for (const double shift : {0.5, -0.5, 2.5}) {  // the body may have gone round more than once
+        const Push across = push_of({0.5 + shift, 0.5, 0}, {0.105, 0.53, 0}, closing);
+        expect_near(across.force, middle.force, 1e-9 * norm(middle.force));
+        expect_near(across.load, -1.0 * middle.force, 1e-9 * norm(middle.force));
+        expect_near(across.torque, middle.torque, 1e-9 * norm(middle.torque));
+    }
+    EXPECT_EQ(norm(push_of({1.0, 0.5, 0}, {0.105, 0.53, 0}, closing, 0.2, false).force), 0);
+}
+
+TEST(PenaltyWalls, a_bed_as_long_as_the_period_has_no_edge) {
+    const Push middle = push_of({0.5, 0.5, 0}, {0.5, 0.615, 0}, {}, 1);
+    ASSERT_GT(middle.force.y, 0);
+    for (const double x : {0.0, 0.002, 0.998, 1.0}) {
+        expect_near(push_of({0.5, 0.5, 0}, {x, 0.615, 0}, {}, 1).force, middle.force, 1e-9 * norm(middle.force));
+    }
+}
+
+}  // namespace
+}  // namespace riprap::coupling

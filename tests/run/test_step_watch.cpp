@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/step_watch.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace riprap::run {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// What is told of each of some steps.
+struct Watched {
+    StepWatch watch;
+    sim::State state;
+    StepCounts counts;
+    std::vector<std::string> look(const sim::StepReport& report) {
+        state.step += 1;
+        counts.add(report, false);
+        std::vector<std::string> texts;
+        for (const Notice& notice : watch.look(report, state, counts)) {
+            texts.push_back(notice.text);
+        }
+        return texts;
+    }
+};
+
+sim::StepReport quiet() {
+    sim::StepReport report;
+    report.dt = 1e-3;
+    report.dt_bound = 2e-3;
+    return report;
+}
+
+TEST(StepWatch, added_mass_that_does_not_settle_is_told_once_and_counted) {
+    Watched run;
+    EXPECT_THAT(run.look(quiet()), IsEmpty());
+    sim::StepReport open = quiet();
+    open.is_water_settled = false;
+    open.water_passes = 20;
+    open.water_residual = 0.25;
+    EXPECT_THAT(run.look(open), ElementsAre(HasSubstr("step 2, t = 0 s: the accelerations of light bodies in water "
+                                                      "have not settled after 20 passes, 0.25 of them")));
+    EXPECT_THAT(run.look(open), IsEmpty());
+    EXPECT_EQ(run.counts.unsettled, 2);
+    EXPECT_THAT(StepWatch::totals(run.counts, 3), ElementsAre(HasSubstr("did not settle in 2 of 3 steps")));
+    Watched resumed{{}, {}, run.counts};  // it is once per run, not per process
+    EXPECT_THAT(resumed.look(open), IsEmpty());
+    EXPECT_EQ(resumed.counts.unsettled, 3);
+}
+
+TEST(StepWatch, the_step_that_meets_the_end_is_not_among_the_shortest) {
+    StepCounts counts;
+    sim::StepReport report = quiet();
+    for (const double dt : {3e-3, 2e-3, 4e-3}) {
+        report.dt = dt;
+        counts.add(report, false);
+    }
+    report.dt = 1e-3;
+    counts.add(report, true);
+    EXPECT_EQ(counts.shortest, 2e-3);
+    EXPECT_EQ(counts.longest, 4e-3);
+}
+
+TEST(StepWatch, a_body_behind_an_opening_is_told_once_and_counted) {
+    Watched run;
+    sim::StepReport report = quiet();
+    report.intruder = "'block' stands behind the opening 'out'";
+    EXPECT_THAT(run.look(report), ElementsAre(HasSubstr("'block' stands behind the opening 'out'")));
+    EXPECT_THAT(run.look(report), IsEmpty());
+    EXPECT_EQ(run.counts.with_intruder, 2);
+}
+
+TEST(StepWatch, a_step_above_its_bound_is_told_again_when_the_excess_has_doubled) {
+    Watched run;
+    const auto step_of = [&](double times) {
+        sim::StepReport report = quiet();
+        report.dt = times * report.dt_bound;
+        return run.look(report).size();
+    };
+    EXPECT_EQ(step_of(0.9), 0U);
+    EXPECT_EQ(step_of(1.5), 1U);
+    EXPECT_EQ(step_of(2.9), 0U);
+    EXPECT_EQ(step_of(3.1), 1U);
+    EXPECT_EQ(run.counts.above_bound, 3);
+    sim::StepReport forced = quiet();
+    forced.water_dt_bound = 1e-4;
+    EXPECT_THAT(run.look(forced), ElementsAre(HasSubstr("is 10 times what the water allows now (0.0001 s")));
+}
+
+}  // namespace
+}  // namespace riprap::run
