@@ -57,6 +57,8 @@ TEST_F(Runs, ARunStoppedByMaxStepsPredictsWhatTheWholeTakes) {
         run({"run", "cases/floating_box", "--out", out("a"), "--threads", "1", "--set", "max_steps=5"});
     EXPECT_THAT(ending.out, HasSubstr("of at most"));
     EXPECT_THAT(ending.out, HasSubstr("(sound in water)"));
+    EXPECT_THAT(ending.out, HasSubstr("  5 steps to t = "));
+    EXPECT_THAT(ending.out, Not(HasSubstr("to t = 0 s")));
     EXPECT_THAT(ending.out, HasSubstr("bodies take steps of their own within its steps"));
     EXPECT_THAT(ending.out, HasSubstr("ns per particle-step"));
     EXPECT_THAT(ending.out, HasSubstr("stopped by max_steps: "));

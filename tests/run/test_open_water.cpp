@@ -135,8 +135,7 @@ shape = { box = [0.2, 0.1] }
 position = [0.95, 0.3]
 velocity = [0.5, 0.0]
 [fluid]
-)") + "[material.wood]\ndensity = 500.0\nnormal_stiffness = 1.0e6\nfriction_coefficient = 0.3\n[contact]\nmixing = "
-      "\"mean\"\n");
+)") + "[material.wood]\ndensity = 500.0\nnormal_stiffness = 1.0e6\nfriction_coefficient = 0.3\n");
     const double spacing = 0.025;
     double front = 0;
     std::string told;

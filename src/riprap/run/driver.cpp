@@ -73,7 +73,7 @@ void Driver::announce(const std::string& beginning) {
     const std::int64_t steps = state().step + simulation_.steps_left();
     log_->add("start",
               fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {} threads", beginning,
-                          model().title, model().bodies.size(), simulation_.next_dt(), steps, record_.end,
+                          model().title, model().bodies.size(), simulation_.next_dt(), steps, simulation_.end(),
                           parallel::thread_count()),
               {{"step", static_cast<double>(state().step)},
                {"steps", static_cast<double>(steps)},
@@ -89,7 +89,7 @@ void Driver::announce(const std::string& beginning) {
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
                     model().title.empty() ? "(untitled)" : model().title, model().bodies.size(),
                     model().bodies.part_count(), parallel::thread_count(), water_text(), simulation_.next_dt(),
-                    limit.limit, limit.reason, steps, record_.end, state().step, folder_.root.string()));
+                    limit.limit, limit.reason, steps, simulation_.end(), state().step, folder_.root.string()));
 }
 
 /// The line of the beginning that is about water, where there is any.
@@ -180,7 +180,7 @@ void Driver::tell_prediction(const Progress& progress) {
         "stopped by max_steps: {:.4g} ms per step{}, about {} steps more to t = {:.6g} s; predicted total {} with {} "
         "threads",
         1e3 * step_seconds, particles > 0 ? fmt::format(" with {} particles of water", particles) : std::string(), left,
-        record_.end, duration_text(total), parallel::thread_count());
+        simulation_.end(), duration_text(total), parallel::thread_count());
     log_->add("prediction", text,
               {{"seconds_per_step", step_seconds}, {"steps_left", static_cast<double>(left)}, {"seconds", total}});
     say(text);

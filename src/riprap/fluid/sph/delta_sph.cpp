@@ -12,7 +12,7 @@
 #include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 
-namespace riprap::fluid::delta_sph {
+namespace riprap::fluid {
 namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
@@ -75,8 +75,6 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
 struct Losses {
     double diffusion{0}, shifting{0};
 };
-
-}  // namespace
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
@@ -145,4 +143,8 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
     book_walls(walls, dt, report);
 }
 
-}  // namespace riprap::fluid::delta_sph
+}  // namespace
+
+const Scheme delta_sph_scheme{update_density, begin_forces, load_walls, kick_fluid};
+
+}  // namespace riprap::fluid

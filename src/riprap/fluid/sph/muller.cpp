@@ -6,7 +6,7 @@
 #include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 
-namespace riprap::fluid::muller {
+namespace riprap::fluid {
 namespace {
 
 /// What the sum over a square (cubic) lattice makes of the rest density, divided out of every sum
@@ -52,8 +52,6 @@ void with_viscosity(const SphSettings& settings, const Work& work) {
 
 SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
 
-}  // namespace
-
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
     sum_density(settings, state, walls, s);
@@ -81,4 +79,8 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
     book_walls(walls, dt, report);
 }
 
-}  // namespace riprap::fluid::muller
+}  // namespace
+
+const Scheme muller_scheme{nullptr, begin_forces, load_walls, kick_fluid};
+
+}  // namespace riprap::fluid

@@ -16,6 +16,10 @@ namespace {
 
 Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
+const Scheme& scheme_of(const SphSettings& settings) {
+    return settings.scheme == SphScheme::muller ? muller_scheme : delta_sph_scheme;
+}
+
 /// nu of the fluid, or what the artificial one amounts to: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005]
 double kinematic_viscosity(const SphSettings& s) {
     return s.viscosity == Viscosity::artificial
@@ -59,10 +63,9 @@ FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const Particle
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report) {
-    if (settings.scheme == SphScheme::muller) {
-        return;  // sums it where it needs it
+    if (const auto update = scheme_of(settings).update_density; update != nullptr) {
+        update(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report);
     }
-    delta_sph::update_density(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report);
 }
 
 void drift(const SphSettings& settings, ParticleState& state, double dt) {
@@ -85,21 +88,19 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
                   SphScratch& scratch, FluidReport& report) {
     find_lost_particle(settings, state, time, report);
     if (report.problem.empty()) {
-        const auto scheme = settings.scheme == SphScheme::muller ? muller::begin_forces : delta_sph::begin_forces;
-        scheme(settings, state, walls, scratch.data());
+        scheme_of(settings).begin_forces(settings, state, walls, scratch.data());
     }
 }
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratch& scratch) {
-    const auto scheme = settings.scheme == SphScheme::muller ? muller::load_walls : delta_sph::load_walls;
-    scheme(settings, state, walls, in_plane(gravity, settings.domain), scratch.data());
+    scheme_of(settings).load_walls(settings, state, walls, in_plane(gravity, settings.domain), scratch.data());
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
-    const auto scheme = settings.scheme == SphScheme::muller ? muller::kick_fluid : delta_sph::kick_fluid;
-    scheme(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report, extra_force);
+    scheme_of(settings).kick_fluid(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(),
+                                   report, extra_force);
     find_wild_particle(settings, state, time, report);
 }
 

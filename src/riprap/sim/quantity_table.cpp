@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/quantity_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::sim {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t index(BodyId body) { return static_cast<std::size_t>(body.value); }
+Vec3 scalar(double value) { return {value, 0, 0}; }
+
+Vec3 position(const Moment& m, BodyId b) { return m.state.bodies.position[index(b)]; }
+Vec3 displacement(const Moment& m, BodyId b) { return position(m, b) - m.initial.bodies.position[index(b)]; }
+Vec3 distance(const Moment& m, BodyId b) { return scalar(norm(displacement(m, b))); }
+Vec3 velocity(const Moment& m, BodyId b) { return m.state.bodies.velocity[index(b)]; }
+Vec3 speed(const Moment& m, BodyId b) { return scalar(norm(velocity(m, b))); }
+Vec3 spin(const Moment& m, BodyId b) { return body::angular_velocity(m.model.bodies, m.state.bodies, b); }
+Vec3 rotation_vector(const Moment& m, BodyId b) {
+    return to_rotation_vector(m.state.bodies.orientation[index(b)] * conjugate(m.initial.bodies.orientation[index(b)]));
+}
+Vec3 rotation(const Moment& m, BodyId b) { return scalar(norm(rotation_vector(m, b))); }
+Vec3 kinetic_energy_of_body(const Moment& m, BodyId b) {
+    const double mass = m.model.bodies.mass[index(b)];
+    return scalar(0.5 * mass * norm_squared(velocity(m, b)) +
+                  0.5 * dot(m.state.bodies.angular_momentum[index(b)], spin(m, b)));
+}
+Vec3 of_last_step(const std::vector<Vec3>& values, BodyId b) {
+    return index(b) < values.size() ? values[index(b)] : Vec3{missing, missing, missing};
+}
+Vec3 contact_force(const Moment& m, BodyId b) {
+    return m.scratch == nullptr ? Vec3{missing, missing, missing} : of_last_step(m.scratch->contact_force(), b);
+}
+Vec3 contact_torque(const Moment& m, BodyId b) {
+    return m.scratch == nullptr ? Vec3{missing, missing, missing} : of_last_step(m.scratch->contact_torque(), b);
+}
+Vec3 contact_force_size(const Moment& m, BodyId b) { return scalar(norm(contact_force(m, b))); }
+
+/// Mass of so many particles of water as these counts add up to.
+Vec3 mass_of(const Moment& m, const std::vector<std::int64_t>& counts) {
+    const double particles = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+    return scalar(m.model.fluid ? m.model.fluid->sph.particle_mass * particles : missing);
+}
+Vec3 water_mass_in(const Moment& m) { return mass_of(m, m.state.open.entered); }
+Vec3 water_mass_out(const Moment& m) { return mass_of(m, m.state.open.left); }
+
+template <auto member>
+Vec3 reported(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(static_cast<double>(m.report->*member));
+}
+template <double Ledger::*member>
+Vec3 booked(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.*member);
+}
+/// A figure that only a complete ledger has.
+template <double Ledger::*member>
+Vec3 measured(const Moment& m) {
+    return m.report == nullptr || !m.report->ledger.has_energy ? scalar(missing) : scalar(m.report->ledger.*member);
+}
+template <Vec3 Ledger::*member>
+Vec3 booked_vector(const Moment& m) {
+    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.*member;
+}
+Vec3 time_now(const Moment& m) { return scalar(m.state.time); }
+Vec3 step_now(const Moment& m) { return scalar(static_cast<double>(m.state.step)); }
+Vec3 tilt(const Moment& m) {
+    const Vec3& before = m.model.gravity.value;
+    const Vec3 now = m.model.gravity.at(m.state.time);
+    return scalar(std::atan2(norm(cross(before, now)), dot(before, now)));
+}
+Vec3 max_displacement(const Moment& m) {
+    const auto moved = [&m](std::int64_t i) {
+        const BodyId id{static_cast<std::int32_t>(i)};
+        return is_free(m.model.bodies, id, m.state.time) ? distance(m, id).x : 0.0;
+    };
+    return scalar(
+        parallel::reduce(m.model.bodies.size(), 0.0, moved, [](double a, double b) { return std::max(a, b); }));
+}
+
+/// A load of the water on one body; NaN where there is none yet.
+template <std::vector<Vec3> coupling::FluidLoads::*pressure, std::vector<Vec3> coupling::FluidLoads::*viscous>
+Vec3 water_load(const Moment& m, BodyId id) {
+    constexpr Vec3 unknown{missing, missing, missing};
+    if (m.scratch == nullptr || m.scratch->water_loads().pressure_force.empty()) {
+        return unknown;
+    }
+    const auto b = static_cast<std::size_t>(id.value);
+    Vec3 load{};
+    if constexpr (pressure != nullptr) {
+        load += (m.scratch->water_loads().*pressure)[b];
+    }
+    if constexpr (viscous != nullptr) {
+        load += (m.scratch->water_loads().*viscous)[b];
+    }
+    return load;
+}
+using Loads = coupling::FluidLoads;
+constexpr std::vector<Vec3> Loads::*no_load = nullptr;
+
+template <double WaterLedger::*member>
+Vec3 of_water(const Moment& m) {
+    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.water.*member);
+}
+template <Vec3 WaterLedger::*member>
+Vec3 vector_of_water(const Moment& m) {
+    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.water.*member;
+}
+
+// Kept as two lists by owner, in the order in which the manual prints them.
+const std::array body_table{
+    Quantity{{"position", "m", 3, true, "centre of mass"}, position, nullptr},
+    Quantity{{"displacement", "m", 3, true, "of the centre of mass since time 0"}, displacement, nullptr},
+    Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr},
+    Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr},
+    Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr},
+    Quantity{{"angular_velocity", "rad/s", 3, true, "in world axes"}, spin, nullptr},
+    Quantity{{"rotation", "rad", 1, true, "angle turned since time 0, 0 to pi"}, rotation, nullptr},
+    Quantity{{"rotation_vector", "rad", 3, true, "axis times angle turned since time 0"}, rotation_vector, nullptr},
+    Quantity{{"kinetic_energy", "J", 1, true, "of translation and rotation"}, kinetic_energy_of_body, nullptr},
+    Quantity{{"contact_force", "N", 3, true, "sum of the contact forces of the last step"}, contact_force, nullptr},
+    Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
+    Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
+    Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},
+             water_load<&Loads::pressure_force, &Loads::viscous_force>,
+             nullptr},
+    Quantity{{"fluid_pressure_force", "N", 3, true, "the part of it by pressure"},
+             water_load<&Loads::pressure_force, no_load>,
+             nullptr},
+    Quantity{{"fluid_viscous_force", "N", 3, true, "the part of it by viscosity"},
+             water_load<no_load, &Loads::viscous_force>,
+             nullptr},
+    Quantity{{"fluid_torque", "N m", 3, true, "of water about the centre of mass"},
+             water_load<&Loads::pressure_torque, &Loads::viscous_torque>,
+             nullptr},
+};
+
+const std::array scene_table{
+    Quantity{{"time", "s", 1, false, "simulated time"}, nullptr, time_now},
+    Quantity{{"step", "-", 1, false, "steps done"}, nullptr, step_now},
+    Quantity{{"max_speed", "m/s", 1, false, "of the fastest body"}, nullptr, reported<&StepReport::max_speed>},
+    Quantity{{"max_displacement", "m", 1, false, "of the free body that moved farthest since time 0"},
+             nullptr,
+             max_displacement},
+    Quantity{{"tilt", "rad", 1, false, "angle that gravity has turned"}, nullptr, tilt},
+    Quantity{{"max_overlap", "m", 1, false, "of the deepest contact"}, nullptr, reported<&StepReport::max_depth>},
+    Quantity{{"max_potential", "-", 1, false, "of the deepest contact over the inscribed radius"},
+             nullptr,
+             reported<&StepReport::max_potential>},
+    Quantity{{"contact_count", "-", 1, false, "touching pairs of convex parts"},
+             nullptr,
+             reported<&StepReport::contact_count>},
+    Quantity{{"pair_count", "-", 1, false, "candidate pairs in the cache"}, nullptr, reported<&StepReport::pair_count>},
+    Quantity{{"kinetic_energy", "J", 1, false, "of free bodies"}, nullptr, booked<&Ledger::kinetic>},
+    Quantity{{"potential_energy", "J", 1, false, "of free bodies in gravity"}, nullptr, booked<&Ledger::potential>},
+    Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, measured<&Ledger::elastic>},
+    Quantity{
+        {"shear_energy", "J", 1, false, "stored in tangential and torsional springs"}, nullptr, booked<&Ledger::shear>},
+    Quantity{{"dissipated_friction", "J", 1, false, "since time 0"}, nullptr, booked<&Ledger::dissipated_friction>},
+    Quantity{{"dissipated_contact", "J", 1, false, "by contact dashpots since time 0"},
+             nullptr,
+             booked<&Ledger::dissipated_contact>},
+    Quantity{{"dissipated_damping", "J", 1, false, "by local and mass damping since time 0"},
+             nullptr,
+             booked<&Ledger::dissipated_damping>},
+    Quantity{
+        {"work_driven", "J", 1, false, "done by driven bodies since time 0"}, nullptr, booked<&Ledger::work_driven>},
+    Quantity{{"work_gravity_change", "J", 1, false, "done by a changing gravity since time 0"},
+             nullptr,
+             booked<&Ledger::work_gravity_change>},
+    Quantity{{"work_external", "J", 1, false, "done by loads other than contacts since time 0"},
+             nullptr,
+             booked<&Ledger::work_external>},
+    Quantity{{"work_released", "J", 1, false, "kinetic and potential energy that released bodies brought along"},
+             nullptr,
+             booked<&Ledger::work_released>},
+    Quantity{{"energy_residual", "J", 1, false, "what the energy ledger does not close by"},
+             nullptr,
+             measured<&Ledger::residual>},
+    Quantity{{"energy_turnover", "J", 1, false, "what the residual is judged against"},
+             nullptr,
+             measured<&Ledger::turnover>},
+    Quantity{{"momentum", "kg m/s", 3, false, "of free bodies"}, nullptr, booked_vector<&Ledger::momentum>},
+    Quantity{{"impulse", "N s", 3, false, "of gravity, supports and damping since time 0"},
+             nullptr,
+             booked_vector<&Ledger::impulse>},
+    Quantity{{"angular_momentum", "kg m^2/s", 3, false, "of free bodies about the origin"},
+             nullptr,
+             booked_vector<&Ledger::angular_momentum>},
+    Quantity{{"angular_impulse", "N m s", 3, false, "about the origin since time 0"},
+             nullptr,
+             booked_vector<&Ledger::angular_impulse>},
+    Quantity{{"momentum_residual", "kg m/s", 3, false, "what the momentum ledger does not close by"},
+             nullptr,
+             booked_vector<&Ledger::momentum_residual>},
+    Quantity{{"angular_momentum_residual", "kg m^2/s", 3, false, "likewise, about the origin"},
+             nullptr,
+             booked_vector<&Ledger::angular_momentum_residual>},
+    Quantity{{"mass", "kg", 1, false, "of free bodies"}, nullptr, booked<&Ledger::mass>},
+    Quantity{
+        {"water_kinetic_energy", "J", 1, false, "of water; like all below"}, nullptr, of_water<&WaterLedger::kinetic>},
+    Quantity{{"water_potential_energy", "J", 1, false, "in gravity"}, nullptr, of_water<&WaterLedger::potential>},
+    Quantity{{"water_internal_energy", "J", 1, false, "of compression"}, nullptr, of_water<&WaterLedger::internal>},
+    Quantity{{"water_dissipated_viscous", "J", 1, false, "since time 0"},
+             nullptr,
+             of_water<&WaterLedger::dissipated_viscous>},
+    Quantity{{"water_dissipated_diffusion", "J", 1, false, "by the diffusion of density since time 0"},
+             nullptr,
+             of_water<&WaterLedger::dissipated_diffusion>},
+    Quantity{{"water_shifted", "J", 1, false, "potential energy that shifting took away since time 0"},
+             nullptr,
+             of_water<&WaterLedger::shifted>},
+    Quantity{{"water_work_on_solids", "J", 1, false, "since time 0"}, nullptr, of_water<&WaterLedger::work_on_solids>},
+    Quantity{{"water_wall_exchange", "J", 1, false, "of mirrored wall pressure, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::wall_exchange>},
+    Quantity{{"water_work_external", "J", 1, false, "by gravity along periodic axes and penalty walls, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::work_external>},
+    Quantity{{"water_absorbed", "J", 1, false, "by sponges, since time 0"}, nullptr, of_water<&WaterLedger::absorbed>},
+    Quantity{{"water_flow_work", "J", 1, false, "of pressure at inflows and outflows, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::flow_work>},
+    Quantity{
+        {"water_transported", "J", 1, false, "energy of water that came in less that of water that left, since time 0"},
+        nullptr,
+        of_water<&WaterLedger::transported>},
+    Quantity{{"water_mass_in", "kg", 1, false, "of water that came in since time 0"}, nullptr, water_mass_in},
+    Quantity{{"water_mass_out", "kg", 1, false, "of water that left since time 0"}, nullptr, water_mass_out},
+    Quantity{{"coupling_gap", "J", 1, false, "what bodies got beyond what water says it gave, since time 0"},
+             nullptr,
+             of_water<&WaterLedger::coupling_gap>},
+    Quantity{{"water_energy_residual", "J", 1, false, "what the water's energy does not close by"},
+             nullptr,
+             of_water<&WaterLedger::residual>},
+    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_water<&WaterLedger::momentum>},
+    Quantity{{"water_momentum_residual", "kg m/s", 3, false, "what the water's momentum does not close by"},
+             nullptr,
+             vector_of_water<&WaterLedger::momentum_residual>},
+    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_water<&WaterLedger::mass>},
+    Quantity{{"max_water_speed", "m/s", 1, false, "of the fastest particle"},
+             nullptr,
+             reported<&StepReport::max_water_speed>},
+    Quantity{{"water_passes", "-", 1, false, "force passes of the step, more than one where light bodies need it"},
+             nullptr,
+             reported<&StepReport::water_passes>},
+    Quantity{{"water_residual", "-", 1, false,
+              "of the accelerations of light bodies after the last pass; above 0.01 the passes ran out"},
+             nullptr,
+             reported<&StepReport::water_residual>},
+    Quantity{{"solid_substeps", "-", 1, false, "steps of the bodies within the step"},
+             nullptr,
+             reported<&StepReport::substeps>},
+};
+
+}  // namespace
+
+std::span<const Quantity> body_quantities() { return body_table; }
+std::span<const Quantity> scene_quantities() { return scene_table; }
+
+}  // namespace riprap::sim
