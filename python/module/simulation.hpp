@@ -9,6 +9,7 @@
 
 #include "case.hpp"
 #include "field_views.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/run/schedule.hpp"
 #include "riprap/run/simulation.hpp"
 
@@ -33,7 +34,7 @@ class Simulation {
     run::Simulation& read() const;
     FieldViews& views() { return views_; }
     void set_end(double end);
-    double seconds() const { return seconds_; }
+    double seconds() const { return timer_.seconds(); }  ///< since it was made [s]
 
  private:
     run::Simulation& own() const;
@@ -44,7 +45,7 @@ class Simulation {
     run::Schedule rows_;                    ///< when the ledger is measured whole, as for the rows of ledger.csv
     FieldViews views_;
     std::atomic<bool> is_stepping_{false};
-    double seconds_{0};  ///< spent stepping [s]
+    Timer timer_;
 };
 
 /// A callback answered False, Python's or NumPy's; anything else, None and 0 included, goes on.
