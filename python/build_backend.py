@@ -50,15 +50,30 @@ def tag():
     return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 
 
+def information():
+    """Files of the .dist-info folder, without the record of what is in the wheel."""
+    return {
+        "METADATA": metadata().encode(),
+        "LICENSE": (ROOT / "LICENSE").read_bytes(),
+        "WHEEL": f"Wheel-Version: 1.0\nGenerator: riprap\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode(),
+    }
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    folder = pathlib.Path(metadata_directory, f"riprap-{version()}.dist-info")
+    folder.mkdir()
+    for name, data in information().items():
+        (folder / name).write_bytes(data)
+    return folder.name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = compile_module()
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     files = sorted(file for file in package.iterdir() if file.suffix == ".py" or file.name.endswith(suffix))
     info = f"riprap-{version()}.dist-info"
     contents = {f"riprap/{file.name}": file.read_bytes() for file in files}
-    contents[f"{info}/METADATA"] = metadata().encode()
-    contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
-    contents[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: riprap\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode()
+    contents |= {f"{info}/{name}": data for name, data in information().items()}
     record = ""
     for name, data in contents.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).decode().rstrip("=")
