@@ -56,6 +56,7 @@ double angle_of_fall(Trial trial, bool platform_turns) {
     const Vec3 axis{0, 1, 0};
     Vec3 at_rest{};
     double fallen = std::nan("");
+    trial.follow_energy(false);
     trial.run_until(start);
     at_rest = trial.position(top);
     trial.run_until(8, [&](const Trial& now) {

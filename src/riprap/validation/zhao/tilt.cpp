@@ -38,7 +38,9 @@ void turn_gravity(Trial& trial, double angle, double rate) {
 class Tilting {
  public:
     Tilting(const CaseSetting& setting, Trial trial, double approach)
-        : setting_(setting), approach_(approach), trial_(std::move(trial)), initial_(trial_.state()) {}
+        : setting_(setting), approach_(approach), trial_(std::move(trial)), initial_(trial_.state()) {
+        trial_.follow_energy(false);
+    }
 
     Failures run() {
         Failures failures;
