@@ -20,7 +20,7 @@ class FieldViews {
     template <class T>
     pybind11::array view(std::vector<T>& field, const pybind11::object& owner);
 
-    /// Called before anything that changes the State, or ends it. No value of it changes.
+    /// Called with the interpreter's lock before anything that changes the State, or ends it. No value of it changes.
     void let_go();
 
  private:
@@ -32,6 +32,7 @@ class FieldViews {
     template <class T>
     struct Kept {
         std::vector<T> values;
+        pybind11::object owner;  ///< the simulation, as long as it has the memory
     };
     template <class T>
     struct SlotOf final : Slot {
@@ -39,8 +40,10 @@ class FieldViews {
         std::weak_ptr<Kept<T>> kept;
         void let_go() override {
             if (const auto held = kept.lock()) {
+                std::vector<T> copy = *field;  // may run out of memory: then nothing has changed
                 held->values = std::move(*field);
-                *field = held->values;
+                *field = std::move(copy);
+                held->owner = pybind11::none();  // no longer needed to keep the memory
             }
         }
     };
@@ -48,7 +51,6 @@ class FieldViews {
     template <class T>
     struct Anchor {
         std::shared_ptr<Kept<T>> kept;
-        pybind11::object owner;
     };
 
     std::vector<std::unique_ptr<Slot>> slots_;
@@ -75,9 +77,10 @@ pybind11::array FieldViews::view(std::vector<T>& field, const pybind11::object& 
     std::shared_ptr<Kept<T>> kept = slot->kept.lock();
     if (kept == nullptr) {
         kept = std::make_shared<Kept<T>>();
+        kept->owner = owner;
         slot->kept = kept;
     }
-    auto anchor = std::make_unique<Anchor<T>>(Anchor<T>{std::move(kept), owner});
+    auto anchor = std::make_unique<Anchor<T>>(Anchor<T>{std::move(kept)});
     const py::capsule base(anchor.get(), [](void* raw) { delete static_cast<Anchor<T>*>(raw); });
     anchor.release();  // NOLINT(bugprone-unused-return-value): the capsule has it
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(field.size())};

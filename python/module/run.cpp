@@ -3,8 +3,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <atomic>
 #include <csignal>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "errors.hpp"
 #include "riprap/core/parallel.hpp"
@@ -91,6 +94,12 @@ py::object run_folder(const Case& of, const std::filesystem::path& out, bool res
     options.resume = resume;
     options.force = force;
     options.silent = quiet;
+    static std::atomic_flag is_running;  // the signals of a process can be caught once
+    if (is_running.test_and_set()) {
+        throw std::runtime_error("another riprap.run is under way in this process: one at a time");
+    }
+    const std::unique_ptr<std::atomic_flag, void (*)(std::atomic_flag*)> clear(
+        &is_running, [](std::atomic_flag* flag) { flag->clear(); });
     Caller caller(callback, every);
     if (!callback.is_none()) {
         options.watch = [&caller](run::Simulation& simulation) { return caller(simulation); };

@@ -91,7 +91,9 @@ std::int64_t Simulation::step(std::int64_t count, bool with_energy, double until
     const py::gil_scoped_release unlocked;
     std::optional<Timer> since_look;  // reading the clock costs as much as a small part of a small step
     while (taken < count && simulation.steps_left() > 0 && !has_reached(simulation, until)) {
-        const bool is_whole = is_due() || simulation.next_is_last() || (with_energy && taken + 1 == count);
+        const double dt = simulation.next_dt();
+        const bool ends = taken + 1 == count || has_reached(simulation, until - dt);
+        const bool is_whole = is_due() || simulation.next_is_last() || (with_energy && ends);
         const run::StepOutcome outcome = simulation.step(is_whole ? sim::Measure::energy : sim::Measure::flow);
         if (outcome.kind == run::StepOutcome::Kind::refused) {
             throw NumericalError(outcome.reason);

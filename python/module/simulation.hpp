@@ -54,7 +54,7 @@ bool says_stop(const pybind11::object& answer);
 void define_simulation(pybind11::module_& module);
 /// What a Simulation shows of its bodies, water and contacts.
 void define_views(pybind11::module_& module, pybind11::class_<Simulation>& simulation);
-/// The run folder: riprap.run and riprap.resume.
+/// The run folder: riprap.run.
 void define_run(pybind11::module_& module);
 
 }  // namespace riprap::python

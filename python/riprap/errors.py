@@ -28,6 +28,9 @@ class CaseError(Error, ValueError):
         self.problems = tuple(problems)
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
+    def __reduce__(self):  # args hold the text, not the problems
+        return type(self), (self.problems,)
+
 
 class FileError(Error, OSError):
     """A file or folder cannot be read or written."""

@@ -4,6 +4,7 @@ import gc
 import json
 import os
 import pathlib
+import pickle
 import signal
 import subprocess
 import sys
@@ -113,6 +114,12 @@ class Cases(unittest.TestCase):
         case = riprap.load("cases/stack", overrides={"end": 0.5, "body.cube.position": [0, 0, 0.75], "title": "Higher"})
         self.assertEqual((case.end, case.title), (0.5, "Higher"))
         self.assertEqual(riprap.load("cases/stack", ["end=500 ms"]).end, 0.5)
+
+    def test_the_exception_of_a_case_crosses_processes_whole(self):
+        with self.assertRaises(riprap.CaseError) as caught:
+            riprap.loads("gravity = 3")
+        copy = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((str(copy), copy.problems), (str(caught.exception), caught.exception.problems))
 
     def test_a_missing_file_is_an_os_error(self):
         with self.assertRaises(OSError) as caught:
@@ -262,6 +269,11 @@ class Stepping(unittest.TestCase):
         with self.assertRaises(KeyError):
             simulation.bodies.index("pebble")
 
+    def test_energy_is_whole_at_the_last_step_before_a_time(self):
+        simulation = riprap.Simulation(falling_block())
+        simulation.run(until=0.0101, energy=True)
+        self.assertTrue(np.isfinite(simulation.ledger["elastic_energy"]))
+
     def test_a_callback_comes_after_every_so_many_steps_and_may_stop(self):
         simulation = riprap.Simulation(falling_block())
         seen = []
@@ -369,6 +381,15 @@ class RunFolders(unittest.TestCase):
         for view, position, copy in kept:
             np.testing.assert_array_equal(position, copy)
             self.assertRaises(RuntimeError, lambda: view.time)
+
+    def test_runs_with_a_folder_come_one_at_a_time(self):
+        def nested(_):
+            riprap.run(falling_block(), pathlib.Path(folder, "inner"))
+
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(RuntimeError, "one at a time"):
+                riprap.run(falling_block(), pathlib.Path(folder, "outer"), callback=nested)
+            riprap.run(falling_block(), pathlib.Path(folder, "next"))
 
     def test_a_refused_step_and_a_failing_callback_come_out_of_a_run(self):
         with tempfile.TemporaryDirectory() as folder:

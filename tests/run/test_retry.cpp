@@ -9,6 +9,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/run_case.hpp"
+#include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 
@@ -122,6 +123,28 @@ TEST_F(Retries, WhatNoStepHelpsIsGivenUpAfterTheStatedNumberAndTheLastGoodStateI
     const nlohmann::json summary = summary_of("deep");
     EXPECT_EQ(summary.at("status"), "failed");
     EXPECT_EQ(summary.at("retries"), sim::max_halvings);
+}
+
+// A reviewer's find: steps taken before a new end were chosen by the old one, and going back worked them out by the
+// new.
+TEST_F(Retries, AStepRefusedAfterANewEndLeavesTheStateBeforeIt) {
+    const std::vector<std::string> overrides{limit(0.25 * deepest(16)), "output.ledger_tolerance=1"};
+    Simulation simulation(scene::read_case_text(impact, "case.toml", ".", overrides));
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(simulation.step(sim::Measure::flow).is_accepted());
+    }
+    simulation.set_end(0.17, -1);
+    double time = 0;
+    Vec3 position;
+    StepOutcome outcome;
+    do {
+        time = simulation.state().time;
+        position = simulation.state().bodies.position[1];
+        outcome = simulation.step(sim::Measure::flow);
+    } while (outcome.is_accepted() && simulation.steps_left() > 0);
+    ASSERT_FALSE(outcome.is_accepted());
+    EXPECT_EQ(simulation.state().time, time);
+    EXPECT_EQ(simulation.state().bodies.position[1], position);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(PaddleAbsorption, where_the_gauge_is_dry_the_paddle_stays) {
     PaddleAbsorption paddle = regular_paddle(1.5);
     paddle.body = BodyId{0};
     body::BodySet bodies;
-    bodies.driven.resize(1);
+    bodies.driven.assign(1, -1);
     drive(bodies, paddle.body, 0, {});
     body::BodyState state;
     state.position.resize(1);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "riprap/core/error.hpp"
+
 namespace riprap::body {
 
 namespace {
@@ -72,6 +74,7 @@ DrivenState driven_state(const BodySet& bodies, BodyId body, double time) {
 }
 
 void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start) {
+    RIPRAP_ASSERT(bodies.driven[static_cast<std::size_t>(body.value)] < 0, "a body is driven by one motion");
     bodies.driven[static_cast<std::size_t>(body.value)] = static_cast<std::int32_t>(bodies.driven_bodies.size());
     bodies.driven_bodies.push_back({motion, start});
 }

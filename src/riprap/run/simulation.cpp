@@ -51,6 +51,7 @@ void Simulation::set_end(double end, std::int64_t max_steps) {
     loaded_.model.time.end = end;
     loaded_.model.time.max_steps = max_steps;
     forget_scratch();  // a step may be a share of the end
+    good_ = {};        // and those already taken were chosen by the old one
     next_ = choose_time_step(model(), state_, scratch_);
 }
 

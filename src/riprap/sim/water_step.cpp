@@ -154,12 +154,14 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     }
 }
 
-/// Everywhere that water may be until near samples are found again.
+/// Everywhere that water is, or may enter less than a spacing past.
 std::vector<Vec3> places_of_water(const FluidModel& water, const State& state) {
     std::vector<Vec3> places = state.fluid.position;
-    places.insert(places.end(), state.open.position.begin(), state.open.position.end());
     for (const fluid::Inflow& inflow : water.open.inflows) {
-        places.insert(places.end(), inflow.rows.begin(), inflow.rows.end());
+        for (const Vec3& row : inflow.rows) {
+            places.push_back(row);
+            places.push_back(row + water.sph.spacing * inflow.opening.direction());
+        }
     }
     return places;
 }
@@ -168,6 +170,9 @@ std::vector<Vec3> places_of_water(const FluidModel& water, const State& state) {
 /// farther than the margin that was left the last time, which follows from the State alone.
 void find_near_samples(const Model& model, State& state, WaterScratch& scratch, double dt) {
     const FluidModel& water = *model.fluid;
+    if (water.samples.size() == 0) {
+        return;
+    }
     CouplingState& coupling = state.coupling;
     const double margin = 2 * water.sph.spacing;
     const double fastest = parallel::reduce(
