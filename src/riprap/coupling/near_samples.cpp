@@ -40,7 +40,8 @@ class WetCells {
     }
 
  private:
-    /// The water with two reaches about it; along periodic axes the domain.
+    /// The water within the domain, with two reaches about it; along periodic axes the domain. Water that has left it
+    /// ends the step soon after, and must not make cells without end before.
     void span_box(std::span<const Vec3> water, double reach) {
         low_ = Vec3{1e300, 1e300, 1e300};
         high_ = -low_;
@@ -57,13 +58,14 @@ class WetCells {
                 low_[axis] = domain_.low[axis];
                 high_[axis] = domain_.high[axis];
             } else {
-                low_[axis] -= 2 * reach;
-                high_[axis] += 2 * reach;
+                low_[axis] = std::max(low_[axis], domain_.low[axis]) - 2 * reach;
+                high_[axis] = std::min(high_[axis], domain_.high[axis]) + 2 * reach;
             }
         }
     }
 
-    /// Cells of at least `side`, and not many more than there are particles: a drop far away must not fill the memory.
+    /// Cells of at least `side`, and not many more than there are particles: a few drops far apart must not fill the
+    /// memory.
     void choose_cells(double side, std::size_t particles) {
         const double most = 1e5 + 64 * static_cast<double>(particles);
         for (;; side *= 1.5) {

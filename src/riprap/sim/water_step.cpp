@@ -186,7 +186,7 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
-    if (scratch.near_numbers != coupling.near_samples || scratch.near.size() != std::ssize(coupling.near_samples)) {
+    if (scratch.near_numbers != coupling.near_samples) {
         scratch.near_numbers = coupling.near_samples;
         scratch.near = subset(water.samples, scratch.near_numbers);
         scratch.walls = {};

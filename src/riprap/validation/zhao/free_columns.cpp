@@ -54,11 +54,10 @@ double angle_of_fall(Trial trial, bool platform_turns) {
     constexpr double rate = 0.03, start = 0.5;
     const BodyId top = trial.body("block[4]");
     const Vec3 axis{0, 1, 0};
-    Vec3 at_rest{};
     double fallen = std::nan("");
     trial.follow_energy(false);
     trial.run_until(start);
-    at_rest = trial.position(top);
+    const Vec3 at_rest = trial.position(top);
     trial.run_until(8, [&](const Trial& now) {
         const double angle = rate * (now.time() - start);
         const Vec3 x = platform_turns ? rotate(conjugate(turn(axis, angle)), now.position(top)) : now.position(top);
