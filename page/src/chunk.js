@@ -14,8 +14,12 @@ function fromBase64(text) {
 }
 
 export async function inflate(bytes) {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const {readable, writable} = new DecompressionStream('deflate');
+  const writer = writable.getWriter();
+  for (const part of [writer.write(bytes), writer.close()]) {
+    part.catch(() => {});  // what is wrong with the bytes, the reader is told
+  }
+  return new Uint8Array(await new Response(readable).arrayBuffer());
 }
 
 /** The bytes of the piece `name`; null where the page has none of that name. Its text is given back to the browser. */

@@ -133,7 +133,7 @@ class Page {
     if (this.scene?.blocks) {
       this.scene.blocks.selected = body;
       this.scene.blocks.paint();
-      this.scene.draw();
+      this.scene.redraw();
     }
     showBody($('tab-body'), this.contents, this.frame, body);
     if (body >= 0) {
@@ -171,7 +171,7 @@ class Page {
       this.scene.forces.group.visible = isOn;
       this.scene.blocks.setGlass(isOn);
       this.#legends();
-      this.scene.draw();
+      this.scene.redraw();
     }
   }
 
@@ -180,7 +180,7 @@ class Page {
       $('water-by').value = by;
       this.scene.particles.colourBy(by);
       this.#legends();
-      this.scene.draw();
+      this.scene.redraw();
     }
   }
 
@@ -190,7 +190,7 @@ class Page {
       this.scene.blocks.colourBy = by;
       this.scene.blocks.paint();
       this.#legends();
-      this.scene.draw();
+      this.scene.redraw();
     }
   }
 

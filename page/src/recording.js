@@ -2,7 +2,7 @@
 // The run that the page carries: its contents, and its frames, unpacked group by group when they are asked for.
 
 import {joinPlanes, restoreRows, takeChunk} from './chunk.js';
-import {decodeGroup} from './water.js';
+import {WaterGroup} from './water.js';
 
 const FORMAT = 1;
 const POSE = 7;     // values per body: position, orientation (w, x, y, z)
@@ -38,29 +38,20 @@ export class Recording {
     return bytes ? JSON.parse(new TextDecoder().decode(bytes)) : [];
   }
 
-  isLoaded(frame) {
-    return this.groups.get(Math.floor(frame / this.contents.group))?.isDone === true;
-  }
-
   /** Everything of one frame: {time, pose, motion, contacts, water}. */
   async frame(index) {
-    const group = Math.floor(index / this.contents.group);
+    const group = Math.floor(index / this.contents.group), within = index % this.contents.group;
     if (!this.groups.has(group)) {
-      const entry = {isDone: false};
-      entry.promise = this.#load(group).then(frames => {
-        entry.isDone = true;
-        return frames;
-      });
-      this.groups.set(group, entry);
+      this.groups.set(group, this.#load(group));
     }
-    const frames = await this.groups.get(group).promise;
-    return frames[index - group * this.contents.group];
+    const {frames, water} = await this.groups.get(group);
+    return {...frames[within], water: await water?.frame(within)};
   }
 
-  /** Unpacks everything, one group after another. */
+  /** Unpacks everything, one frame after another. */
   async loadAll() {
-    for (let first = 0; first < this.frameCount; first += this.contents.group) {
-      await this.frame(first);
+    for (let index = 0; index < this.frameCount; ++index) {
+      await this.frame(index);
     }
   }
 
@@ -71,7 +62,6 @@ export class Recording {
       this.#rows(`poses-${group}`, Float64Array, POSE), this.#rows(`motion-${group}`, Float32Array, MOTION),
       takeChunk(`contacts-${group}`), takeChunk(`water-${group}`)]);
     const contactRows = contacts ? new Float32Array(joinPlanes(contacts, 4).buffer) : null;
-    const waterFrames = water ? await decodeGroup(water) : null;
     const frames = [];
     let contactsBefore = 0;
     for (let k = 0; k < count; ++k) {
@@ -81,11 +71,10 @@ export class Recording {
         pose: pose?.subarray(k * POSE * this.bodyCount, (k + 1) * POSE * this.bodyCount),
         motion: motion?.subarray(k * MOTION * this.bodyCount, (k + 1) * MOTION * this.bodyCount),
         contacts: contactRows?.subarray(CONTACT * contactsBefore, CONTACT * (contactsBefore + contactCount)),
-        water: waterFrames?.[k],
       });
       contactsBefore += contactCount;
     }
-    return frames;
+    return {frames, water: water ? new WaterGroup(water) : null};
   }
 
   async #rows(name, Type, perBody) {

@@ -43,13 +43,13 @@ export class Scene {
     this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.redraw());
     this.controls.addEventListener('start', () => { this.preset = null; });
     this.#light();
     this.#fill(contents, shapes, first);
-    this.setPreset(contents.is_planar ? 'front' : 'corner');
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.preset = contents.is_planar ? 'front' : 'corner';
     this.resize();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
   }
 
   #light() {
@@ -77,11 +77,21 @@ export class Scene {
     }
     this.forces?.show(frame);
     this.particles?.show(frame);
+    this.isShown = true;
     this.draw();
+  }
+
+  /** Draws once before the screen is next shown, however often it was asked. */
+  redraw() {
+    if (this.isShown && !this.isStale) {
+      this.isStale = true;
+      requestAnimationFrame(() => this.isStale && this.draw());
+    }
   }
 
   draw() {
     const {camera} = this;
+    this.isStale = false;
     this.lamp.position.copy(camera.position).addScaledVector(this.up, 0.6 * this.size)
         .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
     this.lamp.target.position.copy(this.controls.target);
@@ -90,10 +100,12 @@ export class Scene {
 
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
-    if (width === 0 || height === 0) {
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    const size = [width, height, ratio].join(' ');
+    if (width === 0 || height === 0 || size === this.canvasSize) {
       return;
     }
-    const ratio = Math.min(window.devicePixelRatio, 2);
+    this.canvasSize = size;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -104,13 +116,15 @@ export class Scene {
     if (this.preset) {
       this.setPreset(this.preset);
     }
-    this.draw();
+    if (this.isShown) {  // at once: the canvas is empty now
+      this.draw();
+    }
   }
 
   setTheme(theme) {
     this.renderer.setClearColor(BACKGROUND[theme]);
     this.blocks?.edgeColour.setHex(theme === 'dark' ? 0x0c0d0f : 0x222222);
-    this.draw();
+    this.redraw();
   }
 
   /** Looks at the whole scene from a corner, the front, a side or above. */
@@ -132,7 +146,7 @@ export class Scene {
     this.camera.position.copy(center).addScaledVector(from, this.#distanceFor(from, center));
     this.controls.update();
     this.preset = name;
-    this.draw();
+    this.redraw();
   }
 
   /** How far away the eye must be to see every corner of the box. */

@@ -2,6 +2,7 @@
 // Groups of frames of water, as src/riprap/view/water_stream.hpp defines them.
 
 const CHANNELS = 5;
+const LONGEST_WORK = 12;  // milliseconds between two breaths
 
 /** Lets the page breathe: long work is cut where this is awaited. */
 const breathe = () => new Promise(resolve => setTimeout(resolve, 0));
@@ -23,41 +24,60 @@ function restoreChannel(code, low, high, last, before) {
   return numbers;
 }
 
-/**
- * The frames of a group, each four numbers a particle: x, y, z in steps from the origin, and pressure times 256 plus
- * speed, both 0 to 255.
- */
-export async function decodeGroup(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const frameCount = view.getUint32(0, true);
-  const counts = [];
-  let at = 4, all = 0;
-  for (let f = 0; f < frameCount; ++f, at += 5) {
-    counts.push(view.getUint32(at, true));
-    all += counts[f];
+/** Four numbers a particle, as the graphics card takes them: x, y, z, and pressure times 256 plus speed. */
+function interleave([x, y, z, pressure, speed]) {
+  const cells = new Uint16Array(4 * x.length);
+  for (let i = 0, to = 0; i < x.length; ++i, to += 4) {
+    cells[to] = x[i];
+    cells[to + 1] = y[i];
+    cells[to + 2] = z[i];
+    cells[to + 3] = pressure[i] << 8 | speed[i];
   }
-  const frames = counts.map(count => new Uint16Array(4 * count));
-  let since = performance.now();
-  for (let c = 0; c < CHANNELS; ++c) {
-    const guesses = at, low = at + frameCount, high = low + all;
-    let last = null, before = null;
-    for (let f = 0, from = 0; f < frameCount; from += counts[f], ++f) {
-      const numbers = restoreChannel(bytes[guesses + f], bytes.subarray(low + from, low + from + counts[f]),
-                                     bytes.subarray(high + from, high + from + counts[f]), last, before);
-      const packed = frames[f];
-      if (c < 3) {
-        numbers.forEach((number, i) => { packed[4 * i + c] = number; });
-      } else {
-        const shift = c === 3 ? 8 : 0;
-        numbers.forEach((number, i) => { packed[4 * i + 3] |= number << shift; });
-      }
-      [before, last] = [last, numbers];
-      if (performance.now() - since > 12) {
+  return cells;
+}
+
+/** The frames of a group. Each is guessed from those before it, so they are unpacked in order, as far as is asked. */
+export class WaterGroup {
+  constructor(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    const frameCount = view.getUint32(0, true);
+    this.bytes = bytes;
+    this.begins = [0];  // of the particles of each frame among those of all
+    for (let f = 0; f < frameCount; ++f) {
+      this.begins.push(this.begins[f] + view.getUint32(4 + 5 * f, true));
+    }
+    this.begin = 4 + 5 * frameCount;  // of the first channel
+    this.frames = [];
+    this.last = this.before = [];
+  }
+
+  /** x, y, z in steps from the origin, and pressure times 256 plus speed, both 0 to 255, of every particle. */
+  async frame(index) {
+    while (this.frames.length <= index) {
+      this.next ??= this.#unpackNext().finally(() => { this.next = null; });
+      await this.next;
+    }
+    return this.frames[index];
+  }
+
+  async #unpackNext() {
+    const f = this.frames.length, frameCount = this.begins.length - 1, all = this.begins[frameCount];
+    const [from, to] = [this.begins[f], this.begins[f + 1]];
+    const channels = [];
+    let since = performance.now();
+    for (let c = 0; c < CHANNELS; ++c) {
+      const guesses = this.begin + c * (frameCount + 2 * all), low = guesses + frameCount, high = low + all;
+      channels.push(restoreChannel(this.bytes[guesses + f], this.bytes.subarray(low + from, low + to),
+                                   this.bytes.subarray(high + from, high + to), this.last[c], this.before[c]));
+      if (performance.now() - since > LONGEST_WORK) {
         await breathe();
         since = performance.now();
       }
     }
-    at = high + all;
+    this.frames.push(interleave(channels));
+    [this.before, this.last] = [this.last, channels];
+    if (this.frames.length === frameCount) {
+      this.bytes = this.last = this.before = null;
+    }
   }
-  return frames;
 }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -11,72 +10,12 @@
 #include "riprap/core/error.hpp"
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_water.hpp"
+#include "view/stirred_water.hpp"
 
 namespace riprap::view {
 namespace {
 
-constexpr double spacing = 0.01;  // [m]
-
-/// Water that sloshes and stirs in a box: steady rolls of three sizes under a swaying motion, advected in short steps.
-/// Shuffled, as a run writes it: in the order of its cells, not of ids.
-class StirredWater {
- public:
-    explicit StirredWater(int per_side) {
-        for (int i = 0; i < per_side; ++i) {
-            for (int j = 0; j < per_side; ++j) {
-                for (int k = 0; k < per_side; ++k) {
-                    frame_.id.push_back(static_cast<std::int32_t>(frame_.id.size()));
-                    frame_.position.push_back(spacing * Vec3{1.0 * i, 1.0 * j, 1.0 * k});
-                }
-            }
-        }
-        frame_.pressure.resize(frame_.id.size());
-        frame_.speed.resize(frame_.id.size());
-    }
-    std::size_t count() const { return frame_.id.size(); }
-
-    const WaterFrame& advance(double interval) {
-        constexpr int substeps = 4;
-        for (int s = 0; s < substeps; ++s) {
-            time_ += interval / substeps;
-            for (std::size_t i = 0; i < count(); ++i) {
-                const Vec3 u = velocity(frame_.position[i]);
-                frame_.position[i] += interval / substeps * u;
-                frame_.speed[i] = static_cast<float>(norm(u));
-                frame_.pressure[i] = static_cast<float>(9810 * (0.4 - frame_.position[i].z) + 300 * jitter_(random_));
-            }
-        }
-        return frame_;
-    }
-    WaterFrame shuffled() {
-        std::vector<std::size_t> order(count());
-        std::iota(order.begin(), order.end(), 0U);
-        std::shuffle(order.begin(), order.end(), random_);
-        WaterFrame out;
-        for (const std::size_t i : order) {
-            out.id.push_back(frame_.id[i]);
-            out.position.push_back(frame_.position[i]);
-            out.pressure.push_back(frame_.pressure[i]);
-            out.speed.push_back(frame_.speed[i]);
-        }
-        return out;
-    }
-
- private:
-    Vec3 velocity(const Vec3& x) const {
-        Vec3 u{0.5 * std::cos(7 * time_), 0, 0};  // [m/s]
-        for (const double k : {7.0, 19.0, 53.0}) {
-            const double size = 3 / k;
-            u += size * Vec3{std::sin(k * x.z) + std::cos(k * x.y + time_),
-                             std::sin(k * x.x) + std::cos(k * x.z - time_), std::sin(k * x.y) + std::cos(k * x.x)};
-        }
-        return u;
-    }
-    WaterFrame frame_;
-    double time_{0};
-    std::mt19937 random_{7};
-    std::normal_distribution<double> jitter_;
-};
+constexpr double spacing = StirredWater::spacing;
 
 std::vector<WaterFrame> stirred(int per_side, std::size_t frame_count) {
     StirredWater water(per_side);
@@ -168,22 +107,15 @@ TEST(WaterStream, ParticlesThatComeAndGoAreShownWhereTheyAre) {
     }
 }
 
-// 100 000 particles over 200 frames stay under 60 MB as they stand in a page, in base64: 3 bytes for a particle and
-// frame. Short by default: a tenth of the frames and a fifth of the particles, and so much less of the bytes.
+// That is 60 MB for 100 000 particles over 200 frames, as they stand in a page, in base64.
 TEST(WaterStream, StaysWithinThreeBytesForAParticleAndFrameAtTheFinestStep) {
-    const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
-    const std::size_t frame_count = is_full ? 200 : 25;
-    const std::vector<WaterFrame> frames = stirred(is_full ? 47 : 20, frame_count);
-    const double particle_frames = static_cast<double>(frames[0].id.size() * frame_count);
+    const std::vector<WaterFrame> frames = stirred(20, 25);
+    const double particle_frames = static_cast<double>(frames[0].id.size() * frames.size());
     const auto budget = static_cast<std::size_t>(3 * particle_frames * 3 / 4);
-    const PackedWater water = pack_water(source_of(frames), frame_count, spacing, budget);
-    const double in_page = 4.0 / 3 * static_cast<double>(water.bytes());
-    RecordProperty("bytes_per_particle_and_frame", std::to_string(in_page / particle_frames));
-    std::printf("%.3f bytes per particle and frame in the page, step spacing/%.0f\n", in_page / particle_frames,
-                spacing / water.scale.step);
-    EXPECT_LE(in_page, 3 * particle_frames);
+    const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, budget);
+    EXPECT_LE(4.0 / 3 * static_cast<double>(water.bytes()), 3 * particle_frames);
     EXPECT_EQ(water.stride, 1U);
-    EXPECT_LE(water.scale.step, spacing / 16);  // a particle is at most 1/32 of the spacing out of place
+    EXPECT_DOUBLE_EQ(water.scale.step, spacing / 32);
 }
 
 TEST(WaterStream, WhatCannotBeGuessedStillFitsWithACoarserStepOrFewerParticles) {

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;                   ///< of the contents; page/src/content.js asks for the same
+constexpr int format = 1;                   ///< of the contents; page/src/recording.js asks for the same
 constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told apart on a screen
 constexpr std::size_t told_notices = 6;
 constexpr double base64_growth = 4.0 / 3;

@@ -15,7 +15,7 @@ struct Chunk {
     std::string packed;  ///< zlib stream
 };
 
-/// What a page shows: a table of contents and packed pieces. page/src/content.js reads the same.
+/// What a page shows: a table of contents and packed pieces. page/src/recording.js reads the same.
 struct PageContent {
     std::string contents_json;
     std::vector<Chunk> chunks;
