@@ -13,6 +13,11 @@ const $ = id => document.getElementById(id);
 const FRAMES_PER_SECOND = 30;
 const LONGEST_PLAY = 12, SHORTEST_PLAY = 4;  // seconds from the first frame to the last at pace 1
 
+/** What is done so far, for tests and for `riprap render`: a mark, and the milliseconds since the page was asked for. */
+function note(name) {
+  document.documentElement.dataset[name] = Math.round(performance.mark(name).startTime);
+}
+
 class Page {
   constructor(contents) {
     this.contents = contents;
@@ -45,7 +50,7 @@ class Page {
     const tables = await Promise.all(contents.tables.map(t => recording.table(t)));
     this.plots = new Plots($('tab-plots'), tables, time => this.goToTime(time));
     this.plots.at(recording.times[this.index] ?? 0);
-    recording.loadAll().then(() => { document.documentElement.dataset.loaded = 'all'; });
+    recording.loadAll().then(() => note('loaded'));
   }
 
   async #openScene() {
@@ -59,6 +64,7 @@ class Page {
     $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
     this.#legends();
     await this.show(0);
+    requestAnimationFrame(() => requestAnimationFrame(() => note('drawn')));  // the second one follows the picture
   }
 
   /** Shows one frame; of several asked for in a hurry the last one wins. */
@@ -284,6 +290,7 @@ function remote(page, opened) {
     get times() { return page.recording.times; },
     get index() { return page.index; },
     get scene() { return page.scene; },
+    get recording() { return page.recording; },
     show: index => page.show(index),
     showTime: time => page.goToTime(time),
     select: body => page.select(body),
@@ -313,7 +320,7 @@ try {
   const opened = page.open();
   window.riprap = remote(page, opened);
   await opened;
-  document.documentElement.dataset.opened = Math.round(performance.now());
+  note('opened');
 } catch (error) {
   $('trouble').textContent = `This page cannot be shown: ${error.message}`;
   document.documentElement.dataset.failed = error.message;

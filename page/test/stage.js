@@ -24,14 +24,18 @@ export function riprap(args, options = {}) {
   return {status, stdout, stderr};
 }
 
+export function openBrowser() {
+  return chromium.launch({
+    executablePath: browserProgram(),
+    args: ['--disable-gpu', '--enable-unsafe-swiftshader', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])],
+  });
+}
+
 export class Stage {
   static async open() {
     const stage = new Stage();
     stage.folder = mkdtempSync(join(tmpdir(), 'riprap-page-'));
-    stage.browser = await chromium.launch({
-      executablePath: browserProgram(),
-      args: ['--disable-gpu', '--enable-unsafe-swiftshader', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])],
-    });
+    stage.browser = await openBrowser();
     return stage;
   }
 
