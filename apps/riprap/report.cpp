@@ -20,7 +20,8 @@ int validate_with_report(const validation::ValidateOptions& options, const std::
     if (code == static_cast<int>(ExitCode::usage)) {
         return code;
     }
-    const std::filesystem::path page = view::write_validation_report(folder, results.str(), "validation");
+    const std::filesystem::path page =
+        view::write_validation_report(folder, results.str(), validation::case_folder(options));
     if (options.as_json) {
         fmt::print("{}", results.str());
     } else {

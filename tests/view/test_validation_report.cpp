@@ -20,21 +20,52 @@ constexpr const char* results = R"({"suite": "all", "results": [
  {"case": "water/leak", "quantity": "volume", "unit": "-", "paper": null, "exact": null, "value": 1.5,
   "low": 0.9, "high": 1.1, "verdict": "not_reproduced", "note": "it leaks", "seconds": 2}]})";
 
-TEST(ValidationReport, HasEveryResultRedsIncludedWithPlotsAndWordsOfItsSuite) {
-    const TemporaryFolder folder;
-    io::make_folder(folder / "report/water");
-    io::make_folder(folder / "suites/water");
-    std::ofstream(folder / "report/water/leak.svg") << "<?xml version=\"1.0\"?>\n<svg><text>level</text></svg>";
-    std::ofstream(folder / "suites/water/README.md") << "Assumed: no <air>";
-    const auto page = write_validation_report(folder / "report", results, folder / "suites");
-    const std::string text = io::read_file(page, 1U << 20U);
-    EXPECT_THAT(text, HasSubstr("1 reproduced, 1 not reproduced"));
-    EXPECT_THAT(text, HasSubstr("slip &lt; rest"));
-    EXPECT_THAT(text, HasSubstr("<b class=\"not_reproduced\">not reproduced</b></td><td>it leaks"));
-    EXPECT_THAT(text, HasSubstr("<figure><svg><text>level</text></svg></figure>"));
-    EXPECT_THAT(text, HasSubstr("Assumed: no &lt;air&gt;"));
-    EXPECT_THAT(text, Not(HasSubstr("<?xml")));
-    EXPECT_LT(text.find("<h2>zhao</h2>"), text.find("<h2>water</h2>"));
+class AReport : public ::testing::Test {
+ protected:
+    AReport() {
+        write("report/water/leak_level.svg", "<?xml version=\"1.0\"?>\n<svg><text>level</text></svg>");
+        write("report/zhao/incline_speed.svg", "<svg><text>speed</text></svg>");
+        write("report/zhao/sketch.svg", "<svg><text>sketch</text></svg>");
+        write("suites/water/README.md", "Assumed: no <air>");
+        write("suites/zhao/incline/README.md", "Choices: 30 degrees");
+        text_ = io::read_file(write_validation_report(folder_ / "report", results, folder_ / "suites"), 1U << 20U);
+    }
+    /// Where the first of these words stands.
+    std::size_t at(const std::string& words) const {
+        EXPECT_NE(text_.find(words), std::string::npos) << words;
+        return text_.find(words);
+    }
+    std::string text_;
+
+ private:
+    void write(const std::string& name, const std::string& content) const {
+        io::make_folder((folder_ / name).parent_path());
+        std::ofstream(folder_ / name) << content;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(AReport, HasEveryResultRedsIncluded) {
+    EXPECT_THAT(text_, HasSubstr("<b class=reproduced>1 reproduced</b>, <b class=not_reproduced>1 not reproduced</b>"));
+    EXPECT_THAT(text_, HasSubstr("slip &lt; rest"));
+    EXPECT_THAT(text_, HasSubstr("<b class=\"not_reproduced\">not reproduced</b></td><td>it leaks"));
+}
+
+TEST_F(AReport, ShowsEveryCaseWithItsOwnPlotsAndWords) {
+    EXPECT_LT(at("<h2>zhao</h2>"), at("<h3 id=\"zhao/incline\">"));
+    EXPECT_LT(at("<h3 id=\"zhao/incline\">"), at("<text>speed</text>"));
+    EXPECT_LT(at("<text>speed</text>"), at("Choices: 30 degrees"));
+    EXPECT_LT(at("Choices: 30 degrees"), at("<text>sketch</text>"));  // of no case: at the end of its suite
+    EXPECT_LT(at("<text>sketch</text>"), at("<h2>water</h2>"));
+    EXPECT_LT(at("Assumed: no &lt;air&gt;"), at("<h3 id=\"water/leak\">"));
+    EXPECT_LT(at("<h3 id=\"water/leak\">"), at("<figure><svg><text>level</text></svg></figure>"));
+    EXPECT_THAT(text_, Not(HasSubstr("<?xml")));
+}
+
+TEST_F(AReport, BeginsWithWhatEveryCaseCameTo) {
+    const std::size_t red =
+        at("<a href=\"#water/leak\">water/leak</a></td><td><b class=not_reproduced>1 not reproduced");
+    EXPECT_LT(red, at("<h2>"));
 }
 
 }  // namespace

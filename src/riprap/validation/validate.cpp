@@ -38,14 +38,6 @@ std::vector<std::string> unknown_names(const ValidateOptions& options, std::span
     return unknown;
 }
 
-std::filesystem::path case_folder(const ValidateOptions& options) {
-    if (!options.folder.empty()) {
-        return options.folder;
-    }
-    std::error_code ignored;
-    return std::filesystem::is_directory("validation", ignored) ? "validation" : RIPRAP_VALIDATION_FOLDER;
-}
-
 CaseReport run_one(const ValidationCase& one, const ValidateOptions& options) {
     CaseReport report{std::string(one.name)};
     CaseSetting setting;
@@ -66,6 +58,14 @@ CaseReport run_one(const ValidationCase& one, const ValidateOptions& options) {
 }
 
 }  // namespace
+
+std::filesystem::path case_folder(const ValidateOptions& options) {
+    if (!options.folder.empty()) {
+        return options.folder;
+    }
+    std::error_code ignored;
+    return std::filesystem::is_directory("validation", ignored) ? "validation" : RIPRAP_VALIDATION_FOLDER;
+}
 
 void write_plot(const CaseSetting& setting, std::string_view name, const Plot& plot) {
     if (!setting.results.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ struct ValidateOptions {
     std::string results{"validation-results"};  ///< plots go to <results>/<suite>/; empty = no plots
     std::string folder;                         ///< with the case files; empty = validation/ here, else the source's
 };
+
+/// Where <suite>/<case> have their case files and words.
+std::filesystem::path case_folder(const ValidateOptions& options);
 
 /// Runs the selected cases in order, each for itself: one that throws becomes a failed result and the next one runs.
 /// Prints to `out` a table per suite, or one JSON document ("suite" is "all" and cases are named "suite/case" when

@@ -27,7 +27,10 @@ body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 1180px; m
 table { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 3px 8px; border-bottom: 1px solid #8886; vertical-align: top; }
 td.number { text-align: right; white-space: nowrap; }
+b { font-weight: 600; }
 b.reproduced { color: #1f8a5b; } b.close { color: #b07800; } b.not_reproduced { color: #c8410f; }
+table.overview { width: auto; }
+h3 { margin: 28px 0 6px; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 12px; margin: 12px 0; }
 .plots svg { width: 100%; height: auto; background: #fff; border-radius: 4px; }
 pre { white-space: pre-wrap; font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
@@ -57,26 +60,67 @@ std::string band(const Json& result) {
     return low.empty() && high.empty() ? "" : fmt::format("{} to {}", low, high);
 }
 
-std::string row(const Json& result) {
-    const std::string verdict = shown(result, "verdict");
-    std::string words = verdict;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return fmt::format(
-        "<tr><td>{}</td><td>{}</td><td class=number>{}</td><td class=number>{}</td><td class=number>{}</td>"
-        "<td class=number>{}</td><td>{}</td><td><b class=\"{}\">{}</b></td><td>{}</td></tr>\n",
-        shown(result, "case"), shown(result, "quantity"), shown(result, "paper"), shown(result, "exact"),
-        shown(result, "value"), band(result), shown(result, "unit"), verdict, words, shown(result, "note"));
+/// "not_reproduced" as it is read.
+std::string words_of(std::string verdict) {
+    std::replace(verdict.begin(), verdict.end(), '_', ' ');
+    return verdict;
 }
 
-std::string plots_of(const fs::path& folder) {
-    std::vector<fs::path> files;
+std::string row(const Json& result) {
+    const std::string verdict = shown(result, "verdict");
+    return fmt::format(
+        "<tr><td>{}</td><td class=number>{}</td><td class=number>{}</td><td class=number>{}</td>"
+        "<td class=number>{}</td><td>{}</td><td><b class=\"{}\">{}</b></td><td>{}</td></tr>\n",
+        shown(result, "quantity"), shown(result, "paper"), shown(result, "exact"), shown(result, "value"), band(result),
+        shown(result, "unit"), verdict, words_of(verdict), shown(result, "note"));
+}
+
+/// A case and what it gave, or a suite and its cases, in the order in which they were run.
+template <class T>
+using Named = std::vector<std::pair<std::string, T>>;
+
+template <class T>
+T& entry_of(Named<T>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
+    return found != list.end() ? found->second : list.emplace_back(name, T{}).second;
+}
+
+using Cases = Named<std::vector<Json>>;
+
+Named<Cases> by_suite(const Json& document) {
+    const std::string all = document.at("suite").get<std::string>();
+    Named<Cases> suites;
+    for (const Json& result : document.at("results")) {
+        const std::string name = result.at("case").get<std::string>();
+        const std::size_t slash = all == "all" ? name.find('/') : std::string::npos;
+        const bool names_suite = slash != std::string::npos;
+        Cases& cases = entry_of(suites, names_suite ? name.substr(0, slash) : all);
+        entry_of(cases, names_suite ? name.substr(slash + 1) : name).push_back(result);
+    }
+    return suites;
+}
+
+/// The plots of a suite, each with the case whose name its own begins with; the longest where several do.
+std::map<std::string, std::vector<fs::path>> plots_by_case(const fs::path& folder, const Cases& cases) {
+    std::map<std::string, std::vector<fs::path>> plots;
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         if (entry.path().extension() == ".svg") {
-            files.push_back(entry.path());
+            std::string owner;  // none: shown at the end of the suite
+            for (const auto& [name, results] : cases) {
+                const bool begins = entry.path().stem().string().starts_with(name);
+                owner = begins && name.size() > owner.size() ? name : owner;
+            }
+            plots[owner].push_back(entry.path());
         }
     }
-    std::sort(files.begin(), files.end());
+    for (auto& [name, files] : plots) {
+        std::sort(files.begin(), files.end());
+    }
+    return plots;
+}
+
+std::string figures(const std::vector<fs::path>& files) {
     std::string text;
     for (const fs::path& file : files) {
         std::string svg = io::read_file(file, text_limit);
@@ -86,73 +130,74 @@ std::string plots_of(const fs::path& folder) {
     return text.empty() ? "" : "<div class=plots>\n" + text + "</div>\n";
 }
 
-std::string words_of(const fs::path& readme) {
+std::string folded(const std::string& heading, const fs::path& readme) {
     if (!fs::is_regular_file(readme)) {
         return "";
     }
-    return fmt::format(
-        "<details><summary>sources, assumptions, and what is not reached</summary><pre>{}</pre></details>\n",
-        html(io::read_file(readme, text_limit)));
-}
-
-/// Results by suite, in the order in which they were run.
-using Suites = std::vector<std::pair<std::string, std::vector<Json>>>;
-
-Suites by_suite(const Json& document) {
-    const std::string all = document.at("suite").get<std::string>();
-    Suites suites;
-    for (Json result : document.at("results")) {
-        const std::string name = result.at("case").get<std::string>();
-        const std::size_t slash = name.find('/');
-        const bool names_suite = all == "all" && slash != std::string::npos;
-        const std::string suite = names_suite ? name.substr(0, slash) : all;
-        if (names_suite) {
-            result["case"] = name.substr(slash + 1);
-        }
-        if (suites.empty() || suites.back().first != suite) {
-            suites.push_back({suite, {}});
-        }
-        suites.back().second.push_back(std::move(result));
-    }
-    return suites;
+    return fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", heading,
+                       html(io::read_file(readme, text_limit)));
 }
 
 /// "12 reproduced, 1 close, 3 not reproduced"
-std::string counts_of(const Json& results) {
+template <class Results>
+std::string counts_of(const Results& results) {
     std::map<std::string, int> counts;
     for (const Json& result : results) {
-        ++counts[result.at("verdict").get<std::string>()];
+        ++counts[result.at("verdict").template get<std::string>()];
     }
     std::string text;
     for (const char* verdict : {"reproduced", "close", "not_reproduced", "under_specified"}) {
         if (counts[verdict] > 0) {
-            std::string words = verdict;
-            std::replace(words.begin(), words.end(), '_', ' ');
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[verdict], words);
+            text += fmt::format("{}<b class={}>{} {}</b>", text.empty() ? "" : ", ", verdict, counts[verdict],
+                                words_of(verdict));
         }
     }
     return text;
 }
 
+/// Every case with its counts, so that reds are found before anything is scrolled.
+std::string overview(const Named<Cases>& suites) {
+    std::string text = "<table class=overview>\n";
+    for (const auto& [suite, cases] : suites) {
+        for (const auto& [name, results] : cases) {
+            text += fmt::format("<tr><td><a href=\"#{0}/{1}\">{0}/{1}</a></td><td>{2}</td></tr>\n", html(suite),
+                                html(name), counts_of(results));
+        }
+    }
+    return text + "</table>\n";
+}
+
+std::string section(const std::string& suite, const std::string& name, const std::vector<Json>& results,
+                    const std::vector<fs::path>& plots, const fs::path& readme) {
+    std::string text = fmt::format(
+        "<h3 id=\"{0}/{1}\">{0}/{1}</h3>\n<table><tr><th>quantity</th><th>paper</th><th>exact</th><th>ours</th>"
+        "<th>band</th><th>unit</th><th>verdict</th><th>note</th></tr>\n",
+        html(suite), html(name));
+    for (const Json& result : results) {
+        text += row(result);
+    }
+    return text + "</table>\n" + figures(plots) + folded("source, choices, bands", readme);
+}
+
 }  // namespace
 
-fs::path write_validation_report(const fs::path& folder, const std::string& results_json, const fs::path& suites) {
+fs::path write_validation_report(const fs::path& folder, const std::string& results_json, const fs::path& words) {
     const Json document = Json::parse(results_json);
     const run::BuildInfo build = run::build_info();
     std::string page = fmt::format(
         "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Validation of Riprap</title><style>{}</style>\n"
         "<h1>Validation</h1>\n<p>{}. Riprap {}, {}, -march={}.</p>\n",
         style, counts_of(document.at("results")), html(build.version), html(build.compiler), html(build.march));
-    for (const auto& [suite, results] : by_suite(document)) {
-        page += fmt::format(
-            "<h2>{}</h2>\n<table><tr><th>case</th><th>quantity</th><th>paper</th><th>exact</th><th>ours</th><th>band</"
-            "th>"
-            "<th>unit</th><th>verdict</th><th>note</th></tr>\n",
-            html(suite));
-        for (const Json& result : results) {
-            page += row(result);
+    const Named<Cases> suites = by_suite(document);
+    page += overview(suites);
+    for (const auto& [suite, cases] : suites) {
+        page += fmt::format("<h2>{}</h2>\n", html(suite)) +
+                folded("sources, assumptions, and what is not reached", words / suite / "README.md");
+        auto plots = plots_by_case(folder / suite, cases);
+        for (const auto& [name, results] : cases) {
+            page += section(suite, name, results, plots[name], words / suite / name / "README.md");
         }
-        page += "</table>\n" + plots_of(folder / suite) + words_of(suites / suite / "README.md");
+        page += figures(plots[""]);
     }
     page += "</html>\n";
     io::make_folder(folder);

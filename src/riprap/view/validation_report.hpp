@@ -6,11 +6,11 @@
 
 namespace riprap::view {
 
-/// Writes index.html into a folder: one page with every result of a validation, reds included, every plot that lies in
-/// <folder>/<suite>/*.svg, and the words of each suite about its assumptions and what it does not reach.
-/// `results_json` is what `riprap validate --json` prints; `suites` is the folder with <suite>/README.md.
+/// Writes index.html into a folder: one page with every case of a validation, reds included. A case has its results,
+/// the plots <folder>/<suite>/<case>*.svg, and what <words>/<suite>/<case>/README.md says of source, choices and bands;
+/// a suite what its own README.md says. `results_json` is what `riprap validate --json` prints.
 /// @returns the page's path. @throws FileError
 std::filesystem::path write_validation_report(const std::filesystem::path& folder, const std::string& results_json,
-                                              const std::filesystem::path& suites);
+                                              const std::filesystem::path& words);
 
 }  // namespace riprap::view

@@ -51,7 +51,8 @@ Fall follow(const CaseSetting& setting, CaseReport& report, const std::string& n
         fall.add(now, body, start);
         inside = std::max(inside, count_inside_solids(now, 0.5 * spacing));
     });
-    write_plot(setting, name + "_end", water_view(trial, fmt::format("{} at {:.2f} s", name, trial.time())));
+    write_plot(setting, setting.folder.filename().string() + "_end",
+               water_view(trial, fmt::format("{} at {:.2f} s", name, trial.time())));
     report.judge_below({"most particles at a time more than half a spacing inside a solid", "-", {}, {}, {}}, inside,
                        0);
     judge_ledgers(report, name, records);

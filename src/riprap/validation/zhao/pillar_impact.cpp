@@ -172,7 +172,7 @@ void plot_pillar(const CaseSetting& setting, const PillarAnswer& pillar, double 
     }
     const double top = *std::max_element(curve.y.begin(), curve.y.end());
     plot.curves = {curve, {"chain: separation", {1e3 * chain_time, 1e3 * chain_time}, {0, top}, CurveStyle::dashed, 7}};
-    write_plot(setting, "pillar_front_block", plot);
+    write_plot(setting, "pillar_impact_front_block", plot);
 
     Plot frames;
     frames.title = "Pillar impact: centres of the blocks in the slice of the impact";
@@ -181,7 +181,7 @@ void plot_pillar(const CaseSetting& setting, const PillarAnswer& pillar, double 
     frames.y.label = "height [m]";
     frames.has_equal_scales = true;
     frames.curves = pillar.frames;
-    write_plot(setting, "pillar_frames", frames);
+    write_plot(setting, "pillar_impact_frames", frames);
 }
 
 }  // namespace
