@@ -11,6 +11,7 @@
 
 #include "errors.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/run/run_folder.hpp"
@@ -37,7 +38,7 @@ class Caller {
         if (view_.is_none()) {
             view_ = py::cast(std::make_unique<Simulation>());
         }
-        const Loan loan(view_.cast<Simulation&>(), simulation);
+        const Loan loan(view_.cast<Simulation&>(), simulation, since_begin_.seconds());
         try {
             return !says_stop(callback_(view_));
         } catch (py::error_already_set& error) {
@@ -55,7 +56,7 @@ class Caller {
     /// Outside of its calls nothing of the simulation can be read: it is being stepped then, or gone.
     struct Loan {
         Simulation& view;
-        Loan(Simulation& to, run::Simulation& simulation) : view(to) { view.lend(simulation); }
+        Loan(Simulation& to, run::Simulation& simulation, double seconds) : view(to) { view.lend(simulation, seconds); }
         Loan(const Loan&) = delete;
         Loan& operator=(const Loan&) = delete;
         ~Loan() { view.give_back(); }
@@ -63,6 +64,7 @@ class Caller {
 
     py::object callback_;
     std::int64_t every_, steps_{0};
+    Timer since_begin_;
     py::object view_{py::none()};
     std::optional<py::error_already_set> failure_;
 };

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "errors.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/run/outputs.hpp"
 #include "values.hpp"
 
@@ -89,6 +90,7 @@ std::int64_t Simulation::step(std::int64_t count, bool with_energy, double until
     views_.let_go();
     std::int64_t taken = 0;
     const py::gil_scoped_release unlocked;
+    const ScopedTimer timer(seconds_);
     std::optional<Timer> since_look;  // reading the clock costs as much as a small part of a small step
     while (taken < count && simulation.steps_left() > 0 && !has_reached(simulation, until)) {
         const double dt = simulation.next_dt();

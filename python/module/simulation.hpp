@@ -9,7 +9,6 @@
 
 #include "case.hpp"
 #include "field_views.hpp"
-#include "riprap/core/timer.hpp"
 #include "riprap/run/schedule.hpp"
 #include "riprap/run/simulation.hpp"
 
@@ -22,7 +21,11 @@ class Simulation {
     explicit Simulation(const Case& of);
     /// Nothing can be read of it until it is lent.
     Simulation() : rows_(1) {}
-    void lend(run::Simulation& simulation) { simulation_ = &simulation; }
+    /// `seconds` since its run began [s].
+    void lend(run::Simulation& simulation, double seconds) {
+        simulation_ = &simulation;
+        seconds_ = seconds;
+    }
     /// Arrays that were asked of it stay good.
     void give_back();
 
@@ -34,7 +37,7 @@ class Simulation {
     run::Simulation& read() const;
     FieldViews& views() { return views_; }
     void set_end(double end);
-    double seconds() const { return timer_.seconds(); }  ///< since it was made [s]
+    double seconds() const { return seconds_; }  ///< spent in step() [s]; of a lent one, since its run began
 
  private:
     run::Simulation& own() const;
@@ -45,7 +48,7 @@ class Simulation {
     run::Schedule rows_;                    ///< when the ledger is measured whole, as for the rows of ledger.csv
     FieldViews views_;
     std::atomic<bool> is_stepping_{false};
-    Timer timer_;
+    double seconds_{0};
 };
 
 /// A callback answered False, Python's or NumPy's; anything else, None and 0 included, goes on.

@@ -37,6 +37,10 @@ from .errors import (  # noqa: E402
     Problem,
 )
 
+# A child made by fork() has none of the threads that OpenMP keeps waiting between steps, and would wait for them forever.
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(after_in_child=lambda: set_threads(1))
+
 __all__ = [
     "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
     "Problem", "Simulation", "__version__", "build", "build_info", "load", "loads", "run", "set_threads", "threads",

@@ -2,6 +2,7 @@
 #include "riprap/core/parallel.hpp"
 
 #include <array>
+#include <atomic>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -13,10 +14,11 @@
 namespace riprap::parallel {
 
 namespace {
-int threads = 1;
-}
+/// Nothing else is told by it, and no result depends on it: any order of its reads and writes will do.
+std::atomic<int> threads{1};
+}  // namespace
 
-int thread_count() { return threads; }
+int thread_count() { return threads.load(std::memory_order_relaxed); }
 const char* backend_name() {
 #if defined(RIPRAP_OPENMP)
     return "OpenMP";
@@ -24,7 +26,7 @@ const char* backend_name() {
     return "serial";
 #endif
 }
-void set_thread_count(int count) { threads = std::max(1, count); }
+void set_thread_count(int count) { threads.store(std::max(1, count), std::memory_order_relaxed); }
 
 namespace detail {
 
@@ -54,7 +56,8 @@ class FirstFailure {
 
 void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context) {
 #if defined(RIPRAP_OPENMP)
-    if (threads > 1 && chunk_count > 1 && omp_in_parallel() == 0) {
+    const int team = thread_count();
+    if (team > 1 && chunk_count > 1 && omp_in_parallel() == 0) {
         FirstFailure failure;
         const auto run_one = [&](std::int64_t chunk) {
             try {
@@ -64,12 +67,12 @@ void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, s
             }
         };
         if (is_dynamic) {
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(team)
             for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
                 run_one(chunk);
             }
         } else {
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(team)
             for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
                 run_one(chunk);
             }

@@ -22,7 +22,7 @@ namespace riprap::parallel {
 int thread_count();
 /// Name of the host back end, for the record: "OpenMP" or "serial".
 const char* backend_name();
-/// Sets the number of host threads, at least 1.
+/// Sets the number of host threads, at least 1. May be called while loops run: they take it when they begin.
 void set_thread_count(int count);
 
 /// Entries folded together before partial results are combined; part of the definition of a result.
@@ -51,7 +51,7 @@ void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f)
 /// write only what belongs to i.
 template <class F>
 void for_each(std::int64_t n, const F& f) {
-    const std::int64_t grain = std::max<std::int64_t>(1024, (n + thread_count() - 1) / thread_count());
+    const std::int64_t threads = thread_count(), grain = std::max<std::int64_t>(1024, (n + threads - 1) / threads);
     detail::for_chunks(n, grain, false, [&f](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             f(i);

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs with a folder, and Ctrl-C. Working folder: that of the repository."""
+import json
+import os
+import pathlib
+import signal
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import riprap
+from scenes import falling_block
+
+
+class Interrupts(unittest.TestCase):
+    def test_ctrl_c_stops_a_long_step_between_two_steps(self):
+        simulation = riprap.Simulation(falling_block(end=1000.0))
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            simulation.run()
+        steps = simulation.steps
+        self.assertGreater(steps, 0)
+        self.assertEqual(simulation.step(5), 5)
+
+    def test_ctrl_c_ends_a_run_with_a_folder_by_a_checkpoint_that_it_continues_from(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = falling_block(end=1000.0, output={"vtk": False, "interval": 1.0, "probe_interval": 1.0})
+            timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                riprap.run(case, folder)
+            summary = json.loads(pathlib.Path(folder, "summary.json").read_text())
+            self.assertEqual(summary["reason"], "stopped by SIGINT")
+            further = falling_block(end=summary["time"] + 0.01,
+                                    output={"vtk": False, "interval": 1.0, "probe_interval": 1.0})
+            self.assertEqual(riprap.run(further, folder, resume=True)["steps"], summary["steps"] + 100)
+
+
+class RunFolders(unittest.TestCase):
+    def test_a_callback_of_a_run_can_stop_it_and_cannot_step_or_keep_it(self):
+        kept = []
+
+        def look(s):
+            kept.append((s, s.bodies.position, s.bodies.position.copy()))
+            self.assertRaises(RuntimeError, s.step)
+            return len(kept) < 3
+
+        with tempfile.TemporaryDirectory() as folder:
+            summary = riprap.run(falling_block(), folder, callback=look, every=10)
+            self.assertEqual((summary["status"], summary["steps"]), ("interrupted", 30))
+            with self.assertRaises(riprap.FileError):
+                riprap.run(falling_block(), folder)
+        for view, position, copy in kept:
+            np.testing.assert_array_equal(position, copy)
+            self.assertRaises(RuntimeError, lambda: view.time)
+
+    def test_runs_with_a_folder_come_one_at_a_time(self):
+        def nested(_):
+            riprap.run(falling_block(), pathlib.Path(folder, "inner"))
+
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(RuntimeError, "one at a time"):
+                riprap.run(falling_block(), pathlib.Path(folder, "outer"), callback=nested)
+            riprap.run(falling_block(), pathlib.Path(folder, "next"))
+
+    def test_a_refused_step_and_a_failing_callback_come_out_of_a_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(riprap.NumericalError, "velocity of block"):
+                riprap.run(falling_block(solid={"max_speed": 1.0}), pathlib.Path(folder, "a"))
+            with self.assertRaises(ZeroDivisionError):
+                riprap.run(falling_block(), pathlib.Path(folder, "b"), callback=lambda s: 1 / 0)
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
