@@ -6,29 +6,61 @@
 
 #include "commands.hpp"
 #include "riprap/run/find_case.hpp"
+#include "riprap/validation/registry.hpp"
 
 namespace riprap {
 
 namespace {
 
-nlohmann::ordered_json to_json(const std::vector<run::KnownCase>& cases) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const run::KnownCase& known : cases) {
-        list.push_back({{"name", known.name}, {"title", known.title}, {"file", known.file.string()}});
+using Json = nlohmann::ordered_json;
+
+struct Entry {
+    std::string name, title, file;  ///< the file is empty where the case is built in code
+    bool is_long{false};            ///< only run when asked for by name or with --full
+};
+
+std::vector<Entry> examples() {
+    std::vector<Entry> entries;
+    for (const run::KnownCase& known : run::known_cases("cases")) {
+        entries.push_back({known.name, known.title, known.file.string()});
+    }
+    return entries;
+}
+
+std::vector<Entry> validations() {
+    const std::vector<run::KnownCase> files = run::known_cases("validation");
+    std::vector<Entry> entries;
+    for (const validation::ValidationCase& one : validation::all_cases()) {
+        Entry entry{fmt::format("{}/{}", one.suite, one.name), std::string(one.title), "", one.is_long};
+        const auto file = std::find_if(files.begin(), files.end(),
+                                       [&entry](const run::KnownCase& known) { return known.name == entry.name; });
+        entry.file = file == files.end() ? "" : file->file.string();
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+Json to_json(const std::vector<Entry>& entries) {
+    Json list = Json::array();
+    for (const Entry& entry : entries) {
+        list.push_back({{"name", entry.name},
+                        {"title", entry.title},
+                        {"file", entry.file.empty() ? Json() : Json(entry.file)},
+                        {"is_long", entry.is_long}});
     }
     return list;
 }
 
-void print(const std::string& heading, const std::vector<run::KnownCase>& cases) {
+void print(const std::string& heading, const std::vector<Entry>& entries) {
     std::size_t width = 0;
-    for (const run::KnownCase& known : cases) {
-        width = std::max(width, known.name.size());
+    for (const Entry& entry : entries) {
+        width = std::max(width, entry.name.size());
     }
     fmt::print("{}\n", heading);
-    for (const run::KnownCase& known : cases) {
-        fmt::print("  {:<{}}  {}\n", known.name, width, known.title);
+    for (const Entry& entry : entries) {
+        fmt::print("  {:<{}}  {}{}\n", entry.name, width, entry.title, entry.is_long ? " (long)" : "");
     }
-    if (cases.empty()) {
+    if (entries.empty()) {
         fmt::print("  none found\n");
     }
 }
@@ -36,10 +68,10 @@ void print(const std::string& heading, const std::vector<run::KnownCase>& cases)
 }  // namespace
 
 int print_list(bool as_json) {
-    const std::vector<run::KnownCase> cases = run::known_cases("cases"), suites = run::known_cases("validation");
+    const std::vector<Entry> cases = examples(), suites = validations();
     if (as_json) {
-        const nlohmann::ordered_json answer{{"cases", to_json(cases)}, {"validation", to_json(suites)}};
-        fmt::print("{}\n", answer.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        const Json answer{{"cases", to_json(cases)}, {"validation", to_json(suites)}};
+        fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
         return 0;
     }
     print("cases (riprap run NAME)", cases);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/run_fixture.hpp"
@@ -379,7 +380,13 @@ TEST_F(Runs, DamagedAndForeignCheckpointsAreRefusedWithSix) {
 
 TEST_F(Runs, KnownCasesAreListedAndFoundByName) {
     const nlohmann::json list = nlohmann::json::parse(run({"list", "--json"}).out);
-    ASSERT_TRUE(list.at("validation").is_array());
+    std::map<std::string, nlohmann::json> files;
+    for (const auto& known : list.at("validation")) {
+        files[known.at("name")] = known.at("file");
+        EXPECT_NE(known.at("title"), "") << known.at("name");
+    }
+    EXPECT_TRUE(files.at("zhao/incline").get<std::string>().ends_with("incline/case.toml"));
+    EXPECT_TRUE(files.at("rigid/arch").is_null());  // built in code
     bool has_hello = false;
     for (const auto& known : list.at("cases")) {
         has_hello = has_hello || known.at("name") == "hello_block";
