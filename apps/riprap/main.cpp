@@ -12,6 +12,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
+#include "riprap/view/page_content.hpp"
 
 namespace {
 
@@ -47,6 +48,8 @@ int guarded_command_line(int argument_count, char** arguments) {
         return riprap::command_line(argument_count, arguments);
     } catch (const riprap::CaseError& error) {
         return report_case_error(error);
+    } catch (const riprap::view::Stopped& stopped) {
+        return static_cast<int>(ExitCode::signal_base) + stopped.signal();
     } catch (const riprap::CheckpointError& error) {
         return fail(ExitCode::bad_checkpoint, error.what());
     } catch (const riprap::FileError& error) {

@@ -22,9 +22,9 @@ void tell_notices(const view::PageContent& content) {
 }  // namespace
 
 int view_run(const ViewOptions& options) {
-    const auto page = [&options] {
-        const view::PageContent content =
-            view::pack_run(view::read_run(options.folder), static_cast<std::size_t>(options.budget_mb * megabyte));
+    const auto page = [&options](const run::StopRequest& stop) {
+        const auto budget = static_cast<std::size_t>(options.budget_mb * megabyte);
+        const view::PageContent content = view::pack_run(view::read_run(options.folder), budget, &stop);
         tell_notices(content);
         return view::page_of(content);
     };
@@ -33,7 +33,7 @@ int view_run(const ViewOptions& options) {
         return 0;
     }
     const std::filesystem::path out = options.out.empty() ? options.folder / "index.html" : options.out;
-    const std::string text = page();
+    const std::string text = page(run::StopRequest());
     io::write_file(out, text);
     fmt::print("{}: {:.2f} MB; open it in a browser, nothing else is needed\n", out.string(),
                static_cast<double>(text.size()) / megabyte);

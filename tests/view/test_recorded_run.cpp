@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -77,6 +78,14 @@ TEST_F(ARunFolder, IsReadWholeWithoutANotice) {
     const PageContent content = pack_run(run, plenty);
     EXPECT_THAT(content.notices, IsEmpty());
     EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), 11U);
+}
+
+TEST_F(ARunFolder, IsLeftInTheMiddleOfPackingWhenTheUserStops) {
+    const RecordedRun run = read_run(run_);
+    const run::StopRequest stop;
+    EXPECT_FALSE(pack_run(run, plenty, &stop).chunks.empty());
+    std::raise(SIGINT);
+    EXPECT_THROW(pack_run(run, plenty, &stop), Stopped);
 }
 
 TEST_F(ARunFolder, IsPackedWithThePosesThatBodiesCsvSays) {

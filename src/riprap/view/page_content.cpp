@@ -43,7 +43,9 @@ void require_finite(double value, const std::filesystem::path& path) {
 /// Packs one run piece by piece.
 class Packer {
  public:
-    explicit Packer(const RecordedRun& run) : run_(run) { content_.notices = run.notices; }
+    Packer(const RecordedRun& run, const run::StopRequest* stop) : run_(run), stop_(stop) {
+        content_.notices = run.notices;
+    }
 
     PageContent pack(std::size_t budget) {
         pack_frames();
@@ -64,6 +66,7 @@ class Packer {
         has_bodies_ = std::any_of(run_.frames.begin(), run_.frames.end(),
                                   [](const FrameFiles& files) { return !files.bodies.empty(); });
         for (const FrameFiles& files : run_.frames) {
+            heed(stop_);
             try {
                 add_frame(files);
             } catch (const FileError& error) {
@@ -190,6 +193,7 @@ class Packer {
     }
 
     WaterFrame read_water(std::size_t f) {
+        heed(stop_);
         const FrameFiles& files = shown_[f];
         if (files.water.empty()) {
             return {};
@@ -300,6 +304,7 @@ class Packer {
     }
 
     const RecordedRun& run_;
+    const run::StopRequest* stop_;
     PageContent content_;
     DrawnBodies bodies_;
     std::vector<FrameFiles> shown_;  ///< frames that could be read
@@ -328,6 +333,8 @@ std::size_t PageContent::packed_bytes() const {
     return sum;
 }
 
-PageContent pack_run(const RecordedRun& run, std::size_t budget) { return Packer(run).pack(budget); }
+PageContent pack_run(const RecordedRun& run, std::size_t budget, const run::StopRequest* stop) {
+    return Packer(run, stop).pack(budget);
+}
 
 }  // namespace riprap::view

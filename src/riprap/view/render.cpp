@@ -25,9 +25,9 @@ std::string quoted(const std::string& text) { return nlohmann::json(text).dump()
 /// The page of the run in a browser, set up as the options say.
 class Stage {
  public:
-    explicit Stage(const RenderOptions& options)
+    Stage(const RenderOptions& options, const run::StopRequest& stop)
         : browser_(find_browser(), options.width, options.height), page_(scratch_.path() / "page.html") {
-        const PageContent content = pack_run(read_run(options.folder), default_budget);
+        const PageContent content = pack_run(read_run(options.folder), default_budget, &stop);
         for (const std::string& notice : content.notices) {
             fmt::print(stderr, "riprap: {}\n", notice);
         }
@@ -135,12 +135,13 @@ class Encoder {
     io::FileDescriptor pipe_;
 };
 
-std::string render_movie(Stage& stage, const RenderOptions& options) {
+std::string render_movie(Stage& stage, const RenderOptions& options, const run::StopRequest& stop) {
     const auto ffmpeg = find_program("ffmpeg");
     if (!ffmpeg) {
         const fs::path folder = options.out.empty() ? options.folder / "movie" : options.out;
         io::make_folder(folder);
         for (int frame = 0; frame < stage.frame_count(); ++frame) {
+            heed(&stop);
             stage.show(frame);
             io::write_file(folder / fmt::format("{:06}.png", frame), stage.picture(), io::Durability::later);
         }
@@ -151,6 +152,7 @@ std::string render_movie(Stage& stage, const RenderOptions& options) {
     const fs::path partial = out.string() + ".partial";
     Encoder encoder(*ffmpeg, partial, options.frames_per_second);
     for (int frame = 0; frame < stage.frame_count(); ++frame) {
+        heed(&stop);
         stage.show(frame);
         encoder.add(stage.picture());
     }
@@ -161,12 +163,10 @@ std::string render_movie(Stage& stage, const RenderOptions& options) {
     return fmt::format("{}: {} frames", out.string(), stage.frame_count());
 }
 
-}  // namespace
-
-std::string render_run(const RenderOptions& options) {
-    Stage stage(options);
+std::string render(const RenderOptions& options, const run::StopRequest& stop) {
+    Stage stage(options, stop);
     if (options.is_movie) {
-        return render_movie(stage, options);
+        return render_movie(stage, options, stop);
     }
     if (options.time) {
         stage.show_time(*options.time);
@@ -176,6 +176,18 @@ std::string render_run(const RenderOptions& options) {
     const fs::path out = options.out.empty() ? options.folder / "picture.png" : options.out;
     io::write_file(out, stage.picture());
     return out.string();
+}
+
+}  // namespace
+
+std::string render_run(const RenderOptions& options) {
+    const run::StopRequest stop;
+    try {
+        return render(options, stop);
+    } catch (const FileError&) {
+        heed(&stop);  // Ctrl-C goes to the browser and to ffmpeg as well; that they ended is no error then
+        throw;
+    }
 }
 
 }  // namespace riprap::view

@@ -24,7 +24,7 @@ struct RenderOptions {
 };
 
 /// Draws a picture or a movie of a run from its page. @returns what was written, for the user
-/// @throws FileError for a run without frames, without a browser, for a frame that is not there
+/// @throws FileError for a run without frames, without a browser, for a frame that is not there; Stopped
 std::string render_run(const RenderOptions& options);
 
 }  // namespace riprap::view

@@ -18,7 +18,6 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/signals.hpp"
 
 namespace riprap::view {
 
@@ -128,7 +127,7 @@ std::string answer_to(const std::string& request, const std::function<std::strin
     }
 }
 
-void serve(const std::function<std::string()>& page, int port) {
+void serve(const std::function<std::string(const run::StopRequest&)>& page, int port) {
     int chosen = 0;
     const io::FileDescriptor socket = listen_on(port, chosen);
     fmt::print("http://127.0.0.1:{}/ shows the run to browsers on this machine; Ctrl-C ends it\n", chosen);
@@ -143,7 +142,7 @@ void serve(const std::function<std::string()>& page, int port) {
             continue;
         }
         const std::string request = read_request(visitor, stop);
-        send(visitor, answer_to(request, page), stop);
+        send(visitor, answer_to(request, [&] { return page(stop); }), stop);
     }
 }
 
