@@ -12,7 +12,8 @@ const EDGE_VERTEX = `
   attribute mat4 block;
   void main() {
     vec4 place = modelViewMatrix * block * vec4(position, 1.0);
-    place.xyz *= 0.9995;  // towards the eye, so that a face does not hide its own edges
+    // Towards the eye, so that a face does not hide its own edges; without perspective that is along z.
+    place.xyz *= projectionMatrix[3][3] == 0.0 ? vec3(0.9995) : vec3(1.0, 1.0, 0.9995);
     gl_Position = projectionMatrix * place;
   }`;
 const EDGE_FRAGMENT = `
@@ -87,7 +88,7 @@ export class Blocks {
       vertexShader: EDGE_VERTEX, fragmentShader: EDGE_FRAGMENT, transparent: true,
       uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane ? 0.35 : 0.8}}}));
     edges.frustumCulled = false;
-    edges.visible = !isPlane;
+    edges.visible = !isPlane || this.contents.is_planar;  // there a wall is seen from its edge
     this.group.add(mesh, edges);
     this.meshes.push(mesh);
   }

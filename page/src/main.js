@@ -18,6 +18,12 @@ function note(name) {
   document.documentElement.dataset[name] = Math.round(performance.mark(name).startTime);
 }
 
+/** Says what cannot be shown, to the reader and to `riprap render`. */
+function giveUp(why) {
+  $('trouble').textContent = why;
+  document.documentElement.dataset.failed = why;
+}
+
 class Page {
   constructor(contents) {
     this.contents = contents;
@@ -44,6 +50,7 @@ class Page {
     }
     if (recording.frameCount > 0) {
       await this.#openScene();
+      await this.show(0);
     } else {
       $('trouble').textContent = 'The run has no frames to show. ' + (contents.notices[0] ?? '');
     }
@@ -56,14 +63,20 @@ class Page {
   async #openScene() {
     const {contents, recording} = this;
     const last = recording.frameCount - 1;
-    this.scene = new Scene($('scene'), contents, await recording.shapes(), await recording.frame(0));
-    this.scene.setTheme(this.theme);
+    const [shapes, first] = [await recording.shapes(), await recording.frame(0)];
     $('time').max = last;
     $('water-choice').hidden = !contents.water;
     $('block-choice').hidden = !contents.bodies;
     $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
+    try {
+      this.scene = new Scene($('scene'), contents, shapes, first);
+    } catch (error) {  // no WebGL, say; plots and readings work without
+      giveUp(`The scene cannot be drawn: ${error.message}`);
+      return;
+    }
+    this.scene.setTheme(this.theme);
+    $('camera').value = this.scene.preset;
     this.#legends();
-    await this.show(0);
     requestAnimationFrame(() => requestAnimationFrame(() => note('drawn')));  // the second one follows the picture
   }
 
@@ -78,7 +91,7 @@ class Page {
     }
     this.index = wanted;
     this.frame = frame;
-    this.scene.show(frame);
+    this.scene?.show(frame);
     $('time').value = wanted;
     const time = reading(frame.time, 5), clock = `t = ${time} s`;
     $('clock').textContent = `${clock}  (${wanted + 1} of ${recording.frameCount})`;
@@ -322,7 +335,6 @@ try {
   await opened;
   note('opened');
 } catch (error) {
-  $('trouble').textContent = `This page cannot be shown: ${error.message}`;
-  document.documentElement.dataset.failed = error.message;
+  giveUp(`This page cannot be shown: ${error.message}`);
   throw error;
 }

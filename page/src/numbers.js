@@ -4,7 +4,7 @@
 export const DIGITS = 7;
 
 export function reading(value, digits = DIGITS) {
-  if (value === undefined || Number.isNaN(value)) {
+  if (typeof value !== 'number' || Number.isNaN(value)) {  // JSON has null for what is no number
     return 'not known';
   }
   return value === 0 ? '0' : Number(value.toPrecision(digits)).toString().replace('-', '\u2212');

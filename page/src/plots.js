@@ -155,7 +155,8 @@ class Chart {
     }
     pen.textAlign = 'center';
     pen.textBaseline = 'top';
-    const marks = last > first ? ticks(first, last, Math.max(2, width / 90)) : [first];
+    const near = 0.01 * (last - first);  // tables begin and end a step beside round times
+    const marks = last > first ? ticks(first - near, last + near, Math.max(2, width / 90)) : [first];
     marks.forEach((t, k) => {
       pen.fillText(k === marks.length - 1 ? `${tickText(t, gap(marks))} s` : tickText(t, gap(marks)), Math.min(this.x(t), right - 10), bottom + 6);
     });

@@ -8,6 +8,7 @@ import {Forces} from './forces.js';
 import {Particles} from './particles.js';
 
 const FIELD_OF_VIEW = 35;  // degrees
+const MARGIN = 1.12;       // around the scene
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
 
 /** The axis nearest to "against gravity"; without gravity z, in a planar scene y. */
@@ -40,7 +41,9 @@ export class Scene {
     this.up = upOf(contents);
     this.box = boundsOf(contents);
     this.size = this.box.getSize(new THREE.Vector3()).length() || 1;
-    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
+    // Planar bodies are drawn one metre thick: with perspective their near faces would hide what is beside them.
+    this.camera = contents.is_planar ? new THREE.OrthographicCamera(-1, 1, 1, -1, this.size / 200, this.size * 20) :
+                                       new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.redraw());
@@ -108,8 +111,7 @@ export class Scene {
     this.canvasSize = size;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.#setAspect(width / height);
     if (this.particles) {
       this.particles.material.uniforms.pixels.value = height * ratio / 2;
     }
@@ -119,6 +121,14 @@ export class Scene {
     if (this.isShown) {  // at once: the canvas is empty now
       this.draw();
     }
+  }
+
+  #setAspect(aspect) {
+    const {camera} = this;
+    this.aspect = aspect;
+    camera.aspect = aspect;
+    [camera.left, camera.right] = [-camera.top * aspect, camera.top * aspect];  // of one with perspective, not looked at
+    camera.updateProjectionMatrix();
   }
 
   setTheme(theme) {
@@ -143,26 +153,32 @@ export class Scene {
     }[name].normalize();
     const center = this.box.getCenter(new THREE.Vector3());
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(from, this.#distanceFor(from, center));
+    this.camera.position.copy(center).addScaledVector(from, this.#fit(from, center));
     this.controls.update();
     this.preset = name;
     this.redraw();
   }
 
-  /** How far away the eye must be to see every corner of the box. */
-  #distanceFor(from, center) {
+  /** How far away the eye must be to see every corner of the box; without perspective, how wide it must see. */
+  #fit(from, center) {
     const camera = this.camera.clone();
     camera.position.copy(center).add(from);
     camera.lookAt(center);
     const toCamera = camera.quaternion.clone().invert(), tan = Math.tan(FIELD_OF_VIEW * Math.PI / 360);
-    let distance = 0;
+    let distance = 0, half = 0;
     for (let k = 0; k < 8; ++k) {
       const corner = new THREE.Vector3(k & 1 ? this.box.max.x : this.box.min.x, k & 2 ? this.box.max.y : this.box.min.y,
                                        k & 4 ? this.box.max.z : this.box.min.z).sub(center).applyQuaternion(toCamera);
-      distance = Math.max(distance, corner.z + Math.abs(corner.y) / tan,
-                          corner.z + Math.abs(corner.x) / (tan * this.camera.aspect));
+      const needed = Math.max(Math.abs(corner.y), Math.abs(corner.x) / this.aspect);
+      half = Math.max(half, needed);
+      distance = Math.max(distance, corner.z + needed / tan);
     }
-    return 1.12 * distance;
+    if (!this.camera.isOrthographicCamera) {
+      return MARGIN * distance;
+    }
+    Object.assign(this.camera, {top: MARGIN * half, bottom: -MARGIN * half, zoom: 1});
+    this.#setAspect(this.aspect);
+    return 2 * this.size;
   }
 
   /** The body at a place of the canvas, in pixels of the page; -1 where there is none. */

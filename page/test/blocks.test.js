@@ -150,3 +150,23 @@ test('a run whose last frame is half written shows the others and says so', asyn
   assert.match(await damaged.textContent('#trouble'), /bodies_000030\.vtp.*ends in the middle/);
   assert.ok((await lookAt(damaged)).share > 0.05);
 });
+
+test('where nothing can be drawn, plots, readings and the slider work all the same', async () => {
+  const blind = await stage.browser.newPage({viewport: {width: 1280, height: 720}});
+  await blind.addInitScript(() => {
+    const {getContext} = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function(kind, ...more) {
+      return kind === '2d' ? getContext.call(this, kind, ...more) : null;
+    };
+  });
+  await blind.goto(page.address);
+  await blind.waitForFunction(() => document.documentElement.dataset.opened);
+  assert.match(await blind.textContent('#trouble'), /The scene cannot be drawn/);
+  await blind.evaluate(() => window.riprap.show(7));
+  assert.match(await blind.textContent('#clock'), /\(8 of /);
+  await blind.keyboard.press(']');
+  await blind.keyboard.press(']');
+  assert.equal(await blind.textContent('#tab-body [data-field=name]'), 'block');
+  await blind.click('[data-tab=plots]');
+  assert.ok(await blind.locator('#tab-plots canvas').count() > 0);
+});

@@ -95,6 +95,28 @@ test('water is drawn in every frame, in other colours by speed, and not at all w
   assert.match(await page.textContent('#legends'), /pressure of water \[Pa\]/);
 });
 
+test('a planar scene is seen from the front at first', async () => {
+  assert.equal(await page.inputValue('#camera'), 'front');
+});
+
+test('a planar scene is drawn without perspective: no block hides the water beside it', async () => {
+  await page.selectOption('#water-by', 'pressure');
+  for (const index of [0, 29]) {
+    const {faces, places} = await page.evaluate(async k => {
+      await window.riprap.show(k);
+      window.riprap.camera('front');
+      const {scene} = window.riprap, {pose} = scene.blocks.frame, box = 7 * (pose.length / 7 - 1);
+      const [x, y] = pose.subarray(box, box + 2);  // half a width of 0.14 m
+      return {faces: [0.5, -0.5].map(z => scene.pixelOf([x + 0.14, y, z])),
+              places: [x - 0.1, x + 0.1, x - 0.16, x + 0.16].map(at => scene.pixelOf([at, 0.34, 0]))};
+    }, index);
+    faces[0].forEach((pixel, axis) => assert.ok(Math.abs(pixel - faces[1][axis]) < 0.01));
+    const {colours: [left, right, waterLeft, waterRight]} = await lookAt(page, places);
+    assert.ok(!differs(left, right) && differs(left, waterLeft) && differs(right, waterRight),
+              `frame ${index}: ${[left, waterLeft, waterRight, right]}`);
+  }
+});
+
 test('the page of the water asks nobody for anything either', () => {
   assert.deepEqual(page.requests, [page.address]);
   assert.deepEqual(page.errors, []);

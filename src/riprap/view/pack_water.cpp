@@ -152,7 +152,7 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
             break;
         }
     }
-    water.most_particles = bounds.most_particles / water.stride;
+    water.most_particles = (bounds.most_particles + water.stride - 1) / water.stride;
     return water;
 }
 

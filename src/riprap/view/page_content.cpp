@@ -157,11 +157,11 @@ class Packer {
     }
 
     void flush_group() {
-        const std::size_t group = (shown_.size() - 1) / frames_per_group;
-        if (shown_.empty() || group < groups_done_) {
+        if (shown_.size() <= groups_done_ * frames_per_group) {
             return;
         }
-        groups_done_ = group + 1;
+        const std::size_t group = groups_done_;
+        ++groups_done_;
         if (!poses_.empty()) {
             add_chunk(fmt::format("poses-{}", group), pack_rows(std::span<const std::vector<double>>(poses_)));
             add_chunk(fmt::format("motion-{}", group), pack_rows(std::span<const std::vector<float>>(motions_)));

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <utility>
@@ -48,7 +49,12 @@ class Stage {
 
     int frame_count() const { return frame_count_; }
 
-    void show_time(double time) { browser_.evaluate(fmt::format("riprap.showTime({})", time)); }
+    void show_time(double time) {
+        if (!std::isfinite(time)) {
+            throw FileError(fmt::format("there is no frame at {} s", time));
+        }
+        browser_.evaluate(fmt::format("riprap.showTime({})", time));
+    }
     void show(int frame) {
         const int index = frame < 0 ? frame_count_ + frame : frame;
         if (index < 0 || index >= frame_count_) {

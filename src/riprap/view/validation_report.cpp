@@ -50,7 +50,7 @@ std::string shown(const Json& result, const char* key) {
     if (found == result.end() || found->is_null()) {
         return "";
     }
-    return found->is_number()   ? fmt::format("{:.6g}", found->get<double>())
+    return found->is_number()   ? fmt::format("{:.6g}", found->get<double>() + 0.0)  // no minus before zero
            : found->is_string() ? html(found->get<std::string>())
                                 : html(found->dump());
 }

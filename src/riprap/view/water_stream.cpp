@@ -33,7 +33,6 @@ struct Guess {
 struct Past {
     std::span<const std::uint16_t> last, before;
     int frames{0};  ///< how many of the two there are
-    int depth() const { return frames; }
     std::uint16_t guess(int past, std::size_t i) const {
         switch (past) {
             case 0:
@@ -84,7 +83,7 @@ struct Coded {
 Coded code_channel(const Numbers& numbers, const Past& past) {
     Coded best;
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    for (int code = 0; code < 2 * (past.depth() + 1); ++code) {
+    for (int code = 0; code < 2 * (past.frames + 1); ++code) {
         const Guess guess = Guess::of(static_cast<std::uint8_t>(code));
         Numbers tried = residuals(numbers, past, guess);
         if (const std::uint64_t cost = bits(tried); cost < least) {
@@ -132,7 +131,7 @@ class Bytes {
 };
 
 Numbers restore_channel(const Guess& guess, std::string_view low, std::string_view high, const Past& past) {
-    if (guess.past > past.depth()) {
+    if (guess.past > past.frames) {
         throw FileError("a group of frames of water is damaged");
     }
     Numbers numbers(low.size());
