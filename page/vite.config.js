@@ -2,6 +2,9 @@
 // One HTML file with everything in it: scripts and styles are put into the page, nothing is loaded.
 import {defineConfig} from 'vite';
 
+// The code comes before the run: of a file that was cut, it shows what is there and says what is not.
+const PLACE_OF_RUN = '<!--riprap:run-->';
+
 function inline() {
   return {
     name: 'inline-everything',
@@ -13,7 +16,7 @@ function inline() {
           // Within a script element "</script" would end it, and "<!--" begins a comment of old.
           const code = file.code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
           page.source = page.source.replace(/<script type="module"[^>]*src="[^"]*"[^>]*><\/script>/, '')
-              .replace('</body>', () => `<script type="module">${code}</script>\n</body>`);
+              .replace(PLACE_OF_RUN, () => `<script type="module">${code}</script>\n${PLACE_OF_RUN}`);
           delete bundle[name];
         } else if (name.endsWith('.css')) {
           page.source =

@@ -13,11 +13,11 @@ function fromBase64(text) {
   return bytes;
 }
 
-export async function inflate(bytes) {
+async function inflate(bytes) {
   const {readable, writable} = new DecompressionStream('deflate');
   const writer = writable.getWriter();
   for (const part of [writer.write(bytes), writer.close()]) {
-    part.catch(() => {});  // what is wrong with the bytes, the reader is told
+    part.catch(() => {});  // what is wrong with the bytes, the reading end is told too
   }
   return new Uint8Array(await new Response(readable).arrayBuffer());
 }
@@ -28,9 +28,13 @@ export async function takeChunk(name) {
   if (!element) {
     return null;
   }
-  const packed = fromBase64(element.textContent);
+  const text = element.textContent;
   element.remove();
-  return inflate(packed);
+  try {
+    return await inflate(fromBase64(text));
+  } catch {  // which the browser calls a failed fetch, or an invalid character
+    throw new Error('a piece of the file is damaged');
+  }
 }
 
 export function joinPlanes(planes, width) {

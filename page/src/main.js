@@ -39,6 +39,10 @@ class Page {
 
   async open() {
     const {contents, recording} = this;
+    const lost = contents.chunks.filter(name => !document.getElementById(name));
+    if (lost.length > 0) {
+      contents.notices.unshift(`This file was cut: ${lost.length} of ${contents.chunks.length} pieces are missing.`);
+    }
     showCase($('tab-case'), contents);
     showRun($('tab-run'), contents);
     showBody($('tab-body'), contents, null, -1);
@@ -57,7 +61,9 @@ class Page {
     const tables = await Promise.all(contents.tables.map(t => recording.table(t)));
     this.plots = new Plots($('tab-plots'), tables, time => this.goToTime(time));
     this.plots.at(recording.times[this.index] ?? 0);
-    recording.loadAll().then(() => note('loaded'));
+    recording.loadAll().then(() => note('loaded'), error => {
+      $('trouble').textContent ||= `Not every frame can be shown: ${error.message}`;
+    });
   }
 
   async #openScene() {
@@ -85,7 +91,13 @@ class Page {
     const {recording} = this;
     this.wanted = Math.min(Math.max(Math.round(index), 0), recording.frameCount - 1);
     const wanted = this.wanted;
-    const frame = await recording.frame(wanted);
+    let frame;
+    try {
+      frame = await recording.frame(wanted);
+    } catch (error) {
+      $('trouble').textContent = `Frame ${wanted + 1} cannot be shown: ${error.message}`;
+      return;
+    }
     if (wanted !== this.wanted) {
       return;
     }

@@ -61,6 +61,9 @@ export class Recording {
     const [pose, motion, contacts, water] = await Promise.all([
       this.#rows(`poses-${group}`, Float64Array, POSE), this.#rows(`motion-${group}`, Float32Array, MOTION),
       takeChunk(`contacts-${group}`), takeChunk(`water-${group}`)]);
+    if ((this.contents.bodies && !pose) || (this.contents.water && !water)) {
+      throw new Error('the file does not hold it');
+    }
     const contactRows = contacts ? new Float32Array(joinPlanes(contacts, 4).buffer) : null;
     const frames = [];
     let contactsBefore = 0;
@@ -87,7 +90,7 @@ export class Recording {
   }
 
   async table(description) {
-    const planes = await takeChunk(description.chunk);
+    const planes = await takeChunk(description.chunk) ?? new Uint8Array();
     const values = new Float64Array(joinPlanes(planes, 8).buffer);
     const columns = description.columns.map((column, k) => (
       {...column, values: values.subarray(k * description.rows, (k + 1) * description.rows)}));

@@ -2,8 +2,9 @@
 // A page with water, and pictures drawn by the program.
 
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
 import {after, before, test} from 'node:test';
 import {inflateSync} from 'node:zlib';
 import {WaterGroup} from '../src/water.js';
@@ -162,4 +163,25 @@ test('a frame that is not there, a browser that is not there, a run that is none
   const none = riprap(['view', stage.folder]);
   assert.equal(none.status, 5);
   assert.match(none.stderr, /holds no run/);
+});
+
+test('of a page that was cut, what is there is shown and what is not is told', async () => {
+  const html = readFileSync(join(run, 'index.html'), 'utf8'), cut = join(run, 'cut.html');
+  const whole = {trouble: /^$/, late: 30}, before = {trouble: /was cut: 1 of/, late: 3};
+  const within = {trouble: /^$|every frame.*a piece of the file is damaged$/, late: 3};
+  for (const [end, wanted] of [[html.length, whole], [html.indexOf('id="water-1"') + 500, within],
+                               [html.indexOf('id="water-1"') - 20, before]]) {
+    writeFileSync(cut, html.slice(0, end));
+    await page.goto(pathToFileURL(cut).href);
+    await page.waitForFunction(() => document.documentElement.dataset.opened);
+    await page.evaluate(() => window.riprap.show(3));
+    assert.equal(await page.evaluate(() => window.riprap.index), 3);
+    assert.ok((await lookAt(page)).share > 0.1);
+    assert.match(await page.textContent('#trouble'), wanted.trouble);
+    await page.evaluate(() => window.riprap.show(30));
+    assert.equal(await page.evaluate(() => window.riprap.index), wanted.late);
+    if (wanted.late === 3) {
+      assert.match(await page.textContent('#trouble'), /Frame 31 cannot be shown/);
+    }
+  }
 });

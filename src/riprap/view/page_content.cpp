@@ -270,7 +270,12 @@ class Packer {
         for (const FrameFiles& files : shown_) {
             times.push_back(files.time);
         }
+        std::vector<std::string> chunks;
+        for (const Chunk& chunk : content_.chunks) {
+            chunks.push_back(chunk.name);
+        }
         Json json{{"format", format},
+                  {"chunks", chunks},
                   {"title", run_.title},
                   {"status", run_.status},
                   {"gravity", {run_.gravity.x, run_.gravity.y, run_.gravity.z}},
