@@ -149,8 +149,20 @@ export class Blocks {
     }
   }
 
+  setTheme(theme) {
+    this.isDark = theme === 'dark';
+    this.#colourEdges();
+  }
+
+  /** Edges stand out from the faces, and those of glass from what is behind it. */
+  #colourEdges() {
+    this.edgeColour.setHex(!this.isDark ? 0x222222 : this.isGlass ? 0xaab2ba : 0x0c0d0f);
+  }
+
   /** See-through blocks, so that what lies between them can be seen. */
   setGlass(isGlass) {
+    this.isGlass = isGlass;
+    this.#colourEdges();
     for (const mesh of this.meshes.filter(m => !m.userData.isPlane)) {
       Object.assign(mesh.material, {transparent: isGlass, opacity: isGlass ? 0.3 : 1, depthWrite: !isGlass});
       mesh.material.needsUpdate = true;

@@ -133,7 +133,7 @@ export class Scene {
 
   setTheme(theme) {
     this.renderer.setClearColor(BACKGROUND[theme]);
-    this.blocks?.edgeColour.setHex(theme === 'dark' ? 0x0c0d0f : 0x222222);
+    this.blocks?.setTheme(theme);
     this.redraw();
   }
 
