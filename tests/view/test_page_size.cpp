@@ -39,5 +39,8 @@ TEST(PageSize, A100000ParticlesInMotionOver200FramesTakeLessThan60MB) {
     EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), static_cast<std::size_t>(frame_count));
 }
 
+// What every page begins with: the code that shows a run.
+TEST(PageSize, ThePageWithoutARunTakesLessThanAMegabyte) { EXPECT_LT(page_template().size(), 1'000'000U); }
+
 }  // namespace
 }  // namespace riprap::view
