@@ -15,13 +15,17 @@ int validate_with_report(const validation::ValidateOptions& options, const std::
     validation::ValidateOptions asked = options;
     asked.as_json = true;
     asked.results = folder.string();
+    const auto write = [&](const std::string& results, bool is_whole) {
+        return view::write_validation_report(folder, results, validation::case_folder(options), is_whole);
+    };
+    // After every case: a validation may take hours, and what stops it may not take the page away.
+    asked.after_case = [&write](const std::string& so_far) { write(so_far, false); };
     std::ostringstream results;
     const int code = validation::validate(asked, validation::all_cases(), results, &std::cerr);
     if (code == static_cast<int>(ExitCode::usage)) {
         return code;
     }
-    const std::filesystem::path page =
-        view::write_validation_report(folder, results.str(), validation::case_folder(options));
+    const std::filesystem::path page = write(results.str(), true);
     if (options.as_json) {
         fmt::print("{}", results.str());
     } else {

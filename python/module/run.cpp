@@ -113,7 +113,7 @@ py::object run_folder(const Case& of, const std::filesystem::path& out, bool res
     }
     caller.rethrow();
     constexpr std::size_t limit = std::size_t{1} << 24;
-    const py::object summary = from_json(io::read_file(run::RunFolder{out}.summary(), limit));
+    py::object summary = from_json(io::read_file(run::RunFolder{out}.summary(), limit));
     raise_for(code, summary);
     return summary;
 }

@@ -95,6 +95,18 @@ TEST(Validate, several_suites_make_one_json_document) {
     EXPECT_EQ(json["results"][1]["case"], "t/a");
 }
 
+TEST(Validate, tells_all_results_so_far_after_every_case) {
+    const std::array cases{ValidationCase{"s", "a", "", false, passes}, ValidationCase{"s", "b", "", false, throws}};
+    ValidateOptions options = json_of();
+    std::vector<std::string> told;
+    options.after_case = [&told](const std::string& so_far) { told.push_back(so_far); };
+    const std::string at_the_end = run(cases, options).text;
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(nlohmann::json::parse(told[0])["results"].size(), 1U);
+    EXPECT_EQ(nlohmann::json::parse(told[1])["results"].size(), 3U);
+    EXPECT_EQ(nlohmann::json::parse(at_the_end)["results"].size(), 3U);
+}
+
 TEST(Validate, a_selection_runs_a_suite_or_one_case_and_refuses_other_names) {
     const std::array cases{ValidationCase{"s", "a", "", false, passes}, ValidationCase{"s", "b", "", false, passes},
                            ValidationCase{"t", "c", "", false, passes}};

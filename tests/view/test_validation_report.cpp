@@ -62,6 +62,15 @@ TEST_F(AReport, ShowsEveryCaseWithItsOwnPlotsAndWords) {
     EXPECT_THAT(text_, Not(HasSubstr("<?xml")));
 }
 
+TEST_F(AReport, SaysWhereMoreCasesAreToCome) {
+    const TemporaryFolder folder;
+    const auto text_of = [&](bool is_whole) {
+        return io::read_file(write_validation_report(folder.path(), results, folder / "suites", is_whole), 1U << 20U);
+    };
+    EXPECT_THAT(text_of(false), HasSubstr("the cases so far"));
+    EXPECT_THAT(text_of(true), Not(HasSubstr("the cases so far")));
+}
+
 TEST_F(AReport, BeginsWithWhatEveryCaseCameTo) {
     const std::size_t red =
         at("<a href=\"#water/leak\">water/leak</a></td><td><b class=not_reproduced>1 not reproduced");

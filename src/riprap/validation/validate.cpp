@@ -91,6 +91,9 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
         }
     }
     std::vector<Result> all_results;
+    // One JSON document, whatever was asked for: with several suites a case carries the name of its own.
+    const bool names_suites = suites.size() > 1;
+    const auto json = [&] { return to_json(names_suites ? "all" : suites.front(), all_results); };
     for (const std::string_view suite : suites) {
         std::vector<Result> results;
         for (const ValidationCase& one : cases) {
@@ -101,19 +104,21 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
                 *progress << fmt::format("{}: {}\n", full_name(one), one.title) << std::flush;
             }
             const CaseReport report = run_one(one, options);
-            results.insert(results.end(), report.results().begin(), report.results().end());
+            for (Result result : report.results()) {
+                results.push_back(result);
+                result.name = names_suites ? fmt::format("{}/{}", suite, result.name) : result.name;
+                all_results.push_back(std::move(result));
+            }
+            if (options.after_case) {
+                options.after_case(json());
+            }
         }
         if (!options.as_json) {
             out << to_table(suite, results) << std::flush;
         }
-        for (Result& result : results) {
-            // One JSON document, whatever was asked for: with several suites a case carries the name of its own.
-            result.name = suites.size() > 1 ? fmt::format("{}/{}", suite, result.name) : result.name;
-            all_results.push_back(std::move(result));
-        }
     }
     if (options.as_json) {
-        out << to_json(suites.size() == 1 ? suites.front() : "all", all_results) << std::flush;
+        out << (suites.empty() ? to_json("all", {}) : json()) << std::flush;
     }
     const bool has_failed = std::any_of(all_results.begin(), all_results.end(),
                                         [](const Result& result) { return result.verdict == Verdict::not_reproduced; });

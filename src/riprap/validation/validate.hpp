@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct ValidateOptions {
     bool as_json{false};                        ///< one JSON object per suite instead of tables
     std::string results{"validation-results"};  ///< plots go to <results>/<suite>/; empty = no plots
     std::string folder;                         ///< with the case files; empty = validation/ here, else the source's
+    std::function<void(const std::string&)> after_case{};  ///< is given all results so far, as JSON, where it is set
 };
 
 /// Where <suite>/<case> have their case files and words.

@@ -181,7 +181,8 @@ std::string section(const std::string& suite, const std::string& name, const std
 
 }  // namespace
 
-fs::path write_validation_report(const fs::path& folder, const std::string& results_json, const fs::path& words) {
+fs::path write_validation_report(const fs::path& folder, const std::string& results_json, const fs::path& words,
+                                 bool is_whole) {
     const Json document = Json::parse(results_json);
     const run::BuildInfo build = run::build_info();
     std::string page = fmt::format(
@@ -189,6 +190,10 @@ fs::path write_validation_report(const fs::path& folder, const std::string& resu
         "<h1>Validation</h1>\n<p>{}. Riprap {}, {}, -march={}.</p>\n",
         style, counts_of(document.at("results")), html(build.version), html(build.compiler), html(build.march));
     const Named<Cases> suites = by_suite(document);
+    if (!is_whole) {
+        page +=
+            "<p><b class=not_reproduced>The validation goes on, or was stopped: these are the cases so far.</b></p>\n";
+    }
     page += overview(suites);
     for (const auto& [suite, cases] : suites) {
         page += fmt::format("<h2>{}</h2>\n", html(suite)) +

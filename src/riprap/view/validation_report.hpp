@@ -11,6 +11,6 @@ namespace riprap::view {
 /// a suite what its own README.md says. `results_json` is what `riprap validate --json` prints.
 /// @returns the page's path. @throws FileError
 std::filesystem::path write_validation_report(const std::filesystem::path& folder, const std::string& results_json,
-                                              const std::filesystem::path& words);
+                                              const std::filesystem::path& words, bool is_whole = true);
 
 }  // namespace riprap::view
