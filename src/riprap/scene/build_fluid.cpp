@@ -56,6 +56,7 @@ fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
     sph.kinematic_viscosity = get_number(table, "kinematic_viscosity");
     sph.smagorinsky = get_number(table, "smagorinsky");
     sph.density_diffusion = get_number(table, "density_diffusion");
+    sph.gradient_correction = get_boolean(table, "gradient_correction");
     sph.shifting = get_number(table, "shifting");
     sph.courant = get_number(table, "courant");
     sph.sort_interval = get_integer(table, "sort_interval");
@@ -250,8 +251,9 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
         return;
     }
     build.warnings.emplace_back(
-        "scheme = \"muller\" has a state equation of its own and neither diffusion of density nor shifting: "
-        "state_equation, tait_exponent, density_diffusion and shifting do nothing");
+        "scheme = \"muller\" has a state equation of its own and neither diffusion of density nor corrected gradients "
+        "nor "
+        "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
         build.warnings.push_back(fmt::format(

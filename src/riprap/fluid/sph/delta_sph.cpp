@@ -29,7 +29,7 @@ void with_viscosity(const SphSettings& settings, const Work& work) {
     }
 }
 
-/// sqrt(2 S:S) from the third sum of Continuity
+/// sqrt(2 S:S) from the second sum of Continuity
 double strain_rate(const SphSettings& settings, double sum) {
     return std::sqrt(std::max(0.0, (settings.domain.dimension + 2) * sum));
 }
@@ -48,7 +48,7 @@ void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
 
 /// What shifting did in a step.
 struct Shifting {
-    double potential{0};        ///< energy that it took away [J]
+    double potential{0};        ///< energy of place that it took away [J]
     double longest_squared{0};  ///< [m^2]
 };
 
@@ -63,12 +63,17 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
         const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.surface_direction[i],
                                              s.bareness[i], strain_rate(settings, s.strain[i]), dt);
         state.position[i] += shift;
-        state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i]);
+        state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i], s.corrected[i]);
         return Shifting{settings.particle_mass * dot(gravity, shift), norm_squared(shift)};
     };
     return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
         return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
     });
+}
+
+GradientCorrection correction_of(const SphSettings& settings, const Symmetric& moments) {
+    return settings.gradient_correction ? gradient_correction(settings.domain.dimension, moments)
+                                        : GradientCorrection{{1, 1, 0, 1, 0, 0}, 0};
 }
 
 /// What leaves the energy of compression as density is updated [J].
@@ -79,31 +84,42 @@ struct Losses {
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
     find_pressure(settings, state, s);
-    make_zero(s.compression, state.density.size());
     make_zero(s.diffusion, state.density.size());
     make_zero(s.strain, state.density.size());
-    make_zero(s.divergence, state.density.size());
+    make_zero(s.correction, state.density.size());
+    make_zero(s.stress, state.density.size());
     s.bareness.resize(state.density.size());
+    s.corrected.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
+    const int dimension = settings.domain.dimension;
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    add_pair_sums_within(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
-                         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
-                         {sink(s.compression), sink(s.diffusion), sink(s.strain), sink(s.divergence)}, s.fluid_fluid);
+    const auto m = [&](std::size_t k) { return sink_tensor(s.correction, k); };
+    const auto g = [&](std::size_t k) { return sink_tensor(s.stress, k); };
+    add_pair_sums_within(
+        settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
+        {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
+        {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)},
+        s.fluid_fluid);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
                     field(walls.volume)}},
-                  {sink(s.compression), sink(s.divergence)}, s.fluid_walls);
+                  {m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)}, s.fluid_walls);
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
+        const Symmetric moments = s.correction[i];
+        s.bareness[i] = bareness_of_particle(dimension, moments[0] + moments[1] + (dimension == 3 ? moments[3] : 0));
+        const GradientCorrection correction = correction_of(settings, moments);
+        s.correction[i] = correction.tensor;
+        s.corrected[i] = correction.share;
         const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
-        const double after = diluted + dt * diluted * s.compression[i] + spread, mean = 0.5 * (before + after);
+        const double after = diluted + dt * diluted * contract(dimension, s.correction[i], s.stress[i]) + spread;
+        const double mean = 0.5 * (before + after);
         state.density[i] = after;
-        s.bareness[i] = bareness_of_particle(settings.domain.dimension, s.divergence[i]);
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
         const double per_density = settings.particle_mass * pressure_of(settings, mean) / (mean * mean);
         return Losses{-per_density * spread, per_density * (before - diluted)};
@@ -119,6 +135,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
                   SphScratchData& s) {
     find_pressure(settings, state, s);
     find_viscosity(settings, s);
+    find_stress(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });

@@ -15,6 +15,16 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, SphS
     });
 }
 
+void find_stress(SphScratchData& s) {
+    s.stress.resize(s.correction.size());
+    parallel::for_each(static_cast<std::int64_t>(s.stress.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        for (std::size_t k = 0; k < s.stress[i].size(); ++k) {
+            s.stress[i][k] = s.pressure[i] * s.correction[i][k];
+        }
+    });
+}
+
 void clear_forces(std::size_t particles, SphScratchData& s) {
     make_zero(s.force, particles);
     make_zero(s.concentration_gradient, particles);

@@ -13,6 +13,9 @@ namespace riprap::fluid {
 /// Pressure and volume of every particle, from its density.
 void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch);
 
+/// p B of every particle, in place of G.
+void find_stress(SphScratchData& scratch);
+
 /// Makes room for the sums of Momentum and MomentumFromWalls and sets them to zero.
 void clear_forces(std::size_t particles, SphScratchData& scratch);
 
@@ -20,9 +23,11 @@ void clear_forces(std::size_t particles, SphScratchData& scratch);
 void scale_by_volume(SphScratchData& scratch);
 
 /// What fluid particles bring to both sides of a sum of forces.
-inline SweepSide<5> force_targets(const ParticleState& state, const SphScratchData& s) {
+inline SweepSide<5 + symmetric_numbers> force_targets(const ParticleState& state, const SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    return {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity)}};
+    const auto b = [&](std::size_t k) { return tensor_component(s.correction, k); };
+    return {state.position,
+            {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity), b(0), b(1), b(2), b(3), b(4), b(5)}};
 }
 
 /// Adds the sums of Momentum: fluid on fluid.
@@ -30,9 +35,11 @@ template <class Kernel, class Law>
 void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, const Law& law,
                       SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const SweepSide<7> fluid_with_surface{
+    const auto p = [&](std::size_t k) { return tensor_component(s.stress, k); };
+    const SweepSide<6 + symmetric_numbers> fluid_with_surface{
         state.position,
-        {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity), field(s.bareness)}};
+        {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity), field(s.bareness), p(0), p(1), p(2), p(3), p(4),
+         p(5)}};
     std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
     add_pair_sums_within(
         settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
@@ -63,8 +70,10 @@ void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, con
                           BoundaryParticles& walls, const Law& law, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
-    const SweepSide<6> fluid{state.position,
-                             {v(0), v(1), v(2), field(s.pressure), field(s.volume), field(s.dynamic_viscosity)}};
+    const auto b = [&](std::size_t k) { return tensor_component(s.correction, k); };
+    const SweepSide<6 + symmetric_numbers> fluid{state.position,
+                                                 {v(0), v(1), v(2), field(s.pressure), field(s.volume),
+                                                  field(s.dynamic_viscosity), b(0), b(1), b(2), b(3), b(4), b(5)}};
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
     make_zero(p, walls.position.size());
     make_zero(t, walls.position.size());

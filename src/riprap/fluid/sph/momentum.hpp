@@ -2,49 +2,54 @@
 #pragma once
 
 #include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/fluid/sph/viscosity.hpp"
 
 namespace riprap::fluid {
 
 /// Forces of neighbours in the fluid on particle i per V_i, and what shifting needs, in one sweep:
 ///
-///     sums[0..2] = sum V_j (-(p_i + p_j) F d + viscous force)     [N/m^3]
+///     sums[0..2] = sum V_j (-(p_i B_i + p_j B_j) F d + viscous force)     [N/m^3]
 ///     sums[3]    = -sum V_j (viscous force . v)                   twice the heat made at i [W/m^3]
 ///     sums[4..6] = sum V_j F d                                    gradient of the concentration of particles [1/m]
 ///     sums[7..9] = sum V_j F d b_j                                towards particles of the surface, b_j = 1 [1/m]
 ///
 /// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores, for
-/// one and the same kernel.
+/// one and the same kernel and the same corrections B (docs/theory/sph.md, 5 and 6).
 template <class Kernel, class Viscosity>
 struct Momentum {
-    static constexpr int target_fields = 7;     ///< v, p, V, mu, b
-    static constexpr int candidate_fields = 7;  ///< the same
+    static constexpr int target_fields = 6 + symmetric_numbers;  ///< v, V, mu, b, p B
+    static constexpr int candidate_fields = target_fields;       ///< the same
     static constexpr int sums = 10, back_sums = 10;
     Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r, Real* sum, Real* back) const {
-        const Real slope = kernel.slope_over_r(r), push = (a[3] + b[3]) * slope;
-        Real v[3], viscous[3], heat(0);
+        const Real slope = kernel.slope_over_r(r);
+        Real v[3], viscous[3], stress[symmetric_numbers], push[3], heat(0);
+        for (int k = 0; k < symmetric_used<Dim>; ++k) {
+            stress[k] = a[6 + k] + b[6 + k];
+        }
+        symmetric_apply<Dim>(stress, d, push);
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = a[axis] - b[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[5] + b[5], viscous);
-        const Real slope_a = a[4] * slope, slope_b = b[4] * slope;
-        const Real bare_a = slope_a * a[6], bare_b = slope_b * b[6];
+        viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[4] + b[4], viscous);
+        const Real slope_a = a[3] * slope, slope_b = b[3] * slope;
+        const Real bare_a = slope_a * a[5], bare_b = slope_b * b[5];
         for (int axis = 0; axis < Dim; ++axis) {
-            const Real force = viscous[axis] - push * d[axis];
+            const Real force = viscous[axis] - slope * push[axis];
             heat = heat + viscous[axis] * v[axis];
-            sum[axis] = sum[axis] + b[4] * force;
-            back[axis] = back[axis] - a[4] * force;
+            sum[axis] = sum[axis] + b[3] * force;
+            back[axis] = back[axis] - a[3] * force;
             sum[4 + axis] = sum[4 + axis] + slope_b * d[axis];
             back[4 + axis] = back[4 + axis] - slope_a * d[axis];
             sum[7 + axis] = sum[7 + axis] + bare_b * d[axis];
             back[7 + axis] = back[7 + axis] - bare_a * d[axis];
         }
-        sum[3] = sum[3] - b[4] * heat;
-        back[3] = back[3] - a[4] * heat;
+        sum[3] = sum[3] - b[3] * heat;
+        back[3] = back[3] - a[3] * heat;
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
@@ -59,13 +64,13 @@ struct Momentum {
 
 /// The same from walls, whose viscous pull is that of a velocity mirrored in the wall, u_w, and whose motion is v_w:
 ///
-///     sums[0..2], sums[4..6]  as Momentum with p_w, V_w, u_w
+///     sums[0..2], sums[4..6]  as Momentum with p_w, V_w, u_w and, for want of its own, the particle's B
 ///     sums[3] = -sum V_w (viscous force . (v_i - v_w))       heat made at the wall [W/m^3]
-///     sums[7..9] = sum V_w p_w F d                           for the wall exchange, which is
-///     sums[10]   = sum V_w p_w F d.v_w                       sums[7..9].v_i - sums[10] (docs/theory/sph.md, 6)
+///     sums[7..9] = sum V_w p_w F B_i d                       for the wall exchange, which is
+///     sums[10]   = sum V_w p_w F B_i d.v_w                   sums[7..9].v_i - sums[10] (docs/theory/sph.md, 6)
 template <class Kernel, class Viscosity>
 struct MomentumFromWalls {
-    static constexpr int target_fields = 5;     ///< v, p, mu
+    static constexpr int target_fields = 5 + symmetric_numbers;  ///< v, p, mu, B
     static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
     static constexpr int sums = 11;
     Kernel kernel;
@@ -81,10 +86,12 @@ struct MomentumFromWalls {
         }
         viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * candidate[5], target[4] + target[4],
                                     viscous);
+        Real straight[3];
+        symmetric_apply<Dim>(target + 5, d, straight);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
-            const Real hold = candidate[3] * slope * d[axis];
-            sum[axis] = sum[axis] + (viscous[axis] - push * d[axis]);
+            const Real hold = candidate[3] * slope * straight[axis];
+            sum[axis] = sum[axis] + (viscous[axis] - push * straight[axis]);
             sum[3] = sum[3] - viscous[axis] * (target[axis] - candidate[6 + axis]);
             sum[4 + axis] = sum[4 + axis] + slope * d[axis];
             sum[7 + axis] = sum[7 + axis] + hold;
@@ -95,11 +102,11 @@ struct MomentumFromWalls {
 
 /// The same pairs seen from the wall, pressure and viscous part apart: the force on wall particle w per V_w is
 ///
-///     sums[0..2] = -sum V_j (p_w + p_j) F d,   sums[3..5] = sum V_j viscous force,   d = x_w - x_j.
+///     sums[0..2] = -sum V_j (p_w + p_j) F B_j d,   sums[3..5] = sum V_j viscous force,   d = x_w - x_j.
 template <class Kernel, class Viscosity>
 struct MomentumOnWalls {
-    static constexpr int target_fields = 5;     ///< u_w, p_w, grip
-    static constexpr int candidate_fields = 6;  ///< v, p, V, mu
+    static constexpr int target_fields = 5;                         ///< u_w, p_w, grip
+    static constexpr int candidate_fields = 6 + symmetric_numbers;  ///< v, p, V, mu, B
     static constexpr int sums = 6;
     Kernel kernel;
     Viscosity viscosity;
@@ -114,9 +121,11 @@ struct MomentumOnWalls {
         }
         viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * target[4], candidate[5] + candidate[5],
                                     viscous);
+        Real straight[3];
+        symmetric_apply<Dim>(candidate + 6, d, straight);
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[axis] = sum[axis] - push * d[axis];
+            sum[axis] = sum[axis] - push * straight[axis];
             sum[3 + axis] = sum[3 + axis] + viscous[axis];
         }
     }

@@ -58,6 +58,8 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     find_pressure(settings, state, s);
     s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
     make_zero(s.bareness, state.position.size());
+    leave_gradients(state.position.size(), s);
+    find_stress(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });

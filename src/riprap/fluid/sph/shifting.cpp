@@ -24,11 +24,13 @@ Vec3 shift_of_particle(const SphSettings& s, const Vec3& gradient, const Vec3& t
         shift *= 1 - std::min(1.0, h * nearness / 0.05);
     }
     const double length = norm(shift), longest = 0.1 * s.spacing;
-    const double loss = dilution_by_shift(shift, gradient);
+    const double loss = dilution_by_shift(shift, gradient, 0);
     constexpr double most = 0.002;  // of the density in a step: it varies by about 1 % in all
     return std::min({1.0, length > longest ? longest / length : 1.0, loss > most ? most / loss : 1.0}) * shift;
 }
 
-double dilution_by_shift(const Vec3& shift, const Vec3& gradient) { return -2 * dot(shift, gradient); }
+double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected) {
+    return -2 * (1 - corrected) * dot(shift, gradient);
+}
 
 }  // namespace riprap::fluid

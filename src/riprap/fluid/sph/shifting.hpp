@@ -27,12 +27,13 @@ Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const 
 
 /// The share of its density that a shift takes from a particle,
 ///
-///     -2 delta x . grad C,
+///     -2 (1 - s) delta x . grad C,
 ///
-/// never negative. Density follows the sums of the kernel over neighbours as they change by motion; a shift changes
-/// them too, by delta x . grad C at the particle and by as much in all at its neighbours (docs/theory/sph.md, 7).
-/// Without this, flow crowds particles, which raises the density, and shifting spreads them, which did not lower it:
-/// water swelled.
-double dilution_by_shift(const Vec3& shift, const Vec3& gradient);
+/// never negative, s the share of the correction of gradients. Without it density follows the sums of the kernel over
+/// neighbours as they change by motion; a shift changes them too, by delta x . grad C at the particle and by as much in
+/// all at its neighbours (docs/theory/sph.md, 7). Without this, flow crowds particles, which raises the density, and
+/// shifting spreads them, which did not lower it: water swelled. Where gradients are exact, flow crowds particles
+/// without raising density, and shifting has nothing to take.
+double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected);
 
 }  // namespace riprap::fluid

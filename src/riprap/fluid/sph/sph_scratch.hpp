@@ -7,6 +7,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/sph/gradient_correction.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 
 namespace riprap::fluid {
@@ -17,7 +18,10 @@ struct SphScratchData {
     std::vector<double> mass, wall_mass;    ///< as they enter a sum of density [kg]
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
 
-    std::vector<double> compression, diffusion, strain, divergence;      ///< sums of Continuity
+    std::vector<double> diffusion, strain;                               ///< sums of Continuity
+    std::vector<Symmetric> correction;                                   ///< its moments M; then B [-]
+    std::vector<Symmetric> stress;                                       ///< its sums G [1/s]; then p B [Pa]
+    std::vector<double> corrected;                                       ///< share of it [-]
     std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-]
     std::vector<Vec3> force, concentration_gradient, surface_direction;  ///< sums of Momentum
     std::vector<double> heat, wall_heat;
@@ -32,13 +36,21 @@ struct SphScratchData {
     SweepScratch fluid_fluid, fluid_walls, walls_fluid;
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, compression, diffusion, strain,
-                        divergence, bareness, force, concentration_gradient, surface_direction, heat, wall_heat,
+        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction, stress,
+                        corrected, bareness, force, concentration_gradient, surface_direction, heat, wall_heat,
                         wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment, wall_velocity,
                         mirrored_velocity, grip) +
                fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };
+
+/// One number of a symmetric tensor per particle.
+inline FieldView tensor_component(const std::vector<Symmetric>& tensors, std::size_t k) {
+    return {tensors.empty() ? nullptr : tensors[0].data() + k, symmetric_numbers};
+}
+inline FieldSink sink_tensor(std::vector<Symmetric>& tensors, std::size_t k) {
+    return {tensors.empty() ? nullptr : tensors[0].data() + k, symmetric_numbers};
+}
 
 /// Makes `count` zeros of it.
 template <class T>
