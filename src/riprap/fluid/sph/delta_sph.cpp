@@ -138,6 +138,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     find_stress(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
+    find_pressure_on_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/sph/momentum.hpp"
 #include "riprap/fluid/sph/pair_sums.hpp"
@@ -64,27 +66,40 @@ void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, co
                   s.fluid_walls);
 }
 
-/// The sums of MomentumOnWalls: what the fluid does to walls [N].
+/// The sums of PressureOnWalls, for walls that may then be told to move in another way but not to another place.
+template <class Kernel>
+void find_pressure_on_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
+                            const BoundaryParticles& walls, SphScratchData& s) {
+    const auto b = [&](std::size_t k) { return tensor_component(s.correction, k); };
+    std::vector<Vec3>&one = s.wall_slope, &p = s.wall_push;
+    make_zero(one, walls.position.size());
+    make_zero(p, walls.position.size());
+    add_pair_sums(settings, PressureOnWalls<Kernel>{kernel}, {walls.position, {}},
+                  {state.position, {field(s.pressure), field(s.volume), b(0), b(1), b(2), b(3), b(4), b(5)}},
+                  {sink_component(one, 0), sink_component(one, 1), sink_component(one, 2), sink_component(p, 0),
+                   sink_component(p, 1), sink_component(p, 2)},
+                  s.walls_fluid);
+}
+
+/// What the fluid does to walls [N], from those sums and, where some walls are not slippery, those of ViscosityOnWalls.
 template <class Kernel, class Law>
 void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
                           BoundaryParticles& walls, const Law& law, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto u = [&](int axis) { return component(s.mirrored_velocity, axis); };
-    const auto b = [&](std::size_t k) { return tensor_component(s.correction, k); };
-    const SweepSide<6 + symmetric_numbers> fluid{state.position,
-                                                 {v(0), v(1), v(2), field(s.pressure), field(s.volume),
-                                                  field(s.dynamic_viscosity), b(0), b(1), b(2), b(3), b(4), b(5)}};
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
-    make_zero(p, walls.position.size());
+    p.resize(walls.position.size());
     make_zero(t, walls.position.size());
-    add_pair_sums(settings, MomentumOnWalls<Kernel, Law>{kernel, law},
-                  {walls.position, {u(0), u(1), u(2), field(walls.pressure), field(s.grip)}}, fluid,
-                  {sink_component(p, 0), sink_component(p, 1), sink_component(p, 2), sink_component(t, 0),
-                   sink_component(t, 1), sink_component(t, 2)},
-                  s.walls_fluid);
+    if (std::count(walls.is_slippery.begin(), walls.is_slippery.end(), 0) > 0) {
+        add_pair_sums(
+            settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
+            {walls.position, {u(0), u(1), u(2), field(s.grip)}},
+            {state.position, {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity)}},
+            {sink_component(t, 0), sink_component(t, 1), sink_component(t, 2)}, s.walls_fluid);
+    }
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        p[w] *= walls.volume[w];
+        p[w] = -walls.volume[w] * (walls.pressure[w] * s.wall_slope[w] + s.wall_push[w]);
         t[w] *= walls.volume[w];
     });
 }

@@ -47,6 +47,8 @@ void add_pair_sums_within(const SphSettings& settings, const Pair& pair,
 RIPRAP_INSTANTIATE_WITHIN(Continuity);
 RIPRAP_INSTANTIATE(ContinuityAtWalls);
 RIPRAP_INSTANTIATE(WallAverages);
+RIPRAP_INSTANTIATE(PressureOnWalls<WendlandC2>);
+RIPRAP_INSTANTIATE(PressureOnWalls<SpikyKernel>);
 RIPRAP_INSTANTIATE(DensitySum);
 RIPRAP_INSTANTIATE_WITHIN(DensitySum);
 // a comma in a template argument list would be one in the macro's
@@ -54,7 +56,7 @@ template <class Kernel, class Viscosity>
 struct Forces {
     using InFluid = Momentum<Kernel, Viscosity>;
     using FromWalls = MomentumFromWalls<Kernel, Viscosity>;
-    using OnWalls = MomentumOnWalls<Kernel, Viscosity>;
+    using OnWalls = ViscosityOnWalls<Kernel, Viscosity>;
 };
 using Artificial = Forces<WendlandC2, ArtificialViscosity>;
 using Laminar = Forces<WendlandC2, LaminarViscosity>;

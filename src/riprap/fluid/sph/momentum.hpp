@@ -100,33 +100,49 @@ struct MomentumFromWalls {
     }
 };
 
-/// The same pairs seen from the wall, pressure and viscous part apart: the force on wall particle w per V_w is
+/// The same pressures seen from the wall, in two parts that do not depend on how the wall moves: the force on wall
+/// particle w per V_w is -(p_w sums[0..2] + sums[3..5]),
 ///
-///     sums[0..2] = -sum V_j (p_w + p_j) F B_j d,   sums[3..5] = sum V_j viscous force,   d = x_w - x_j.
-template <class Kernel, class Viscosity>
-struct MomentumOnWalls {
-    static constexpr int target_fields = 5;                         ///< u_w, p_w, grip
-    static constexpr int candidate_fields = 6 + symmetric_numbers;  ///< v, p, V, mu, B
+///     sums[0..2] = sum V_j F B_j d,   sums[3..5] = sum V_j p_j F B_j d,   d = x_w - x_j.
+template <class Kernel>
+struct PressureOnWalls {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 2 + symmetric_numbers;  ///< p, V, B
     static constexpr int sums = 6;
+    Kernel kernel;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
+        Real straight[3];
+        symmetric_apply<Dim>(candidate + 2, d, straight);
+        const Real slope = candidate[1] * kernel.slope_over_r(r), push = candidate[0] * slope;
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[axis] = sum[axis] + slope * straight[axis];
+            sum[3 + axis] = sum[3 + axis] + push * straight[axis];
+        }
+    }
+};
+
+/// And the viscous forces: that on wall particle w per V_w is sums[0..2] = sum V_j viscous force, d = x_w - x_j.
+template <class Kernel, class Viscosity>
+struct ViscosityOnWalls {
+    static constexpr int target_fields = 4;     ///< u_w, grip
+    static constexpr int candidate_fields = 5;  ///< v, V, mu
+    static constexpr int sums = 3;
     Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
                               Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(r), slope = candidate[4] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
             v[axis] = target[axis] - candidate[axis];
         }
-        viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * target[4], candidate[5] + candidate[5],
-                                    viscous);
-        Real straight[3];
-        symmetric_apply<Dim>(candidate + 6, d, straight);
-        const Real push = (target[3] + candidate[3]) * slope;
+        viscosity.template add<Dim>(v, d, r2, r, kernel.slope_over_r(r), candidate[3] * target[3],
+                                    candidate[4] + candidate[4], viscous);
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[axis] = sum[axis] - push * straight[axis];
-            sum[3 + axis] = sum[3 + axis] + viscous[axis];
+            sum[axis] = sum[axis] + viscous[axis];
         }
     }
 };

@@ -62,6 +62,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     find_stress(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
+    find_pressure_on_walls(settings, spiky(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
 }
 
