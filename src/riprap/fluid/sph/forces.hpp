@@ -91,11 +91,10 @@ void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, con
     p.resize(walls.position.size());
     make_zero(t, walls.position.size());
     if (std::count(walls.is_slippery.begin(), walls.is_slippery.end(), 0) > 0) {
-        add_pair_sums(
-            settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
-            {walls.position, {u(0), u(1), u(2), field(s.grip)}},
-            {state.position, {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity)}},
-            {sink_component(t, 0), sink_component(t, 1), sink_component(t, 2)}, s.walls_fluid);
+        add_pair_sums(settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
+                      {walls.position, {u(0), u(1), u(2), field(s.grip)}},
+                      {state.position, {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity)}},
+                      {sink_component(t, 0), sink_component(t, 1), sink_component(t, 2)}, s.walls_fluid);
     }
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);

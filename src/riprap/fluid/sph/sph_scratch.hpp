@@ -31,16 +31,16 @@ struct SphScratchData {
     std::vector<double> wall_weight, wall_pressure;  ///< sums of WallAverages
     std::vector<Vec3> wall_moment, wall_velocity;
     std::vector<Vec3> wall_slope, wall_push;  ///< sums of PressureOnWalls
-    std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
-    std::vector<double> grip;             ///< 0 on slippery walls, else 1
+    std::vector<Vec3> mirrored_velocity;      ///< u_w [m/s]
+    std::vector<double> grip;                 ///< 0 on slippery walls, else 1
 
     SweepScratch fluid_fluid, fluid_walls, walls_fluid;
 
     std::size_t bytes() const {
         return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction, stress,
                         corrected, bareness, force, concentration_gradient, surface_direction, heat, wall_heat,
-                        wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment, wall_velocity, wall_slope, wall_push,
-                        mirrored_velocity, grip) +
+                        wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment, wall_velocity, wall_slope,
+                        wall_push, mirrored_velocity, grip) +
                fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };
