@@ -245,14 +245,27 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
     }
 }
 
+/// Corrected gradients tell the inside of the water from its rim by numbers that hold at h/dp = 1.5
+/// (docs/theory/sph.md, 4).
+void warn_of_smoothing_ratio(CaseBuild& build, const fluid::SphSettings& sph) {
+    constexpr double least = 1.4, most = 1.6;
+    const bool is_corrected = sph.gradient_correction && sph.scheme == fluid::SphScheme::delta_sph;
+    if (is_corrected && (sph.smoothing_ratio < least || sph.smoothing_ratio > most)) {
+        build.warnings.push_back(
+            fmt::format("smoothing_ratio = {:.3g} with gradient_correction: the inside of the water is told from its "
+                        "rim by numbers "
+                        "that hold at 1.5, so gradients are corrected in part only",
+                        sph.smoothing_ratio));
+    }
+}
+
 /// What Müller's scheme leaves out, and where it is known to fail (docs/theory/sph.md, 9).
 void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.scheme != fluid::SphScheme::muller) {
         return;
     }
     build.warnings.emplace_back(
-        "scheme = \"muller\" has a state equation of its own and neither diffusion of density nor corrected gradients "
-        "nor "
+        "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients nor "
         "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
@@ -353,6 +366,7 @@ void build_fluid(CaseBuild& build) {
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
     warn_of_thin_bodies(build, fluid);
     warn_of_muller(build, fluid.sph);
+    warn_of_smoothing_ratio(build, fluid.sph);
     build_absorptions(build, *table, filling.particles, fluid);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);

@@ -178,7 +178,8 @@ const Table& fluid_table() {
           Value::of(defaults.density_diffusion)},
          {"gradient_correction",
           {boolean()},
-          "Gradients exact for fields linear in space, inside the water; false for comparison.",
+          "Inside the water density follows the divergence of velocity, not the arrangement of particles; false for "
+          "comparison. Laid out for smoothing_ratio = 1.5.",
           Value::of(defaults.gradient_correction)},
          {"shifting",
           {number(dimension::plain, between(0, 100))},

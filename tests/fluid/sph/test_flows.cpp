@@ -98,7 +98,7 @@ TEST(Flows, taylor_green_vortices_decay_at_the_viscous_rate) {  // Re = 100, at 
 }
 
 TEST(Flows, a_standing_wave_swings_with_the_period_of_the_dispersion_relation) {
-    const double length = 1, depth = 0.5, amplitude = 0.02, g = 9.81, dp = depth / 20;
+    const double length = 1, depth = 0.5, amplitude = 0.02, g = 9.81, dp = depth / 40;
     const double k = pi / length, omega = std::sqrt(g * k * std::tanh(k * depth));
     Water water;
     water.settings = settings_2d(dp, 10 * std::sqrt(g * depth));
@@ -127,7 +127,8 @@ TEST(Flows, a_standing_wave_swings_with_the_period_of_the_dispersion_relation) {
     }
     ASSERT_EQ(water.report.problem, "");
     const double half = water.time - water.last_dt * now / (now - before);
-    EXPECT_NEAR(half, pi / omega, 0.01 * pi / omega);
+    // an error of the spacing: twice as coarse it is 0.8 %; without corrected gradients -1.5 % at this spacing
+    EXPECT_NEAR(half, pi / omega, 0.005 * pi / omega);
     EXPECT_NEAR(-farthest, 2 * amplitude * length / (pi * pi * depth),
                 0.02 * 2 * amplitude * length / (pi * pi * depth));
 }

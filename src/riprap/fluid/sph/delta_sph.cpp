@@ -63,7 +63,7 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
         const Vec3 shift = shift_of_particle(settings, s.concentration_gradient[i], s.surface_direction[i],
                                              s.bareness[i], strain_rate(settings, s.strain[i]), dt);
         state.position[i] += shift;
-        state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i], s.corrected[i]);
+        state.dilution[i] = dilution_by_shift(shift, s.concentration_gradient[i], s.correction_share[i]);
         return Shifting{settings.particle_mass * dot(gravity, shift), norm_squared(shift)};
     };
     return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
@@ -73,7 +73,7 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
 
 GradientCorrection correction_of(const SphSettings& settings, const Symmetric& moments) {
     return settings.gradient_correction ? gradient_correction(settings.domain.dimension, moments)
-                                        : GradientCorrection{{1, 1, 0, 1, 0, 0}, 0};
+                                        : GradientCorrection{unit_tensor, 0};
 }
 
 /// What leaves the energy of compression as density is updated [J].
@@ -87,16 +87,16 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     make_zero(s.diffusion, state.density.size());
     make_zero(s.strain, state.density.size());
     make_zero(s.correction, state.density.size());
-    make_zero(s.stress, state.density.size());
+    make_zero(s.pressure_tensor, state.density.size());
     s.bareness.resize(state.density.size());
-    s.corrected.resize(state.density.size());
+    s.correction_share.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
     const int dimension = settings.domain.dimension;
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto m = [&](std::size_t k) { return sink_tensor(s.correction, k); };
-    const auto g = [&](std::size_t k) { return sink_tensor(s.stress, k); };
+    const auto g = [&](std::size_t k) { return sink_tensor(s.pressure_tensor, k); };
     add_pair_sums_within(
         settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
@@ -114,10 +114,11 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         s.bareness[i] = bareness_of_particle(dimension, moments[0] + moments[1] + (dimension == 3 ? moments[3] : 0));
         const GradientCorrection correction = correction_of(settings, moments);
         s.correction[i] = correction.tensor;
-        s.corrected[i] = correction.share;
+        s.correction_share[i] = correction.share;
         const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
-        const double after = diluted + dt * diluted * contract(dimension, s.correction[i], s.stress[i]) + spread;
+        const double after =
+            diluted + dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]) + spread;
         const double mean = 0.5 * (before + after);
         state.density[i] = after;
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
@@ -135,7 +136,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
                   SphScratchData& s) {
     find_pressure(settings, state, s);
     find_viscosity(settings, s);
-    find_stress(s);
+    find_pressure_tensors(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
     find_pressure_on_walls(settings, kernel_of(settings), state, walls, s);

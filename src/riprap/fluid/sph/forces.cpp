@@ -15,12 +15,12 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, SphS
     });
 }
 
-void find_stress(SphScratchData& s) {
-    s.stress.resize(s.correction.size());
-    parallel::for_each(static_cast<std::int64_t>(s.stress.size()), [&](std::int64_t entry) {
+void find_pressure_tensors(SphScratchData& s) {
+    s.pressure_tensor.resize(s.correction.size());
+    parallel::for_each(static_cast<std::int64_t>(s.pressure_tensor.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        for (std::size_t k = 0; k < s.stress[i].size(); ++k) {
-            s.stress[i][k] = s.pressure[i] * s.correction[i][k];
+        for (std::size_t k = 0; k < s.pressure_tensor[i].size(); ++k) {
+            s.pressure_tensor[i][k] = s.pressure[i] * s.correction[i][k];
         }
     });
 }

@@ -16,7 +16,7 @@ namespace riprap::fluid {
 void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch);
 
 /// p B of every particle, in place of G.
-void find_stress(SphScratchData& scratch);
+void find_pressure_tensors(SphScratchData& scratch);
 
 /// Makes room for the sums of Momentum and MomentumFromWalls and sets them to zero.
 void clear_forces(std::size_t particles, SphScratchData& scratch);
@@ -37,7 +37,7 @@ template <class Kernel, class Law>
 void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, const Law& law,
                       SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto p = [&](std::size_t k) { return tensor_component(s.stress, k); };
+    const auto p = [&](std::size_t k) { return tensor_component(s.pressure_tensor, k); };
     const SweepSide<6 + symmetric_numbers> fluid_with_surface{
         state.position,
         {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity), field(s.bareness), p(0), p(1), p(2), p(3), p(4),
@@ -90,7 +90,7 @@ void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, con
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
     p.resize(walls.position.size());
     make_zero(t, walls.position.size());
-    if (std::count(walls.is_slippery.begin(), walls.is_slippery.end(), 0) > 0) {
+    if (std::find(walls.is_slippery.begin(), walls.is_slippery.end(), 0) != walls.is_slippery.end()) {
         add_pair_sums(settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
                       {walls.position, {u(0), u(1), u(2), field(s.grip)}},
                       {state.position, {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity)}},

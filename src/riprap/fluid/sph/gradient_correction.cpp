@@ -10,25 +10,8 @@
 namespace riprap::fluid {
 namespace {
 
-constexpr Symmetric unit{1, 1, 0, 1, 0, 0};
-
-/// M^-1 - I, or zero where M is close to singular
-Symmetric excess_of_inverse(const Symmetric& m) {
-    const auto [xx, yy, xy, zz, xz, yz] = m;
-    const Symmetric cofactor{yy * zz - yz * yz, xx * zz - xz * xz, xz * yz - xy * zz,
-                             xx * yy - xy * xy, xy * yz - yy * xz, xy * xz - xx * yz};
-    const double determinant = xx * cofactor[0] + xy * cofactor[2] + xz * cofactor[4];
-    Symmetric excess{};
-    if (determinant > 1e-3) {
-        for (std::size_t k = 0; k < excess.size(); ++k) {
-            excess[k] = cofactor[k] / determinant - unit[k];
-        }
-    }
-    return excess;
-}
-
 /// c, of tr M/D
-double correctness(double trace) {
+double share_of_trace(double trace) {
     // Behind a flat surface at h/dp = 1.5 the rows of a square (cubic) lattice have 0.62 (0.67), 0.91 (0.94), 1.00
     // (1.00); flowing water has 0.98 to 1.05 inside, and particles that are squeezed into a corner more than 1.15.
     constexpr double cut = 0.95, whole = 1.00, crowding = 1.05, crowded = 1.15;
@@ -43,12 +26,22 @@ GradientCorrection gradient_correction(int dimension, const Symmetric& moments) 
         m[3] = 1;
         m[4] = m[5] = 0;
     }
-    const double trace = m[0] + m[1] + (dimension == 2 ? 0 : m[3]);
-    const Symmetric excess = excess_of_inverse(m);
-    const double size = std::sqrt(contract(3, excess, excess));
-    GradientCorrection correction{unit, correctness(trace / dimension) / std::max(1.0, size)};
+    const auto [xx, yy, xy, zz, xz, yz] = m;
+    Symmetric excess{yy * zz - yz * yz, xx * zz - xz * xz, xz * yz - xy * zz,
+                     xx * yy - xy * xy, xy * yz - yy * xz, xy * xz - xx * yz};  // so far det M M^-1
+    const double determinant = xx * excess[0] + xy * excess[2] + xz * excess[4];
     for (std::size_t k = 0; k < excess.size(); ++k) {
-        correction.tensor[k] += correction.share * excess[k];
+        excess[k] -= determinant * unit_tensor[k];
+    }
+    const double trace = xx + yy + (dimension == 2 ? 0 : zz), size = std::sqrt(contract(3, excess, excess));
+    const double bound = std::max(determinant, size);
+    GradientCorrection correction{unit_tensor, 0};
+    if (bound > 0) {
+        const double c = share_of_trace(trace / dimension);
+        correction.share = c * std::max(determinant, 0.0) / bound;  // round-off may leave less than nothing
+        for (std::size_t k = 0; k < excess.size(); ++k) {
+            correction.tensor[k] += c / bound * excess[k];
+        }
     }
     return correction;
 }
@@ -61,7 +54,7 @@ double contract(int dimension, const Symmetric& b, const Symmetric& g) {
 void leave_gradients(std::size_t particles, SphScratchData& scratch) {
     scratch.correction.resize(particles);
     parallel::for_each(static_cast<std::int64_t>(particles),
-                       [&](std::int64_t i) { scratch.correction[static_cast<std::size_t>(i)] = unit; });
+                       [&](std::int64_t i) { scratch.correction[static_cast<std::size_t>(i)] = unit_tensor; });
 }
 
 }  // namespace riprap::fluid

@@ -12,11 +12,12 @@ struct SphScratchData;
 
 /// A symmetric tensor in the order of symmetric.hpp.
 using Symmetric = std::array<double, symmetric_numbers>;
+inline constexpr Symmetric unit_tensor{1, 1, 0, 1, 0, 0};
 
 /// How the gradients of one particle are corrected.
 struct GradientCorrection {
     Symmetric tensor;  ///< B [-]
-    double share;      ///< s, from 0, where B = I, to 1, where gradients are exact for fields linear in space
+    double share;      ///< s, from 0, where B = I, to 1, where velocities linear in space have their exact divergence
 };
 
 /// The correction of gradients [RandlesLibersky1996], [BonetLok1999] inside the water and its absence at the rim:
@@ -24,7 +25,8 @@ struct GradientCorrection {
 ///     B = I + s (M^-1 - I),    s = c min(1, 1/|M^-1 - I|),
 ///     c = 0 where tr M/D <= 0.95 or >= 1.15, 1 from 1.00 to 1.05, linear between,
 ///
-/// M the moments of Continuity [-], D the dimension, |.| the Frobenius norm (docs/theory/sph.md, 4).
+/// M the moments of Continuity [-], D the dimension, |.| the Frobenius norm (docs/theory/sph.md, 4); s = 0 where M is
+/// singular, and B - I has its limit there.
 /// @param dimension  2 or 3; in 2 only the first three numbers of a tensor count
 GradientCorrection gradient_correction(int dimension, const Symmetric& moments);
 

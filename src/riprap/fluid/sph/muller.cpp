@@ -59,7 +59,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
     make_zero(s.bareness, state.position.size());
     leave_gradients(state.position.size(), s);
-    find_stress(s);
+    find_pressure_tensors(s);
     clear_forces(state.position.size(), s);
     average_at_walls(settings, state, walls, s);
     find_pressure_on_walls(settings, spiky(settings), state, walls, s);

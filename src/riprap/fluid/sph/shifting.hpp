@@ -31,9 +31,9 @@ Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const 
 ///
 /// never negative, s the share of the correction of gradients. Without it density follows the sums of the kernel over
 /// neighbours as they change by motion; a shift changes them too, by delta x . grad C at the particle and by as much in
-/// all at its neighbours (docs/theory/sph.md, 7). Without this, flow crowds particles, which raises the density, and
-/// shifting spreads them, which did not lower it: water swelled. Where gradients are exact, flow crowds particles
-/// without raising density, and shifting has nothing to take.
+/// all at its neighbours, for which its own s stands here (docs/theory/sph.md, 7). Without this, flow crowds particles,
+/// which raises the density, and shifting spreads them, which did not lower it: water swelled. Where gradients are
+/// exact, flow crowds particles without raising density, and shifting has nothing to take.
 double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected);
 
 }  // namespace riprap::fluid

@@ -20,8 +20,8 @@ struct SphScratchData {
 
     std::vector<double> diffusion, strain;                               ///< sums of Continuity
     std::vector<Symmetric> correction;                                   ///< its moments M; then B [-]
-    std::vector<Symmetric> stress;                                       ///< its sums G [1/s]; then p B [Pa]
-    std::vector<double> corrected;                                       ///< share of it [-]
+    std::vector<Symmetric> pressure_tensor;                              ///< its sums G [1/s]; then p B [Pa]
+    std::vector<double> correction_share;                                ///< share of it [-]
     std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-]
     std::vector<Vec3> force, concentration_gradient, surface_direction;  ///< sums of Momentum
     std::vector<double> heat, wall_heat;
@@ -37,10 +37,10 @@ struct SphScratchData {
     SweepScratch fluid_fluid, fluid_walls, walls_fluid;
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction, stress,
-                        corrected, bareness, force, concentration_gradient, surface_direction, heat, wall_heat,
-                        wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment, wall_velocity, wall_slope,
-                        wall_push, mirrored_velocity, grip) +
+        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction,
+                        pressure_tensor, correction_share, bareness, force, concentration_gradient, surface_direction,
+                        heat, wall_heat, wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment,
+                        wall_velocity, wall_slope, wall_push, mirrored_velocity, grip) +
                fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };

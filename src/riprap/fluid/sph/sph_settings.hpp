@@ -28,7 +28,7 @@ struct SphSettings {
     double smagorinsky{0.12};          ///< C_s of the SPS model [-]
     double density_diffusion{0.1};     ///< delta [-]
     double shifting{10};               ///< A of the particle shifting [-]; 0 = off
-    bool gradient_correction{true};    ///< gradients exact for linear fields inside the water
+    bool gradient_correction{true};    ///< density follows the divergence inside the water
     double courant{0.8};               ///< share of h/(c + v) that a step may last [-]; unstable beyond 1.5
     bool is_plain{false};              ///< pair sums in double, one pair at a time: the oracle of the fast ones
     std::int64_t sort_interval{50};    ///< steps between sorts of the State by place

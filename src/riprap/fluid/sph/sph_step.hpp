@@ -81,8 +81,9 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
 /// @param dt  half the step [s]
 void drift(const SphSettings& settings, ParticleState& state, double dt);
 
-/// Forces within the fluid, and its averages at the walls, which may then be told to move in another way but not to
-/// another place. Where a particle is no longer sound report.problem says so and nothing is changed.
+/// Forces within the fluid, its averages at the walls and the sums of its pressure there; walls may then be told to
+/// move in another way but not to another place. Where a particle is no longer sound report.problem says so and nothing
+/// is changed.
 /// @param time  t_n, for the report [s]
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
                   SphScratch& scratch, FluidReport& report);
