@@ -81,19 +81,16 @@ struct Losses {
     double diffusion{0}, shifting{0};
 };
 
-void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
-                    const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
-    find_pressure(settings, state, s);
+/// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor.
+void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                    const Vec3& gravity, SphScratchData& s) {
     make_zero(s.diffusion, state.density.size());
     make_zero(s.strain, state.density.size());
     make_zero(s.correction, state.density.size());
     make_zero(s.pressure_tensor, state.density.size());
-    s.bareness.resize(state.density.size());
-    s.correction_share.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
-    const int dimension = settings.domain.dimension;
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto m = [&](std::size_t k) { return sink_tensor(s.correction, k); };
     const auto g = [&](std::size_t k) { return sink_tensor(s.pressure_tensor, k); };
@@ -107,6 +104,16 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
                     field(walls.volume)}},
                   {m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)}, s.fluid_walls);
+}
+
+void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                    const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
+    find_pressure(settings, state, s);
+    sum_continuity(settings, state, walls, gravity, s);
+    s.bareness.resize(state.density.size());
+    s.correction_share.resize(state.density.size());
+    const int dimension = settings.domain.dimension;
+    const double h = settings.smoothing_length();
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
