@@ -70,6 +70,8 @@ struct Missed {
     double booked{0}, one_sided{0};
 };
 
+/// Without correction of gradients, whose tensors are half a step old in the forces: that misses more than what is
+/// looked for here.
 Missed missed_by_ledger(double shifting) {
     Water water = stirred(shifting, false);
     water.step(1e-3);
