@@ -42,13 +42,11 @@ void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::Bo
     });
 }
 
-void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
-                  FluidLoads& loads) {
+void gather(const SampleSet& samples, const BodyMotion& motion, std::span<const Vec3> place,
+            std::span<const Vec3> sample_force, std::vector<Vec3>& force, std::vector<Vec3>& torque) {
     const std::size_t bodies = motion.pose.size();
-    loads.pressure_force.assign(bodies, {});
-    loads.viscous_force.assign(bodies, {});
-    loads.pressure_torque.assign(bodies, {});
-    loads.viscous_torque.assign(bodies, {});
+    force.assign(bodies, {});
+    torque.assign(bodies, {});
     // Samples are grouped by body, so each body has one range of them and its sum one order.
     const auto begin_of = [&samples](std::size_t body) {
         const BodyId id{static_cast<std::int32_t>(body)};
@@ -58,13 +56,16 @@ void gather_loads(const SampleSet& samples, const BodyMotion& motion, const flui
         const auto body = at(index);
         const std::size_t end = begin_of(body + 1);
         for (std::size_t i = begin_of(body); i < end; ++i) {
-            const Vec3 r = particles.position[i] - motion.pose[body].position;
-            loads.pressure_force[body] += particles.pressure_force[i];
-            loads.viscous_force[body] += particles.viscous_force[i];
-            loads.pressure_torque[body] += cross(r, particles.pressure_force[i]);
-            loads.viscous_torque[body] += cross(r, particles.viscous_force[i]);
+            force[body] += sample_force[i];
+            torque[body] += cross(place[i] - motion.pose[body].position, sample_force[i]);
         }
     });
+}
+
+void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
+                  FluidLoads& loads) {
+    gather(samples, motion, particles.position, particles.pressure_force, loads.pressure_force, loads.pressure_torque);
+    gather(samples, motion, particles.position, particles.viscous_force, loads.viscous_force, loads.viscous_torque);
 }
 
 }  // namespace riprap::coupling

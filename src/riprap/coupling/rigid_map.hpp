@@ -38,6 +38,11 @@ void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::Bo
 
 /// Gathers forces at samples into force and torque by the transpose of that map, F = sum f, T = sum r x f, so that
 /// sum f . v = F . v_c + T . omega: power is conserved. Per body in the order of the samples.
+/// @param place  of the samples [m]; it and `sample_force` may be longer than the samples
+void gather(const SampleSet& samples, const BodyMotion& motion, std::span<const Vec3> place,
+            std::span<const Vec3> sample_force, std::vector<Vec3>& force, std::vector<Vec3>& torque);
+
+/// That of pressure and viscosity.
 void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads);
 

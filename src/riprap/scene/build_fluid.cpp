@@ -344,6 +344,7 @@ void build_fluid(CaseBuild& build) {
     fluid.sph = read_settings(build, *table);
     fluid.wall =
         get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
+    fluid.has_joint_pressure = get_boolean(*table, "joint_pressure");
     const Value& list = get(*table, "region");
     const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
     std::vector<coupling::FillRegion> regions;

@@ -198,6 +198,11 @@ const Table& fluid_table() {
           "How solids hold water back: particles in layers under their faces that take part in all sums, or faces "
           "that push particles away (for comparison).",
           Value::of("boundary_particles")},
+         {"joint_pressure",
+          {boolean()},
+          "Water presses apart faces that are too close for particles to come between: uplift of blocks that lie on "
+          "something. False where joints are watertight; wall = \"penalty\" has none.",
+          Value::of(true)},
          {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
          {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
          {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},

@@ -59,6 +59,7 @@ struct FluidModel {
     fluid::SphSettings sph;
     WallTreatment wall{WallTreatment::boundary_particles};
     coupling::SampleSet samples;       ///< of all wet bodies; empty with penalty walls
+    bool has_joint_pressure{true};     ///< water presses between faces too close for particles; boundary particles only
     std::vector<std::uint8_t> is_dry;  ///< per body
     std::vector<PaddleAbsorption> absorptions;
     std::vector<fluid::Sponge> sponges;

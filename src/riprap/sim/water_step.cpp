@@ -73,8 +73,11 @@ void describe_bodies(const Model& model, WaterScratch& scratch) {
     const fluid::SphSettings& sph = model.fluid->sph;
     scratch.kappa.assign(at(bodies.size()), 0);
     scratch.is_still.resize(at(bodies.size()));
+    scratch.is_loose.resize(at(bodies.size()));
     for (std::size_t b = 0; b < scratch.is_still.size(); ++b) {
-        scratch.is_still[b] = bodies.drive[b] == body::Drive::fixed && std::isinf(bodies.release_time[b]) ? 1 : 0;
+        const bool is_released = std::isfinite(bodies.release_time[b]);
+        scratch.is_still[b] = bodies.drive[b] == body::Drive::fixed && !is_released ? 1 : 0;
+        scratch.is_loose[b] = bodies.drive[b] == body::Drive::free || is_released ? 1 : 0;
     }
     scratch.inertia.resize(at(bodies.size()));
     const coupling::SampleSet& samples = model.fluid->samples;
@@ -87,9 +90,7 @@ void describe_bodies(const Model& model, WaterScratch& scratch) {
     // The guard is not iterated: its springs on one body must not swing it faster than its particles.
     scratch.guard_share.resize(at(bodies.size()));
     for (std::size_t b = 0; b < scratch.guard_share.size(); ++b) {
-        scratch.guard_share[b] = bodies.drive[b] == body::Drive::free || std::isfinite(bodies.release_time[b])
-                                     ? 1 / std::max(1.0, scratch.kappa[b])
-                                     : 1.0;
+        scratch.guard_share[b] = scratch.is_loose[b] != 0 ? 1 / std::max(1.0, scratch.kappa[b]) : 1.0;
     }
     for (std::size_t b = 0; b < scratch.inertia.size(); ++b) {
         const Vec3& moments = bodies.principal_moments[b];
@@ -140,9 +141,9 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), scratch.sph);
     if (!is_penalty) {
         gather_loads(scratch.near, scratch.motion, scratch.walls, scratch.loads);
-        for (std::size_t b = 0; b < scratch.guard_loads.pressure_force.size(); ++b) {
-            scratch.loads.pressure_force[b] += scratch.guard_loads.pressure_force[b];
-            scratch.loads.pressure_torque[b] += scratch.guard_loads.pressure_torque[b];
+        for (std::size_t b = 0; b < scratch.held_loads.pressure_force.size(); ++b) {
+            scratch.loads.pressure_force[b] += scratch.held_loads.pressure_force[b];
+            scratch.loads.pressure_torque[b] += scratch.held_loads.pressure_torque[b];
         }
     }
     const auto count = at(model.bodies.size());
@@ -154,8 +155,9 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     }
 }
 
-/// Everywhere that water is, or may enter less than a spacing past.
-std::vector<Vec3> places_of_water(const FluidModel& water, const State& state) {
+/// Everywhere that water is, or may enter less than a spacing past, and faces that may make joints.
+std::vector<Vec3> places_of_water(const Model& model, const State& state, const WaterScratch& scratch) {
+    const FluidModel& water = *model.fluid;
     std::vector<Vec3> places = state.fluid.position;
     for (const fluid::Inflow& inflow : water.open.inflows) {
         for (const Vec3& row : inflow.rows) {
@@ -163,6 +165,7 @@ std::vector<Vec3> places_of_water(const FluidModel& water, const State& state) {
             places.push_back(row + water.sph.spacing * inflow.opening.direction());
         }
     }
+    add_places_of_joints(model, scratch.is_loose, scratch.motion, places);
     return places;
 }
 
@@ -178,10 +181,11 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
     const double fastest = parallel::reduce(
         state.fluid.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.fluid.velocity[at(i)]); },
         [](double a, double b) { return std::max(a, b); });
-    const double ahead = 0.5 * dt * std::sqrt(fastest);
+    const double ahead =
+        0.5 * dt * std::max(std::sqrt(fastest), speed_of_joints(model, scratch.is_loose, scratch.motion));
     if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
         coupling.near_samples =
-            near_samples(water.samples, scratch.motion, scratch.is_still, places_of_water(water, state),
+            near_samples(water.samples, scratch.motion, scratch.is_still, places_of_water(model, state, scratch),
                          water.sph.domain, water.sph.support_radius() + margin + ahead);
         coupling.near_travel = 0;
     }
@@ -190,6 +194,8 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
         scratch.near_numbers = coupling.near_samples;
         scratch.near = subset(water.samples, scratch.near_numbers);
         scratch.walls = {};
+        scratch.joints.near_slopes.clear();
+        scratch.joints.pressure.forget();
     }
 }
 
@@ -197,10 +203,10 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
 
 std::size_t WaterScratch::bytes() const {
     std::size_t bytes = sph.bytes() + walls.bytes() + penalty.bytes() + motion.bytes() + loads.bytes() +
-                        guard_loads.bytes() + bytes_of(near.body, near.anchor, near.normal, near.depth, near.volume) +
+                        held_loads.bytes() + bytes_of(near.body, near.anchor, near.normal, near.depth, near.volume) +
                         bytes_of(near.is_slippery, near_numbers) +
-                        bytes_of(force, torque, extra_force, sponge.force, sponge.before, correction) +
-                        bytes_of(kappa, inertia, is_still, guard_share, kinematics.angular_velocity) +
+                        bytes_of(force, torque, extra_force, sponge.force, sponge.before, correction) + joints.bytes() +
+                        bytes_of(kappa, inertia, is_still, is_loose, guard_share, kinematics.angular_velocity) +
                         bytes_of(kinematics.inverse_inertia, kinematics.inverse_mass);
     body::BodyState::visit_fields(middle, [&](std::string_view, const auto& field) { bytes += bytes_of(field); });
     return bytes;
@@ -252,7 +258,8 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     if (water.wall == WallTreatment::boundary_particles) {
         scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
                              coupling::guard_settings(water.sph), scratch.guard_share, state.fluid, scratch.extra_force,
-                             scratch.guard_loads);
+                             scratch.held_loads);
+        add_joint_loads(model, scratch, model.gravity.at(middle));
     }
     for (bool is_settled = false; !is_settled;) {
         load_bodies(model, state, scratch, guess, dt);
@@ -266,6 +273,9 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     }
     kick_fluid(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), dt, time, scratch.sph, report.fluid,
                scratch.extra_force);
+    const double joint_work = dt * joint_power(scratch);
+    report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
+    report.fluid.work_external += joint_work;
     report.absorbed = water.sponges.empty() ? 0 : absorbed_energy(state.fluid, dt, scratch.sponge);
     report.flow_work = dt * power_on_openings(scratch.walls, at(scratch.near.size()));
     report.passes = iteration.passes();
@@ -285,7 +295,8 @@ fluid::Passage end_water_step(const Model& model, State& state, const fluid::Flu
                               double dt) {
     const FluidModel& water = *model.fluid;
     fluid::drift(water.sph, state.fluid, 0.5 * dt);
-    state.coupling.near_travel += 0.5 * dt * kicked.max_speed + kicked.max_shift;
+    const double fastest = std::max(kicked.max_speed, speed_of_joints(model, scratch.is_loose, scratch.motion));
+    state.coupling.near_travel += 0.5 * dt * fastest + kicked.max_shift;
     if (water.open.empty()) {
         return {};
     }

@@ -9,6 +9,7 @@
 #include "riprap/coupling/penalty_walls.hpp"
 #include "riprap/coupling/rigid_map.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/sim/joint_loads.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 #include "riprap/solid/explicit_dem.hpp"
@@ -22,17 +23,19 @@ struct WaterScratch {
     coupling::SampleSet near;                ///< the samples that the water may feel ...
     std::vector<std::int32_t> near_numbers;  ///< ... and their numbers, as in the State
     coupling::PenaltyWalls penalty;
-    coupling::BodyMotion motion;       ///< of all bodies, where the samples were placed last
-    coupling::FluidLoads loads;        ///< at the last kick
-    coupling::FluidLoads guard_loads;  ///< of particles pressed against faces, part of `loads`
-    std::vector<Vec3> force, torque;   ///< pressure and viscosity together
-    std::vector<Vec3> extra_force;     ///< of penalty walls on particles [N]
+    coupling::BodyMotion motion;      ///< of all bodies, where the samples were placed last
+    coupling::FluidLoads loads;       ///< at the last kick
+    coupling::FluidLoads held_loads;  ///< of particles pressed against faces and of water in joints, part of `loads`
+    JointScratch joints;
+    std::vector<Vec3> force, torque;  ///< pressure and viscosity together
+    std::vector<Vec3> extra_force;    ///< of penalty walls on particles [N]
     fluid::SpongeWork sponge;
     std::vector<Vec3> correction;        ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
     body::BodyState middle;              ///< bodies at mid-step, as predicted
     body::BodyKinematics kinematics;     ///< ... there
     std::vector<double> kappa, inertia;  ///< of bodies, for the added-mass iteration
     std::vector<std::uint8_t> is_still;  ///< bodies that never move
+    std::vector<std::uint8_t> is_loose;  ///< bodies that forces move, now or once they are released
     std::vector<double> guard_share;     ///< of the guard's stiffness, per body
 
     std::size_t bytes() const;

@@ -32,4 +32,12 @@ struct BoundaryParticles {
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
 };
 
+/// The water about every boundary particle, whatever the solids do: for the water in joints between them.
+struct WaterAtWalls {
+    std::vector<double> weight;    ///< sum W; 0 where there is no water within the support [1/m^3]
+    std::vector<double> pressure;  ///< mean pressure, carried to the particle as in water at rest; never negative [Pa]
+    std::vector<Vec3> slope;       ///< sum V B grad W, towards the water [1/m]
+    std::size_t bytes() const { return bytes_of(weight, pressure, slope); }
+};
+
 }  // namespace riprap::fluid

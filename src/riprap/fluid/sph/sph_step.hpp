@@ -21,6 +21,7 @@ class SphScratch {
     SphScratch(SphScratch&&) noexcept;
     SphScratch& operator=(SphScratch&&) noexcept;
     SphScratchData& data() { return *data_; }
+    const SphScratchData& data() const { return *data_; }
     std::size_t bytes() const;
 
  private:
@@ -87,6 +88,9 @@ void drift(const SphSettings& settings, ParticleState& state, double dt);
 /// @param time  t_n, for the report [s]
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
                   SphScratch& scratch, FluidReport& report);
+
+/// The water about the walls as begin_forces found it, under this gravity.
+void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, WaterAtWalls& water);
 
 /// What the fluid does to walls that move as they say now: their pressure and their loads.
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Water in joints between solids as part of a step: for the sources of this folder only.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/coupling/joint_pressure.hpp"
+#include "riprap/sim/model.hpp"
+
+namespace riprap::sim {
+
+struct WaterScratch;
+
+/// Buffers of the water in joints: Scratch.
+struct JointScratch {
+    coupling::JointPressure pressure;
+    fluid::WaterAtWalls water;
+    std::vector<Vec3> slopes, near_slopes;  ///< of solid_slopes, of all samples and of those near [1/m]
+    std::vector<Vec3> sample_force;         ///< on each sample near; empty where no joint is wet [N]
+    std::vector<Vec3> force, torque;        ///< on each body; about its centre of mass [N], [N m]
+    std::size_t bytes() const;
+};
+
+/// Adds the loads of water in joints to scratch.held_loads: bodies where scratch.motion says, after begin_forces.
+void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& gravity);
+
+/// What they do to all bodies as scratch.motion says [W].
+double joint_power(const WaterScratch& scratch);
+
+/// Appends where loose bodies have faces: solids near these may make a joint, however far the water is.
+void add_places_of_joints(const Model& model, std::span<const std::uint8_t> is_loose,
+                          const coupling::BodyMotion& motion, std::vector<Vec3>& places);
+
+/// The fastest that such a place moves [m/s]; 0 where joints are left out.
+double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const coupling::BodyMotion& motion);
+
+}  // namespace riprap::sim

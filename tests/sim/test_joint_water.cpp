@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Water in joints that no particle fits into: docs/theory/coupling.md, 6.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+#include "sim/basin.hpp"
+
+namespace riprap::sim {
+namespace {
+
+/// A square lying on the floor of a pool.
+struct Lying : Basin {
+    explicit Lying(double density = 2500, double gap = 0) {
+        add_square(0.4, density, {1, 0.2 + gap, 0});
+        fill_pool(2, 0.8);
+    }
+    /// Mean of the water's force on a body over some steps, after some others [N/m].
+    Vec3 mean_force(std::size_t body, int warm, int count) {
+        Scratch scratch;
+        Vec3 sum{};
+        for (int i = 0; i < warm + count; ++i) {
+            const StepReport report = steps(1, scratch);
+            EXPECT_TRUE(report.status.ok()) << report.status.text;
+            sum += i < warm ? Vec3{} : scratch.water_loads().pressure_force[body];
+        }
+        return (1.0 / count) * sum;
+    }
+};
+
+TEST(JointWater, a_block_on_the_floor_of_a_pool_feels_the_buoyancy_of_archimedes) {
+    const double buoyancy = 1000 * 9.81 * 0.4 * 0.4;
+    Lying open;
+    const Vec3 force = open.mean_force(0, 200, 200);
+    EXPECT_NEAR(force.y, buoyancy, 0.02 * buoyancy);
+    EXPECT_NEAR(force.x, 0, 0.01 * buoyancy);
+
+    // Where the joint is watertight the water above presses it down.
+    Lying tight;
+    tight.model.fluid->has_joint_pressure = false;
+    EXPECT_NEAR(tight.mean_force(0, 200, 200).y, -1000 * 9.81 * 0.4 * 0.4, 0.05 * buoyancy);
+}
+
+TEST(JointWater, a_block_on_another_is_lifted_by_the_water_between_them_and_presses_it_down_with_it) {
+    Basin basin;
+    const double edge = 0.3, buoyancy = 1000 * 9.81 * edge * edge;
+    basin.add_square(edge, 2500, {1, 0.5 * edge, 0});
+    basin.add_square(edge, 2500, {1, 1.5 * edge, 0});
+    basin.fill_pool(2, 0.8);
+    Scratch scratch;
+    basin.steps(200, scratch);
+    Vec3 lower{}, upper{};
+    for (int i = 0; i < 200; ++i) {
+        basin.steps(1, scratch);
+        lower += 0.005 * scratch.water_loads().pressure_force[0];
+        upper += 0.005 * scratch.water_loads().pressure_force[1];
+    }
+    EXPECT_NEAR(upper.y, buoyancy, 0.03 * buoyancy);
+    EXPECT_NEAR(lower.y, buoyancy, 0.03 * buoyancy);
+}
+
+/// Water on the left of a wall 16 spacings thick that stands on the floor.
+struct Dam : Basin {
+    static constexpr double depth = 0.6, width = 0.8, height = 0.8;
+    explicit Dam(bool has_joint_pressure) {
+        rock().density = 2500;
+        const std::vector<geometry::Point2> corners{{-0.5 * width, -0.5 * height},
+                                                    {0.5 * width, -0.5 * height},
+                                                    {0.5 * width, 0.5 * height},
+                                                    {-0.5 * width, 0.5 * height}};
+        add("dam", add_shape(geometry::planar_prism(corners).value()), {{1 + 0.5 * width, 0.5 * height, 0}, {}});
+        add_walls(3);
+        fill({0, 0, 0}, {1, depth, 0}, {2 + dp, 1, 0}, depth, {0, -9.81, 0});
+        model.fluid->has_joint_pressure = has_joint_pressure;
+    }
+};
+
+TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_nothing) {
+    // The first step, when both waters are still the same: what the joint adds is force and moment of a triangle.
+    Dam with(true), without(false);
+    Scratch of_with, of_without;
+    with.steps(1, of_with);
+    without.steps(1, of_without);
+    const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
+    const Vec3 uplift = a.pressure_force[0] - b.pressure_force[0];
+    const double triangle = 0.5 * 1000 * 9.81 * Dam::depth * Dam::width;
+    EXPECT_NEAR(uplift.y, triangle, 0.05 * triangle);
+    // Beside the heel the floor adds to the thrust what the water there lacks of its support, at the height of the
+    // floor.
+    const double thrust = 0.5 * 1000 * 9.81 * Dam::depth * Dam::depth;
+    EXPECT_NEAR(a.pressure_force[0].x, thrust, 0.05 * thrust);
+    EXPECT_LT(std::abs(a.pressure_force[0].x - thrust), std::abs(b.pressure_force[0].x - thrust));
+    const double moment =
+        a.pressure_torque[0].z - b.pressure_torque[0].z - 0.5 * Dam::height * uplift.x;  // of the upright part
+    // It acts a third of the width from the heel, which is a sixth of it upstream of the centre of mass.
+    EXPECT_NEAR(moment, -triangle * Dam::width / 6, 0.1 * triangle * Dam::width / 6);
+}
+
+TEST(JointWater, there_is_none_where_there_is_no_water) {
+    Basin basin;
+    basin.add_square(0.4, 2500, {1.6, 0.2, 0});
+    basin.add_walls(2);
+    basin.fill({0, 0, 0}, {0.5, 0.5, 0}, {1.5 + dp, 1, 0}, 0.5, {0, -9.81, 0});
+    Scratch scratch;
+    basin.steps(3, scratch);
+    EXPECT_EQ(norm(scratch.water_loads().pressure_force[0]), 0);
+}
+
+TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
+    // Two squares a hundredth of their size apart fly through a blob of water in free space.
+    Basin basin;
+    basin.add_square(0.3, 800, {0.35, 1.2, 0}, {0, -3, 0});
+    basin.add_square(0.3, 1500, {0.653, 1.2, 0}, {0, -3, 0});
+    basin.fill({0, 0, 0}, {1, 1, 0}, {5, 5, 0}, 9, {0, 0, 0});
+    basin.model.fluid->sph.is_plain = true;
+    Basin tight = basin;
+    tight.model.fluid->has_joint_pressure = false;
+    Scratch scratch, other;
+    const Vec3 before = basin.total_momentum();
+    const StepReport report = basin.steps(15, scratch);
+    ASSERT_TRUE(report.status.ok()) << report.status.text;
+    tight.steps(15, other);
+    EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * basin.momentum_scale());
+    EXPECT_LT(std::abs(report.ledger.residual), 0.01 * report.ledger.turnover);
+    // The joint has been at work: the squares were pressed apart.
+    EXPECT_GT(basin.state.bodies.velocity[1].x - basin.state.bodies.velocity[0].x,
+              tight.state.bodies.velocity[1].x - tight.state.bodies.velocity[0].x + 0.01);
+}
+
+TEST(JointWater, has_the_same_bits_at_any_thread_count_and_from_a_state_taken_up_again) {
+    const int before = parallel::thread_count();
+    std::vector<Vec3> place;
+    for (const int threads : {1, 2, 4}) {
+        parallel::set_thread_count(threads);
+        Lying block(1100, 0.1 * dp);
+        Scratch scratch;
+        block.steps(30, scratch);
+        Scratch fresh;
+        block.steps(30, threads == 4 ? fresh : scratch);
+        place.push_back(block.state.bodies.position[0]);
+        place.push_back(block.state.bodies.angular_momentum[0]);
+        place.push_back(block.state.fluid.position[100]);
+    }
+    parallel::set_thread_count(before);
+    for (std::size_t k = 3; k < place.size(); ++k) {
+        EXPECT_EQ(place[k], place[k % 3]);
+    }
+}
+
+TEST(JointWater, a_light_block_leaves_the_floor_and_rises) {
+    Lying block(500);
+    Scratch scratch;
+    while (block.state.time < 0.6) {
+        const StepReport report = block.steps(1, scratch);
+        ASSERT_TRUE(report.status.ok()) << report.status.text;
+    }
+    EXPECT_GT(block.state.bodies.position[0].y, 0.4);  // floats at 0.6
+}
+
+}  // namespace
+}  // namespace riprap::sim
