@@ -85,6 +85,8 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "sinking_block", "A block sinks (Qiu and others)", false, water::sinking_block},
         ValidationCase{"water", "dam_break_cube", "A dam break carries a cube (Canelas and others)", false,
                        water::dam_break_cube},
+        ValidationCase{"water", "dam_break_cubes", "A dam break knocks down a pyramid of cubes (Canelas and others)",
+                       false, water::dam_break_cubes},
         ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
                        mikola::sliding_wedge},
         ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},

@@ -24,5 +24,6 @@ void sloshing(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
 void dam_break_cube(const CaseSetting& setting, CaseReport& report);
+void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

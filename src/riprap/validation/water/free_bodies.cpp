@@ -110,36 +110,6 @@ void sinking_block(const CaseSetting& setting, CaseReport& report) {
          {{"measured", time, measured, CurveStyle::markers, -1}, {"ours", trial.time(), z, CurveStyle::line, -1}}});
 }
 
-void dam_break_cube(const CaseSetting& setting, CaseReport& report) {
-    // Digitised, between points by the straight line.
-    constexpr std::array<double, 3> at{1.0, 1.25, 1.5}, measured{2.129, 2.605, 3.0735};
-    std::vector<std::string> finer;
-    if (setting.is_full) {
-        finer = {"fluid.spacing=0.0166666667", "fluid.domain.low=[-4.7,-0.45,-0.1]",
-                 "fluid.region.0.box.low=[-4.5,-0.35,0]", "body.reservoir_end.shape.half_space.offset=-4.5"};
-    }
-    WaterTrial trial(setting, finer);
-    trial.run();
-    const std::vector<double>& x = trial.column("cube.position.x");
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        report.judge({fmt::format("place of the cube at {} s", at[i]), "m", measured[i], {}, "friction 0.45"},
-                     interpolated(trial.time(), x, at[i]), measured[i] - 0.15, measured[i] + 0.15);
-    }
-    judge_ledger(report, trial);
-    write_plot(
-        setting, "dam_break_cube",
-        {"A dam break carries a cube",
-         "Canelas and others 2016",
-         {"time [s]", false},
-         {"x from the gate [m]", false},
-         {{"measured",
-           {0.1681, 0.5393, 0.65, 0.7507, 0.847, 0.9376, 1.0023, 1.0684, 1.1761, 1.2594, 1.3383, 1.4188, 1.5481},
-           {1.7774, 1.8094, 1.8451, 1.8841, 1.9591, 2.0602, 2.1319, 2.2266, 2.4453, 2.6249, 2.8012, 2.9285, 3.1602},
-           CurveStyle::markers,
-           -1},
-          {"ours", trial.time(), x, CurveStyle::line, -1}}});
-}
-
 void submerged_cube(const CaseSetting& setting, CaseReport& report) {
     WaterTrial trial(setting);
     trial.run();
