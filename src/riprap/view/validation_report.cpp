@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/view/validation_report.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -30,6 +33,7 @@ td.number { text-align: right; white-space: nowrap; }
 b { font-weight: 600; }
 b.reproduced { color: #1f8a5b; } b.close { color: #b07800; } b.not_reproduced { color: #c8410f; }
 table.overview { width: auto; }
+dl { display: grid; grid-template-columns: auto 1fr; gap: 2px 12px; font-size: 13px; } dd { margin: 0; }
 h3 { margin: 28px 0 6px; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 12px; margin: 12px 0; }
 .plots svg { width: 100%; height: auto; background: #fff; border-radius: 4px; }
@@ -62,7 +66,7 @@ std::string band(const Json& result) {
 
 /// "not_reproduced" as it is read.
 std::string words_of(std::string verdict) {
-    std::replace(verdict.begin(), verdict.end(), '_', ' ');
+    std::replace(verdict.begin(), verdict.end(), '_', verdict == "under_specified" ? '-' : ' ');
     return verdict;
 }
 
@@ -138,6 +142,39 @@ std::string folded(const std::string& heading, const fs::path& readme) {
                        html(io::read_file(readme, text_limit)));
 }
 
+struct Meaning {
+    const char *verdict, *words;
+};
+
+/// What the verdicts say, as in validation/README.md.
+constexpr std::array<Meaning, 4> meanings{{
+    {"reproduced", "inside the accepted band"},
+    {"close", "outside it, inside a wider band that the case states with its reason; the note says which"},
+    {"not_reproduced", "outside both, or the case could not be run"},
+    {"under_specified", "the source gives no number to compare with, or not enough to set the case up: ours is reported"},
+}};
+
+std::string glossary() {
+    std::string text = "<dl>\n";
+    for (const Meaning& meaning : meanings) {
+        text += fmt::format("<dt><b class={}>{}</b></dt><dd>{}</dd>\n", meaning.verdict, words_of(meaning.verdict),
+                            meaning.words);
+    }
+    return text + "</dl>\n";
+}
+
+/// When, with what and on what: a verdict belongs to a build and a machine.
+std::string provenance() {
+    const Json build = Json::parse(run::build_json()), machine = Json::parse(run::machine_json());
+    const std::string commit = shown(build, "commit");
+    return fmt::format(
+        "<p>{:%Y-%m-%d %H:%M} UTC. Riprap {}{}, {}, {}, -march={}, {}. {}, {} threads, {}.</p>\n",
+        fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), shown(build, "version"),
+        commit.empty() ? "" : ", commit " + commit, shown(build, "compiler"), shown(build, "build_type"),
+        shown(build, "march"), shown(build, "parallel"), shown(machine, "processor"), shown(machine, "hardware_threads"),
+        shown(machine, "system"));
+}
+
 /// "12 reproduced, 1 close, 3 not reproduced"
 template <class Results>
 std::string counts_of(const Results& results) {
@@ -146,10 +183,11 @@ std::string counts_of(const Results& results) {
         ++counts[result.at("verdict").template get<std::string>()];
     }
     std::string text;
-    for (const char* verdict : {"reproduced", "close", "not_reproduced", "under_specified"}) {
-        if (counts[verdict] > 0) {
-            text += fmt::format("{}<b class={}>{} {}</b>", text.empty() ? "" : ", ", verdict, counts[verdict],
-                                words_of(verdict));
+    for (const Meaning& meaning : meanings) {
+        const int count = counts[meaning.verdict];
+        if (count > 0) {
+            text += fmt::format("{}<b class={} title=\"{}\">{} {}</b>", text.empty() ? "" : ", ", meaning.verdict,
+                                meaning.words, count, words_of(meaning.verdict));
         }
     }
     return text;
@@ -184,11 +222,10 @@ std::string section(const std::string& suite, const std::string& name, const std
 fs::path write_validation_report(const fs::path& folder, const std::string& results_json, const fs::path& words,
                                  bool is_whole) {
     const Json document = Json::parse(results_json);
-    const run::BuildInfo build = run::build_info();
     std::string page = fmt::format(
         "<!doctype html>\n<html lang=en><meta charset=utf-8><title>Validation of Riprap</title><style>{}</style>\n"
-        "<h1>Validation</h1>\n<p>{}. Riprap {}, {}, -march={}.</p>\n",
-        style, counts_of(document.at("results")), html(build.version), html(build.compiler), html(build.march));
+        "<h1>Validation</h1>\n<p>{}.</p>\n{}{}",
+        style, counts_of(document.at("results")), provenance(), glossary());
     const Named<Cases> suites = by_suite(document);
     if (!is_whole) {
         page +=
