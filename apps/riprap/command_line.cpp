@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 
 #include "commands.hpp"
@@ -127,6 +129,18 @@ void add_view(CLI::App& app, Action& action) {
     command->callback([&action, options] { action = [options] { return view_run(*options); }; });
 }
 
+/// What the file is called says what is written into it; other names would lie.
+void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
+    if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
+        return;
+    }
+    std::string names;
+    for (const char* extension : allowed) {
+        names += fmt::format("{}{}", names.empty() ? "" : " or ", extension);
+    }
+    throw CLI::ValidationError("--out", fmt::format("'{}' must end in {}", file.string(), names));
+}
+
 void read_size(const std::string& text, view::RenderOptions& options) {
     int end = 0;
     if (std::sscanf(text.c_str(), "%5dx%5d%n", &options.width, &options.height, &end) != 2 ||
@@ -140,7 +154,7 @@ void add_render(CLI::App& app, Action& action) {
     auto options = std::make_shared<view::RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
     command->add_option("RUN", options->folder, "The run folder")->required();
-    command->add_option("--out", options->out, "The picture (default: RUN/picture.png or RUN/movie.mp4)");
+    command->add_option("--out", options->out, "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
     CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default)");
     CLI::Option* time = command->add_option("--time", options->time, "The frame nearest to this time [s]");
     frame->excludes(time);
@@ -158,18 +172,24 @@ void add_render(CLI::App& app, Action& action) {
     command->add_flag("--contacts", options->shows_contacts, "Draw contact forces");
     command->add_flag("--page", options->shows_page, "The whole page, with its plots");
     command->add_option("--theme", options->theme, "light or dark")->check(CLI::IsMember({"light", "dark"}));
-    command->callback([&action, options] { action = [options] { return print_render(*options); }; });
+    command->callback([&action, options] {
+        require_extension(options->out, {options->is_movie ? ".mp4" : ".png"});
+        action = [options] { return print_render(*options); };
+    });
 }
 
 void add_plot(CLI::App& app, Action& action) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
     command->add_option("RUN", options->folder, "The run folder")->required();
-    command->add_option("--column", options->columns, "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x")
+    command->add_option("--column", options->columns, "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x (default: gauges and bodies, else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");
-    command->callback([&action, options] { action = [options] { return plot_run(*options); }; });
+    command->callback([&action, options] {
+        require_extension(options->out, {".svg", ".png"});
+        action = [options] { return plot_run(*options); };
+    });
 }
 
 void add_list(CLI::App& app, Action& action) {

@@ -28,6 +28,8 @@ constexpr int longest_wait = 180'000;                           // [ms] for one 
 constexpr std::size_t longest_message = std::size_t{1} << 30U;  // bytes
 constexpr auto moment = std::chrono::milliseconds(50);
 constexpr int moments_to_leave = 60;
+constexpr const char* words_of_browser = "stderr";  // the file, in its folder
+constexpr std::size_t told_words = 1000;            // bytes, the last ones
 
 /// Where Chromium expects its pipes.
 constexpr int read_end = 3, write_end = 4, beyond = 10;
@@ -59,17 +61,18 @@ std::vector<std::string> command_of(const fs::path& program, const fs::path& pro
     return words;
 }
 
-/// In the new process: takes the pipes as 3 and 4, drops what it says, and becomes the browser.
-[[noreturn]] void become(const std::vector<std::string>& words, int read, int write) {
+/// In the new process: takes the pipes as 3 and 4, keeps what it says in a file, and becomes the browser.
+[[noreturn]] void become(const std::vector<std::string>& words, int read, int write, const fs::path& said) {
     const int high_read = ::fcntl(read, F_DUPFD, beyond), high_write = ::fcntl(write, F_DUPFD, beyond);
     ::dup2(high_read, read_end);
     ::dup2(high_write, write_end);
     ::close(high_read);
     ::close(high_write);
     const int nowhere = ::open("/dev/null", O_RDWR);
-    for (const int standard : {0, 1, 2}) {
-        ::dup2(nowhere, standard);
-    }
+    const int file = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(nowhere, 0);
+    ::dup2(nowhere, 1);
+    ::dup2(file < 0 ? nowhere : file, 2);
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
     for (const std::string& word : words) {
@@ -139,15 +142,19 @@ ScratchFolder::~ScratchFolder() {
 Browser::Browser(const fs::path& program, int width, int height) {
     Pipe to = make_pipe(), from = make_pipe();
     const std::vector<std::string> words = command_of(program, scratch_.path() / "profile", width, height);
-    child_ = ::fork();
-    if (child_ < 0) {
+    const fs::path said = scratch_.path() / words_of_browser;
+    const pid_t child = ::fork();
+    if (child < 0) {
         throw FileError(fmt::format("cannot start '{}': {}", program.string(), std::strerror(errno)));
     }
-    if (child_ == 0) {
-        become(words, to.read.number(), from.write.number());
+    if (child == 0) {
+        become(words, to.read.number(), from.write.number(), said);
     }
+    child_.hold(child);
     to_ = std::move(to.write);
     from_ = std::move(from.read);
+    to.read.close();  // the browser alone holds these, so that we hear when it ends
+    from.write.close();
     const Json target = call("Target.createTarget", Json::object({{"url", "about:blank"}}));
     session_ = call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}})
                    .at("sessionId")
@@ -156,28 +163,50 @@ Browser::Browser(const fs::path& program, int width, int height) {
          {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
 
-Browser::~Browser() {
-    to_.close();  // it leaves when it hears nothing more
-    from_.close();
-    int status = 0;
-    for (int i = 0; i < moments_to_leave; ++i) {
-        if (::waitpid(child_, &status, WNOHANG) != 0) {
-            return;
-        }
-        std::this_thread::sleep_for(moment);
+std::string ChildProcess::leave() {
+    if (child_ <= 0) {
+        return end_;
     }
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, &status, 0);
+    int status = 0;
+    pid_t ended = ::waitpid(child_, &status, WNOHANG);
+    for (int i = 0; i < moments_to_leave && ended == 0; ++i) {
+        std::this_thread::sleep_for(moment);
+        ended = ::waitpid(child_, &status, WNOHANG);
+    }
+    if (ended == 0) {
+        ::kill(child_, SIGKILL);
+        ::waitpid(child_, &status, 0);
+    }
+    child_ = -1;
+    end_ = WIFSIGNALED(status) ? fmt::format("by signal {}", WTERMSIG(status))
+                               : fmt::format("with exit code {}", WEXITSTATUS(status));
+    return end_;
 }
 
-void Browser::fail(const std::string& why) const {
+void Browser::fail(const std::string& why) {
     throw FileError(fmt::format("the browser that draws the picture {}; RIPRAP_CHROMIUM chooses another one", why));
+}
+
+void Browser::fail_as_it_ended() {
+    to_.close();
+    from_.close();
+    const std::string how = child_.leave();
+    std::string said = io::read_file(scratch_.path() / words_of_browser, longest_message);
+    said.erase(said.find_last_not_of(" \n") + 1);
+    if (said.size() > told_words) {
+        said = "... " + said.substr(said.size() - told_words);
+    }
+    fail(fmt::format("ended {}, saying {}", how, said.empty() ? "nothing" : '\'' + said + '\''));
 }
 
 void Browser::send(const Json& message) {
     std::string text = message.dump();
     text += '\0';
-    io::write_all(to_, text.data(), text.size(), "the pipe to the browser");
+    try {
+        io::write_all(to_, text.data(), text.size(), "the pipe to the browser");
+    } catch (const FileError&) {  // nobody reads it any more
+        fail_as_it_ended();
+    }
 }
 
 Json Browser::receive() {
@@ -196,8 +225,11 @@ Json Browser::receive() {
         }
         std::array<char, 1 << 16> buffer;
         const ssize_t count = ::read(from_.number(), buffer.data(), buffer.size());
-        if (count <= 0 || received_.size() > longest_message) {
-            fail("did not start, or ended");
+        if (count <= 0) {
+            fail_as_it_ended();
+        }
+        if (received_.size() > longest_message) {
+            fail("sent more than a picture can hold");
         }
         received_.append(buffer.data(), static_cast<std::size_t>(count));
     }

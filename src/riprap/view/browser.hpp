@@ -34,13 +34,29 @@ class ScratchFolder {
     std::filesystem::path path_;
 };
 
+/// A process that we started, and wait for: it is given a while to leave by itself.
+class ChildProcess {
+ public:
+    ChildProcess() = default;
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+    ~ChildProcess() { leave(); }
+    void hold(pid_t child) { child_ = child; }
+    /// Waits for it, ends it where it stays. @returns how it ended: "with exit code 1", "by signal 11"
+    std::string leave();
+
+ private:
+    pid_t child_{-1};
+    std::string end_{"unknown"};
+};
+
 class Browser {
  public:
     /// Starts it with a window of this size [pixels]. @throws FileError when it does not start
     Browser(const std::filesystem::path& program, int width, int height);
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
-    ~Browser();
+    ~Browser() = default;  // its pipes close first: it leaves when it hears nothing more
 
     /// Loads a page and waits until its root element has data-opened. @throws FileError with what the page says
     void open(const std::filesystem::path& page);
@@ -55,11 +71,12 @@ class Browser {
     nlohmann::json call(const std::string& method, nlohmann::json parameters);
     void send(const nlohmann::json& message);
     nlohmann::json receive();
-    [[noreturn]] void fail(const std::string& why) const;
+    [[noreturn]] static void fail(const std::string& why);
+    [[noreturn]] void fail_as_it_ended();
 
     ScratchFolder scratch_;
+    ChildProcess child_;
     io::FileDescriptor to_, from_;
-    pid_t child_{-1};
     std::string session_, received_;
     int last_id_{0};
 };

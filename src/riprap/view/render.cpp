@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -34,8 +35,8 @@ class Stage {
         }
         io::write_file(page_, page_of(content), io::Durability::later);
         browser_.open(page_);
-        frame_count_ = browser_.evaluate("riprap.frameCount").get<int>();
-        if (frame_count_ == 0) {
+        times_ = browser_.evaluate("riprap.times").get<std::vector<double>>();
+        if (times_.empty()) {
             throw FileError(fmt::format("'{}' has no frames to draw", options.folder.string()));
         }
         browser_.evaluate(options.shows_page ? fmt::format("riprap.theme({})", quoted(options.theme))
@@ -47,21 +48,37 @@ class Stage {
         }
     }
 
-    int frame_count() const { return frame_count_; }
+    int frame_count() const { return static_cast<int>(times_.size()); }
 
-    void show_time(double time) {
-        if (!std::isfinite(time)) {
-            throw FileError(fmt::format("there is no frame at {} s", time));
+    const std::vector<double>& times() const { return times_; }
+
+    /// The frame nearest to a time of the run.
+    int frame_at(double time) const {
+        // Frames may lie a step beside round times: half a frame beyond the ends still means the end.
+        double gap = 0;
+        for (std::size_t k = 1; k < times_.size(); ++k) {
+            gap = std::max(gap, times_[k] - times_[k - 1]);
         }
-        browser_.evaluate(fmt::format("riprap.showTime({})", time));
+        if (!(time >= times_.front() - gap / 2 && time <= times_.back() + gap / 2)) {
+            throw FileError(fmt::format("there is no frame at {:.6g} s: the run has them from {:.6g} s to {:.6g} s",
+                                        time, times_.front(), times_.back()));
+        }
+        const auto nearest = std::min_element(times_.begin(), times_.end(), [time](double a, double b) {
+            return std::fabs(a - time) < std::fabs(b - time);
+        });
+        return static_cast<int>(nearest - times_.begin());
     }
-    void show(int frame) {
-        const int index = frame < 0 ? frame_count_ + frame : frame;
-        if (index < 0 || index >= frame_count_) {
+
+    /// Shows a frame, from the last one where the number is negative. @returns what is shown, for the user
+    std::string show(int frame) {
+        const int index = frame < 0 ? frame_count() + frame : frame;
+        if (index < 0 || index >= frame_count()) {
             throw FileError(fmt::format("there is no frame {}: the run has {}, from 0 to {}, or from -1 backwards",
-                                        frame, frame_count_, frame_count_ - 1));
+                                        frame, frame_count(), frame_count() - 1));
         }
         browser_.evaluate(fmt::format("riprap.show({})", index));
+        return fmt::format("frame {} of 0 to {}, t = {:.6g} s", index, frame_count() - 1,
+                           times_[static_cast<std::size_t>(index)]);
     }
     std::string picture() { return browser_.picture(); }
 
@@ -69,7 +86,7 @@ class Stage {
     ScratchFolder scratch_;
     Browser browser_;
     fs::path page_;
-    int frame_count_{0};
+    std::vector<double> times_;  ///< of the frames [s]
 };
 
 /// Takes pictures and makes a movie of them.
@@ -144,7 +161,7 @@ class Encoder {
 std::string render_movie(Stage& stage, const RenderOptions& options, const run::StopRequest& stop) {
     const auto ffmpeg = find_program("ffmpeg");
     if (!ffmpeg) {
-        const fs::path folder = options.out.empty() ? options.folder / "movie" : options.out;
+        const fs::path folder = options.out.empty() ? options.folder / "movie" : fs::path(options.out).replace_extension();
         io::make_folder(folder);
         for (int frame = 0; frame < stage.frame_count(); ++frame) {
             heed(&stop);
@@ -166,7 +183,8 @@ std::string render_movie(Stage& stage, const RenderOptions& options, const run::
         throw FileError("ffmpeg could not make the movie; what it said is above");
     }
     fs::rename(partial, out);
-    return fmt::format("{}: {} frames", out.string(), stage.frame_count());
+    return fmt::format("{}: {} frames, t = {:.6g} to {:.6g} s", out.string(), stage.frame_count(), stage.times().front(),
+                       stage.times().back());
 }
 
 std::string render(const RenderOptions& options, const run::StopRequest& stop) {
@@ -174,14 +192,10 @@ std::string render(const RenderOptions& options, const run::StopRequest& stop) {
     if (options.is_movie) {
         return render_movie(stage, options, stop);
     }
-    if (options.time) {
-        stage.show_time(*options.time);
-    } else {
-        stage.show(options.frame.value_or(-1));
-    }
+    const std::string shown = stage.show(options.time ? stage.frame_at(*options.time) : options.frame.value_or(-1));
     const fs::path out = options.out.empty() ? options.folder / "picture.png" : options.out;
     io::write_file(out, stage.picture());
-    return out.string();
+    return fmt::format("{}: {}", out.string(), shown);
 }
 
 }  // namespace
