@@ -154,7 +154,8 @@ void add_render(CLI::App& app, Action& action) {
     auto options = std::make_shared<view::RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
     command->add_option("RUN", options->folder, "The run folder")->required();
-    command->add_option("--out", options->out, "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
+    command->add_option("--out", options->out,
+                        "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
     CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default)");
     CLI::Option* time = command->add_option("--time", options->time, "The frame nearest to this time [s]");
     frame->excludes(time);
@@ -182,7 +183,10 @@ void add_plot(CLI::App& app, Action& action) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
     command->add_option("RUN", options->folder, "The run folder")->required();
-    command->add_option("--column", options->columns, "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x (default: gauges and bodies, else energies)")
+    command
+        ->add_option(
+            "--column", options->columns,
+            "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x (default: gauges and bodies, else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");

@@ -41,7 +41,7 @@ int print_render(const view::RenderOptions& options);
 
 struct PlotOptions {
     std::filesystem::path folder;      ///< of the run
-    std::vector<std::string> columns;  ///< of its tables; empty: the first ones that share a unit
+    std::vector<std::string> columns;  ///< of its tables; empty: gauges and bodies, else energies
     std::filesystem::path out;         ///< SVG, or PNG by its name; empty: plot.svg in the folder of the run
 };
 

@@ -19,11 +19,21 @@ void tell_notices(const view::PageContent& content) {
     }
 }
 
+void tell_size(std::size_t bytes, std::size_t budget) {
+    if (bytes > budget) {
+        fmt::print(
+            stderr,
+            "riprap: the page is {:.2f} MB larger than the budget of {:.2f} MB: only water is rounded to fit, and "
+            "the program of the page, blocks, tables and texts take the rest\n",
+            static_cast<double>(bytes - budget) / megabyte, static_cast<double>(budget) / megabyte);
+    }
+}
+
 }  // namespace
 
 int view_run(const ViewOptions& options) {
-    const auto page = [&options](const run::StopRequest& stop) {
-        const auto budget = static_cast<std::size_t>(options.budget_mb * megabyte);
+    const auto budget = static_cast<std::size_t>(options.budget_mb * megabyte);
+    const auto page = [&options, budget](const run::StopRequest& stop) {
         const view::PageContent content = view::pack_run(view::read_run(options.folder), budget, &stop);
         tell_notices(content);
         return view::page_of(content);
@@ -35,6 +45,7 @@ int view_run(const ViewOptions& options) {
     const std::filesystem::path out = options.out.empty() ? options.folder / "index.html" : options.out;
     const std::string text = page(run::StopRequest());
     io::write_file(out, text);
+    tell_size(text.size(), budget);
     fmt::print("{}: {:.2f} MB; open it in a browser, nothing else is needed\n", out.string(),
                static_cast<double>(text.size()) / megabyte);
     return 0;

@@ -157,6 +157,17 @@ test('a frame that is not there, a browser that is not there, a run that is none
   const there = riprap(['render', run, '--frame', '99']);
   assert.equal(there.status, 5);
   assert.match(there.stderr, /there is no frame 99: the run has 31, from 0 to 30/);
+  const late = riprap(['render', run, '--time', '99']);
+  assert.equal(late.status, 5);
+  assert.match(late.stderr, /there is no frame at 99 s: the run has them from 0 s to 0.3 s/);
+  const ended = riprap(['render', run], {env: {...process.env, RIPRAP_CHROMIUM: '/bin/false'}, timeout: 30_000});
+  assert.equal(ended.status, 5);
+  assert.match(ended.stderr, /ended with exit code 1, saying nothing/);
+  for (const args of [['render', '--out', 'x.jpg'], ['render', '--movie', '--out', 'x.gif'], ['plot', '--out', 'x.pdf']]) {
+    const {status, stderr} = riprap([args[0], run, ...args.slice(1)]);
+    assert.equal(status, 2);
+    assert.match(stderr, /must end in \.(png|mp4|svg or \.png)/);
+  }
   const without = riprap(['render', run], {env: {...process.env, PATH: '/nonexistent', RIPRAP_CHROMIUM: ''}});
   assert.equal(without.status, 5);
   assert.match(without.stderr, /there is no Chromium.*install Debian's package chromium/);

@@ -39,6 +39,19 @@ TEST(PageSize, A100000ParticlesInMotionOver200FramesTakeLessThan60MB) {
     EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), static_cast<std::size_t>(frame_count));
 }
 
+// The budget is of the file, not of what is packed into it.
+TEST(PageSize, ASmallBudgetHoldsForTheWholePage) {
+    if (page_template().empty()) {
+        GTEST_SKIP() << "this build carries no page";
+    }
+    const TemporaryFolder folder;
+    write_stirred_run(folder / "run", 12, 30);
+    for (const std::size_t room : {200'000U, 60'000U}) {
+        const std::size_t budget = page_template().size() + room;
+        EXPECT_LE(page_of(pack_run(read_run(folder / "run"), budget)).size(), budget);
+    }
+}
+
 // What every page begins with: the code that shows a run.
 TEST(PageSize, ThePageWithoutARunTakesLessThanAMegabyte) { EXPECT_LT(page_template().size(), 1'000'000U); }
 

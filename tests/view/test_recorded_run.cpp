@@ -130,6 +130,7 @@ TEST_F(ARunFolder, ThatIsNoneIsRefusedWithWhatToDo) {
     fs::create_directory(folder_ / "foreign");
     std::ofstream(folder_ / "foreign" / "letter.txt") << "Dear all";
     EXPECT_THAT([&] { read_run(folder_ / "foreign"); }, ThrowsMessage<FileError>(HasSubstr("holds no run")));
+    EXPECT_THAT([&] { read_run(run_ / "case"); }, ThrowsMessage<FileError>(HasSubstr("into 'runs/case'")));
 }
 
 TEST_F(ARunFolder, WithAHalfWrittenLastFrameShowsTheOthers) {
@@ -222,6 +223,38 @@ TEST_F(ARunFolder, WithoutItsListOfFramesShowsThoseItFinds) {
     EXPECT_EQ(run.frames.size(), 11U);
     EXPECT_THAT(run.notices, Not(IsEmpty()));
     EXPECT_FALSE(run.frames[3].contacts.empty());
+}
+
+TEST_F(ARunFolder, WhoseListOfFramesIsCutSaysSoOnceAndShowsThemAll) {
+    cut(run_ / "out.pvd");
+    const PageContent content = pack_run(read_run(run_), plenty);
+    EXPECT_THAT(content.notices, ElementsAre(HasSubstr("out.pvd' ends in the middle")));
+    EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), 11U);
+}
+
+TEST_F(ARunFolder, WhoseSummaryWasLostIsKnownToHaveFinished) {
+    fs::remove(run_ / "summary.json");
+    const RecordedRun run = read_run(run_);
+    EXPECT_EQ(run.status, "finished");
+    EXPECT_THAT(run.notices, ElementsAre(HasSubstr("summary.json' is missing, though the run ended: finished at")));
+    fs::remove(run_ / "run.jsonl");
+    EXPECT_EQ(read_run(run_).status, "not finished");
+    EXPECT_THAT(read_run(run_).notices, IsEmpty());
+}
+
+TEST_F(ARunFolder, TellsTheWarningsOfTheRun) {
+    EXPECT_THAT(read_run(run_).warnings, IsEmpty());
+    std::ofstream(run_ / "run.jsonl", std::ios::app) << R"({"event": "warning", "text": "thin gate"})" << '\n'
+                                                     << R"({"event": "warning", "text": "thin gate"})" << '\n'
+                                                     << R"({"event": "warn)";
+    nlohmann::json summary = nlohmann::json::parse(io::read_file(run_ / "summary.json", plenty));
+    summary.erase("warnings");
+    std::ofstream(run_ / "summary.json") << summary;
+    EXPECT_THAT(read_run(run_).warnings, ElementsAre("thin gate"));  // once, though it was said twice
+    summary["warnings"] = {"thin wall"};
+    std::ofstream(run_ / "summary.json") << summary;
+    EXPECT_THAT(read_run(run_).warnings, ElementsAre("thin wall"));
+    EXPECT_EQ(contents()["warnings"], summary["warnings"]);
 }
 
 TEST_F(ARunFolder, WithoutFramesStillHasItsTables) {

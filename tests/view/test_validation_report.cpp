@@ -86,8 +86,7 @@ TEST_F(AReport, SaysWhereMoreCasesAreToCome) {
 }
 
 TEST_F(AReport, BeginsWithWhatEveryCaseCameTo) {
-    const std::size_t red =
-        at("<a href=\"#water/leak\">water/leak</a></td><td><b class=not_reproduced");
+    const std::size_t red = at("<a href=\"#water/leak\">water/leak</a></td><td><b class=not_reproduced");
     EXPECT_LT(red, at("<h2>"));
 }
 

@@ -11,6 +11,7 @@
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_bodies.hpp"
 #include "riprap/view/pack_water.hpp"
+#include "riprap/view/page.hpp"
 
 namespace riprap::view {
 
@@ -22,6 +23,9 @@ constexpr int format = 1;                   ///< of the contents; page/src/recor
 constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told apart on a screen
 constexpr std::size_t told_notices = 6;
 constexpr double base64_growth = 4.0 / 3;
+constexpr std::size_t escape_growth = 5;       // "<" becomes "\\u003c"
+constexpr std::size_t bytes_per_piece = 100;   // its element and its name
+constexpr std::size_t room_for_words = 2'000;  // about the water, in the contents
 
 /// What a scene reaches over.
 struct Box {
@@ -52,7 +56,8 @@ class Packer {
         pack_table("gauges and bodies", run_.probes);
         pack_table("ledger", run_.ledger);
         pack_all_water(budget);
-        write_contents();
+        shorten_notices();
+        content_.contents_json = contents_json();
         return std::move(content_);
     }
 
@@ -222,13 +227,22 @@ class Packer {
         }
     }
 
+    /// Of the page: its program, its contents, and what is packed so far.
+    double bytes_without_water() const {
+        const std::string contents = contents_json();
+        const auto escaped = static_cast<std::size_t>(std::count(contents.begin(), contents.end(), '<'));
+        const std::size_t pieces = content_.chunks.size() + shown_.size() / frames_per_group + 1;
+        return static_cast<double>(page_template().size() + contents.size() + escape_growth * escaped +
+                                   bytes_per_piece * pieces + room_for_words) +
+               base64_growth * static_cast<double>(content_.packed_bytes());
+    }
+
     void pack_all_water(std::size_t budget) {
         if (std::all_of(shown_.begin(), shown_.end(), [](const FrameFiles& files) { return files.water.empty(); })) {
             return;
         }
         read_water(0);  // for the spacing
-        const double others = base64_growth * static_cast<double>(content_.packed_bytes());
-        const double left = std::max(0.0, static_cast<double>(budget) - others) / base64_growth;
+        const double left = std::max(0.0, static_cast<double>(budget) - bytes_without_water()) / base64_growth;
         const PackedWater water = pack_water([this](std::size_t f) { return read_water(f); }, shown_.size(), spacing_,
                                              static_cast<std::size_t>(left));
         for (std::size_t group = 0; group < water.groups.size(); ++group) {
@@ -259,13 +273,17 @@ class Packer {
                   {"stride", water.stride}};
     }
 
-    void write_contents() {
+    /// Of many notices the first ones and how many there are.
+    void shorten_notices() {
         std::vector<std::string>& notices = content_.notices;
         if (notices.size() > told_notices) {
             const std::size_t more = notices.size() - told_notices;
             notices.resize(told_notices);
             notices.push_back(fmt::format("and {} more like these", more));
         }
+    }
+
+    std::string contents_json() const {
         std::vector<double> times;
         for (const FrameFiles& files : shown_) {
             times.push_back(files.time);
@@ -288,7 +306,8 @@ class Packer {
                   {"contacts", contact_counts_},
                   {"water", water_},
                   {"tables", tables_},
-                  {"notices", notices},
+                  {"warnings", run_.warnings},
+                  {"notices", content_.notices},
                   {"case", run_.case_text},
                   {"resolved", run_.resolved_text},
                   {"summary", run_.summary_json.empty() ? Json() : Json::parse(run_.summary_json)},
@@ -305,7 +324,7 @@ class Packer {
                               {"names", has_names ? Json(run_.body_names) : Json()},
                               {"mass", has_names ? Json(run_.body_mass) : Json()}};
         }
-        content_.contents_json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
 
     const RecordedRun& run_;

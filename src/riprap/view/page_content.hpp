@@ -44,7 +44,8 @@ inline void heed(const run::StopRequest* stop) {
 }
 
 /// Reads and packs a run. `budget` bounds the bytes of the page [bytes]: where the water would take more, its
-/// coordinates are stored with coarser steps, and then fewer particles are shown. `stop`, where given, is looked at
+/// coordinates are stored with coarser steps, and then fewer particles are shown. Nothing else gives way: a page whose
+/// other parts pass the budget is larger. `stop`, where given, is looked at
 /// before every frame.
 /// @throws FileError, Stopped
 PageContent pack_run(const RecordedRun& run, std::size_t budget, const run::StopRequest* stop = nullptr);

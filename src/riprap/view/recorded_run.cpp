@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "riprap/io/vtp_reader.hpp"
+#include "riprap/run/find_case.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/scene/toml_reader.hpp"
 
@@ -17,9 +18,16 @@ namespace riprap::view {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 constexpr std::size_t text_limit = std::size_t{64} << 20U;  // bytes of a case, a summary
 constexpr std::size_t json_depth = 64;                      // what a run writes has about five
+
+/// A text of an object; empty where it has none of that name.
+std::string text_of(const Json& object, const char* key) {
+    const bool has = object.is_object() && object.contains(key) && object[key].is_string();
+    return has ? object[key].get<std::string>() : "";
+}
 
 /// Does one part of the reading; what goes wrong becomes a notice.
 void attempt(RecordedRun& run, const std::function<void()>& part) {
@@ -63,7 +71,7 @@ std::string json_text(const fs::path& path) {
         throw FileError(
             fmt::format("cannot read '{}': its brackets are nested more than {} deep", path.string(), json_depth));
     }
-    if (!nlohmann::json::accept(text)) {
+    if (!Json::accept(text)) {
         throw FileError(fmt::format("cannot read '{}': it is no JSON, or ends in the middle", path.string()));
     }
     return text;
@@ -108,12 +116,25 @@ void add_found(RecordedRun& run, const run::RunFolder& folder, Frames& frames) {
     }
 }
 
+/// A list that a run wrote ends with the mark of its end.
+bool is_cut(const fs::path& list) {
+    const std::string text = io::read_file(list, text_limit);
+    return text.find("</VTKFile>") == std::string::npos;
+}
+
 void find_frames(RecordedRun& run, const run::RunFolder& folder) {
     Frames frames;
     const fs::path list = folder.root / "out.pvd", contacts = folder.root / "contacts.pvd";
-    attempt(run, [&] { add_listed(folder, list, frames); });
+    const char* trouble = "lists no frames";
+    attempt(run, [&] {
+        add_listed(folder, list, frames);
+        if (!frames.empty() && is_cut(list)) {
+            trouble = "ends in the middle";
+            frames.clear();
+        }
+    });
     if (frames.empty() && is_there(folder.frames())) {
-        run.notices.push_back(fmt::format("'{}' lists no frames; those found in '{}' are shown", list.string(),
+        run.notices.push_back(fmt::format("'{}' {}; the frames found in '{}' are shown", list.string(), trouble,
                                           folder.frames().string()));
         attempt(run, [&] { add_found(run, folder, frames); });
     } else if (is_there(contacts)) {
@@ -185,18 +206,90 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
     }
 }
 
-void read_status(RecordedRun& run, const fs::path& summary) {
-    run.status = "not finished";
-    if (!is_there(summary)) {
-        return;  // it is written at the end: the run goes on, or was killed
-    }
-    attempt(run, [&] {
-        run.summary_json = json_text(summary);
-        const auto json = nlohmann::json::parse(run.summary_json);
-        if (json.is_object() && json.contains("status") && json["status"].is_string()) {
-            run.status = json["status"].get<std::string>();
+/// What the log of the run says, where the summary does not.
+struct Events {
+    std::vector<std::string> warnings;
+    std::string end;  ///< of the last sitting; empty when it did not come to one
+};
+
+/// A line of the log that is cut or not ours says nothing.
+Events read_events(const fs::path& log) {
+    Events events;
+    const std::string text = io::read_file(log, text_limit);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        at = end + 1;
+        const auto event = depth_of(line) > json_depth ? Json() : Json::parse(line, nullptr, false);
+        if (!event.is_object()) {
+            continue;
         }
-    });
+        const std::string kind = text_of(event, "event"), words = text_of(event, "text");
+        if (kind == "start") {
+            events.end.clear();
+        } else if (kind == "end") {
+            events.end = words;
+        } else if (kind == "warning" &&
+                   std::find(events.warnings.begin(), events.warnings.end(), words) == events.warnings.end()) {
+            events.warnings.push_back(words);  // a resumed run says it again
+        }
+    }
+    return events;
+}
+
+void read_summary(RecordedRun& run, const fs::path& path) {
+    run.summary_json = json_text(path);
+    const auto summary = Json::parse(run.summary_json);
+    if (const std::string status = text_of(summary, "status"); !status.empty()) {
+        run.status = status;
+    }
+    if (!summary.is_object() || !summary.contains("warnings") || !summary["warnings"].is_array()) {
+        return;
+    }
+    run.warnings.clear();
+    for (const Json& warning : summary["warnings"]) {
+        run.warnings.push_back(warning.is_string() ? warning.get<std::string>() : warning.dump());
+    }
+}
+
+/// Without a summary the run goes on, or was killed; a log that says that it ended tells that the summary was lost.
+void read_status(RecordedRun& run, const run::RunFolder& folder) {
+    run.status = "not finished";
+    Events events;
+    if (is_there(folder.events())) {
+        attempt(run, [&] { events = read_events(folder.events()); });
+    }
+    run.warnings = events.warnings;
+    if (is_there(folder.summary())) {
+        attempt(run, [&] { read_summary(run, folder.summary()); });
+    } else if (!events.end.empty()) {
+        run.status = events.end.starts_with("finished") ? "finished"
+                     : events.end.starts_with("failed") ? "failed"
+                                                        : "interrupted";
+        run.notices.push_back(
+            fmt::format("'{}' is missing, though the run ended: {}", folder.summary().string(), events.end));
+    }
+}
+
+bool holds_run(const fs::path& path) { return is_there(run::RunFolder{path}.ticket()); }
+
+/// Where `riprap run` puts a case when it is not told otherwise.
+fs::path usual_folder(const std::string& name) { return fs::path("runs") / name; }
+
+/// The run that the name of a case means, if there is one.
+std::string run_named(const fs::path& name) {
+    const fs::path folder = usual_folder(name.filename().string());
+    return holds_run(folder) ? fmt::format("; there is a run in '{}'", folder.string()) : "";
+}
+
+std::string advice_for(const fs::path& path) {
+    if (const fs::path file = path / "case.toml"; is_there(file)) {
+        const fs::path folder = usual_folder(run::short_name(file));
+        return holds_run(folder)
+                   ? fmt::format("it is a case, and there is a run in '{}'", folder.string())
+                   : fmt::format("it is a case; `riprap run {}` runs it into '{}'", path.string(), folder.string());
+    }
+    return fmt::format("`riprap run CASE --out {}` makes one", path.string());
 }
 
 }  // namespace
@@ -205,20 +298,19 @@ RecordedRun read_run(const fs::path& path) {
     const run::RunFolder folder{path};
     std::error_code ignored;
     if (!fs::is_directory(path, ignored)) {
-        throw FileError(fmt::format("'{}' is no folder; give the folder that `riprap run` wrote", path.string()));
+        throw FileError(fmt::format("'{}' is no folder; give the folder that `riprap run` wrote{}", path.string(),
+                                    run_named(path)));
     }
     if (!is_there(folder.ticket()) && !is_there(path / "out.pvd")) {
-        throw FileError(
-            fmt::format("'{}' holds no run: there is neither run.json nor out.pvd; `riprap run CASE --out "
-                        "{}` makes one",
-                        path.string(), path.string()));
+        throw FileError(fmt::format("'{}' holds no run: there is neither run.json nor out.pvd; {}", path.string(),
+                                    advice_for(path)));
     }
     RecordedRun run;
     run.root = path;
     attempt(run, [&] { read_resolved(run, folder.resolved_case()); });
     attempt(run, [&] { run.case_text = io::read_file(folder.case_file(), text_limit); });
     attempt(run, [&] { run.ticket_json = json_text(folder.ticket()); });
-    read_status(run, folder.summary());
+    read_status(run, folder);
     run.probes = read_table(run, folder.probes());
     run.ledger = read_table(run, folder.ledger());
     read_bodies(run, folder.bodies());

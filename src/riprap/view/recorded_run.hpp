@@ -32,7 +32,8 @@ struct RecordedRun {
     std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
     Vec3 gravity;                           ///< at the start [m/s^2]
     bool is_planar{false};
-    std::vector<std::string> notices;  ///< what could not be read, for the user
+    std::vector<std::string> warnings;  ///< of the run itself, about its results
+    std::vector<std::string> notices;   ///< what could not be read, for the user
 };
 
 /// @throws FileError when the folder does not exist or nothing in it was written by a run

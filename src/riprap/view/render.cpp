@@ -161,7 +161,8 @@ class Encoder {
 std::string render_movie(Stage& stage, const RenderOptions& options, const run::StopRequest& stop) {
     const auto ffmpeg = find_program("ffmpeg");
     if (!ffmpeg) {
-        const fs::path folder = options.out.empty() ? options.folder / "movie" : fs::path(options.out).replace_extension();
+        const fs::path folder =
+            options.out.empty() ? options.folder / "movie" : fs::path(options.out).replace_extension();
         io::make_folder(folder);
         for (int frame = 0; frame < stage.frame_count(); ++frame) {
             heed(&stop);
@@ -183,8 +184,8 @@ std::string render_movie(Stage& stage, const RenderOptions& options, const run::
         throw FileError("ffmpeg could not make the movie; what it said is above");
     }
     fs::rename(partial, out);
-    return fmt::format("{}: {} frames, t = {:.6g} to {:.6g} s", out.string(), stage.frame_count(), stage.times().front(),
-                       stage.times().back());
+    return fmt::format("{}: {} frames, t = {:.6g} to {:.6g} s", out.string(), stage.frame_count(),
+                       stage.times().front(), stage.times().back());
 }
 
 std::string render(const RenderOptions& options, const run::StopRequest& stop) {

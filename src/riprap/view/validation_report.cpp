@@ -151,7 +151,8 @@ constexpr std::array<Meaning, 4> meanings{{
     {"reproduced", "inside the accepted band"},
     {"close", "outside it, inside a wider band that the case states with its reason; the note says which"},
     {"not_reproduced", "outside both, or the case could not be run"},
-    {"under_specified", "the source gives no number to compare with, or not enough to set the case up: ours is reported"},
+    {"under_specified",
+     "the source gives no number to compare with, or not enough to set the case up: ours is reported"},
 }};
 
 std::string glossary() {
@@ -167,12 +168,11 @@ std::string glossary() {
 std::string provenance() {
     const Json build = Json::parse(run::build_json()), machine = Json::parse(run::machine_json());
     const std::string commit = shown(build, "commit");
-    return fmt::format(
-        "<p>{:%Y-%m-%d %H:%M} UTC. Riprap {}{}, {}, {}, -march={}, {}. {}, {} threads, {}.</p>\n",
-        fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), shown(build, "version"),
-        commit.empty() ? "" : ", commit " + commit, shown(build, "compiler"), shown(build, "build_type"),
-        shown(build, "march"), shown(build, "parallel"), shown(machine, "processor"), shown(machine, "hardware_threads"),
-        shown(machine, "system"));
+    return fmt::format("<p>{:%Y-%m-%d %H:%M} UTC. Riprap {}{}, {}, {}, -march={}, {}. {}, {} threads, {}.</p>\n",
+                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())),
+                       shown(build, "version"), commit.empty() ? "" : ", commit " + commit, shown(build, "compiler"),
+                       shown(build, "build_type"), shown(build, "march"), shown(build, "parallel"),
+                       shown(machine, "processor"), shown(machine, "hardware_threads"), shown(machine, "system"));
 }
 
 /// "12 reproduced, 1 close, 3 not reproduced"
