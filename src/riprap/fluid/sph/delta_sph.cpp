@@ -76,16 +76,6 @@ GradientCorrection correction_of(const SphSettings& settings, const Symmetric& m
                                         : GradientCorrection{unit_tensor, 0};
 }
 
-/// Pressure that water can hold: at a surface it does not pull.
-double held_pressure(double pressure, double bareness) { return pressure < 0 ? (1 - bareness) * pressure : pressure; }
-
-void release_tension(SphScratchData& s) {
-    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        s.pressure[i] = held_pressure(s.pressure[i], s.bareness[i]);
-    });
-}
-
 /// What leaves the energy of compression as density is updated [J].
 struct Losses {
     double diffusion{0}, shifting{0};
@@ -134,16 +124,13 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         s.correction_share[i] = correction.share;
         const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
-        const double flow = dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]);
-        const double after = diluted + flow + spread;
+        const double after =
+            diluted + dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]) + spread;
         const double mean = 0.5 * (before + after);
         state.density[i] = after;
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
-        const double pressure = pressure_of(settings, mean);
-        const double per_density = settings.particle_mass * pressure / (mean * mean);
-        const double unheld =
-            settings.particle_mass * (pressure - held_pressure(pressure, s.bareness[i])) / (mean * mean);
-        return Losses{-per_density * spread - unheld * flow, per_density * (before - diluted)};
+        const double per_density = settings.particle_mass * pressure_of(settings, mean) / (mean * mean);
+        return Losses{-per_density * spread, per_density * (before - diluted)};
     };
     const Losses losses = parallel::reduce(state.size(), Losses{}, advance_one, [](Losses a, const Losses& b) {
         return Losses{a.diffusion + b.diffusion, a.shifting + b.shifting};
@@ -155,7 +142,6 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
     find_pressure(settings, state, s);
-    release_tension(s);
     find_viscosity(settings, s);
     find_pressure_tensors(s);
     clear_forces(state.position.size(), s);
