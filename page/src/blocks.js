@@ -2,10 +2,11 @@
 // Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices.
 
 import * as THREE from 'three';
-import {MAPS, MATERIALS, colourAt} from './colours.js';
+import {FIXED, MAPS, colourAt, materialColour} from './colours.js';
 import {planesOf} from './planes.js';
 import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
 
+const FAINT = 0.16;  // opacity of fixed bodies beside water
 const SELECTED = new THREE.Color(0xff5a36);
 
 const EDGE_VERTEX = `
@@ -54,31 +55,37 @@ function edgesOf(shape) {
 export class Blocks {
   constructor(contents, shapes, first, box) {
     this.contents = contents;
-    this.first = first;
+    this.first = first.pose;
     this.group = new THREE.Group();
     this.meshes = [];
     this.colourBy = 'material';
     this.selected = -1;
     this.edgeColour = new THREE.Color(0x000000);
     const bodies = contents.bodies;
+    const isFixed = body => first.motion[MOTION * body + 9] === 0;
     shapes.forEach((shape, s) => {
       if (shape.faces.length > 1) {
-        this.#add(shape, bodies.shape.flatMap((of, body) => of === s ? [body] : []));
+        const members = bodies.shape.flatMap((of, body) => of === s ? [body] : []);
+        this.#add(shape, members.filter(body => !isFixed(body)));
+        this.#add(shape, members.filter(isFixed), contents.water !== null);  // what holds the water may not hide it
       }
     });
-    planesOf(bodies, shapes, first, box).forEach((shape, body) => this.#add(shape, [body]));
+    planesOf(bodies, shapes, first.pose, box).forEach((shape, body) => this.#add(shape, [body]));
   }
 
-  #add(shape, members) {
+  #add(shape, members, isFaint = false) {
+    if (members.length === 0) {
+      return;
+    }
     const isPlane = shape.faces.length === 1;
     const material = new THREE.MeshLambertMaterial({side: THREE.FrontSide, flatShading: true});
-    if (isPlane) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
-      Object.assign(material, {transparent: true, opacity: 0.5, depthWrite: false});
+    if (isPlane || isFaint) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
+      Object.assign(material, {transparent: true, opacity: isPlane ? 0.35 : FAINT, depthWrite: false});
     }
     const mesh = new THREE.InstancedMesh(trianglesOf(shape), material, members.length);
     mesh.frustumCulled = false;
     mesh.renderOrder = isPlane ? -1 : 0;
-    mesh.userData = {members, isPlane};
+    mesh.userData = {members, isPlane, isFaint};
     mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * members.length), 3);
     const lines = new THREE.InstancedBufferGeometry();
     lines.setAttribute('position', new THREE.Float32BufferAttribute(edgesOf(shape), 3));
@@ -86,7 +93,7 @@ export class Blocks {
     lines.instanceCount = members.length;
     const edges = new THREE.LineSegments(lines, new THREE.ShaderMaterial({
       vertexShader: EDGE_VERTEX, fragmentShader: EDGE_FRAGMENT, transparent: true,
-      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane ? 0.35 : 0.8}}}));
+      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane || isFaint ? 0.3 : 0.8}}}));
     edges.frustumCulled = false;
     edges.visible = !isPlane || this.contents.is_planar;  // there a wall is seen from its edge
     this.group.add(mesh, edges);
@@ -121,6 +128,15 @@ export class Blocks {
     }
   }
 
+  /** What the colours of materials mean: [[name, colour]]. */
+  names() {
+    const {material, material_names: names} = this.contents.bodies;
+    const isFree = body => this.frame.motion[MOTION * body + 9] > 0, bodies = material.map((_, body) => body);
+    const used = [...new Set(bodies.filter(isFree).map(body => material[body]))].sort((a, b) => a - b);
+    const list = used.map(m => [names?.[m] ?? `material ${m + 1}`, materialColour(m)]);
+    return bodies.every(isFree) ? list : [...list, ['fixed or driven', FIXED]];
+  }
+
   #valueOf(body) {
     const m = this.frame.motion, p = this.frame.pose, first = this.first;
     switch (this.colourBy) {
@@ -141,7 +157,7 @@ export class Blocks {
           colour.setRGB(...colourAt(MAPS.cividis, this.#valueOf(body) / (range.high || 1)).map(c => c / 255),
                         THREE.SRGBColorSpace);
         } else {
-          colour.setHex(mesh.userData.isPlane ? 0xc9ccd0 : isFixed ? 0x9a9a96 : MATERIALS[this.contents.bodies.material[body] % MATERIALS.length]);
+          colour.setHex(mesh.userData.isPlane ? 0xc9ccd0 : isFixed ? FIXED : materialColour(this.contents.bodies.material[body]));
         }
         mesh.setColorAt(i, colour);
       });
@@ -163,7 +179,7 @@ export class Blocks {
   setGlass(isGlass) {
     this.isGlass = isGlass;
     this.#colourEdges();
-    for (const mesh of this.meshes.filter(m => !m.userData.isPlane)) {
+    for (const mesh of this.meshes.filter(m => !m.userData.isPlane && !m.userData.isFaint)) {
       Object.assign(mesh.material, {transparent: isGlass, opacity: isGlass ? 0.3 : 1, depthWrite: !isGlass});
       mesh.material.needsUpdate = true;
     }
@@ -171,7 +187,8 @@ export class Blocks {
 
   /** The body under a ray, or -1. */
   pick(raycaster) {
-    const hit = raycaster.intersectObjects(this.meshes.filter(m => !m.userData.isPlane), false)[0];
+    const hits = raycaster.intersectObjects(this.meshes.filter(m => !m.userData.isPlane), false);
+    const hit = hits.find(h => !h.object.userData.isFaint) ?? hits[0];  // one sees through faint ones
     return hit ? hit.object.userData.members[hit.instanceId] : -1;
   }
 

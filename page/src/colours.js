@@ -12,7 +12,14 @@ export const MAPS = {viridis: VIRIDIS, cividis: CIVIDIS};
 export const LINES = ['#0072b2', '#e69f00', '#009e73', '#d55e00', '#cc79a7', '#56b4e9', '#b3a125', '#888888'];
 
 /** Stone, wood, and what else blocks are made of; materials beyond the last begin again. */
-export const MATERIALS = [0xb9a98c, 0x8fa6b8, 0xc48f6a, 0x93a878, 0xa88fb0, 0xc9b75e];
+const MATERIALS = [0xb9a98c, 0x8fa6b8, 0xc48f6a, 0x93a878, 0xa88fb0, 0xc9b75e];
+
+export const materialColour = material => MATERIALS[material % MATERIALS.length];
+
+/** Of bodies that are fixed or driven. */
+export const FIXED = 0x9a9a96;
+
+export const css = colour => '#' + colour.toString(16).padStart(6, '0');
 
 /** Red, green, blue, 0 to 255, of a share between 0 and 1. */
 export function colourAt(map, share) {
@@ -25,5 +32,5 @@ export function colourAt(map, share) {
 }
 
 export function gradient(map) {
-  return `linear-gradient(to right, ${map.map(c => '#' + c.toString(16).padStart(6, '0')).join(', ')})`;
+  return `linear-gradient(to right, ${map.map(css).join(', ')})`;
 }

@@ -2,11 +2,12 @@
 // Joins the parts: one time for the scene, the plots and the block that is selected.
 
 import './style.css';
-import {MAPS, gradient} from './colours.js';
+import {MAPS, css, gradient} from './colours.js';
+import {drawCompass} from './compass.js';
 import {reading, short} from './numbers.js';
-import {HELP, showBody, showCase, showRun} from './panel.js';
+import {HELP, showBody, showCase, showRun, showWarningCount} from './panel.js';
 import {Plots} from './plots.js';
-import {Recording, readContents} from './recording.js';
+import {MOTION_VALUES as MOTION, Recording, readContents} from './recording.js';
 import {Scene} from './scene.js';
 
 const $ = id => document.getElementById(id);
@@ -45,6 +46,7 @@ class Page {
     }
     showCase($('tab-case'), contents);
     showRun($('tab-run'), contents);
+    showWarningCount($('warnings'), contents);
     showBody($('tab-body'), contents, null, -1);
     this.#wire();
     this.openTab(contents.notices.length > 0 || recording.frameCount === 0 ? 'run' : 'plots');
@@ -55,6 +57,7 @@ class Page {
     if (recording.frameCount > 0) {
       await this.#openScene();
       await this.show(0);
+      this.#legends();
     } else {
       $('trouble').textContent = 'The run has no frames to show. ' + (contents.notices[0] ?? '');
     }
@@ -71,6 +74,9 @@ class Page {
     const last = recording.frameCount - 1;
     const [shapes, first] = [await recording.shapes(), await recording.frame(0)];
     $('time').max = last;
+    if (last > 0) {
+      this.#namePaces();
+    }
     $('water-choice').hidden = !contents.water;
     $('block-choice').hidden = !contents.bodies;
     $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
@@ -80,9 +86,9 @@ class Page {
       giveUp(`The scene cannot be drawn: ${error.message}`);
       return;
     }
+    this.scene.onView = (camera, scale) => drawCompass($('compass'), camera, contents.gravity, scale);
     this.scene.setTheme(this.theme);
     $('camera').value = this.scene.preset;
-    this.#legends();
     requestAnimationFrame(() => requestAnimationFrame(() => note('drawn')));  // the second one follows the picture
   }
 
@@ -136,7 +142,7 @@ class Page {
 
   #run(from) {
     const {frameCount} = this.recording;
-    const seconds = Math.min(Math.max(frameCount / FRAMES_PER_SECOND, SHORTEST_PLAY), LONGEST_PLAY);
+    const seconds = this.#length;
     let at = from, before = performance.now();
     const tick = async now => {
       if (!this.isPlaying) {
@@ -173,9 +179,25 @@ class Page {
   }
 
   step(by) {
-    const bodies = this.recording.bodyCount;
-    if (bodies > 0) {
-      this.select(((this.selected < 0 ? (by > 0 ? -1 : 0) : this.selected) + by + bodies) % bodies);
+    const bodies = [...Array(this.recording.bodyCount).keys()];
+    const isFree = body => this.frame?.motion[MOTION * body + 9] > 0;
+    const order = [...bodies.filter(isFree), ...bodies.filter(body => !isFree(body))], count = order.length;
+    if (count > 0) {
+      const at = order.indexOf(this.selected);
+      this.select(order[((at < 0 ? (by > 0 ? -1 : 0) : at) + by + count) % count]);
+    }
+  }
+
+  /** Seconds from the first frame to the last, at pace 1. */
+  get #length() {
+    return Math.min(Math.max(this.recording.frameCount / FRAMES_PER_SECOND, SHORTEST_PLAY), LONGEST_PLAY);
+  }
+
+  /** A pace in seconds of the run per second. */
+  #namePaces() {
+    const {times} = this.recording, span = times.at(-1) - times[0];
+    for (const option of $('pace').options) {
+      option.textContent = `${option.textContent}\u00d7 = ${reading(option.value * span / this.#length, 2)} s/s`;
     }
   }
 
@@ -231,19 +253,34 @@ class Page {
   }
 
   #legends() {
+    if (!this.scene || !this.frame) {
+      return;
+    }
     const {particles, blocks, forces} = this.scene;
     const bars = [];
     if (particles?.points.visible) {
       const range = particles.range();
       bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.viridis), short(range.low), short(range.high)]);
     }
-    const range = blocks?.range();
+    const range = blocks?.range(), names = blocks && !range ? blocks.names() : [];
     if (range) {
       bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.cividis), '0', short(range.high)]);
     }
     $('legends').innerHTML = bars.map(([label, colours, low, high]) =>
       `<figure><figcaption>${label}</figcaption><div style="background:${colours}"></div>` +
       `<span>${low}</span><span>${high}</span></figure>`).join('');
+    if (names.length > 0) {
+      const figure = document.createElement('figure');
+      figure.className = 'names';
+      figure.innerHTML = '<figcaption>blocks</figcaption>';
+      for (const [name, colour] of names) {
+        const entry = document.createElement('span');
+        entry.innerHTML = `<i style="background:${css(colour)}"></i>`;
+        entry.append(name);
+        figure.append(entry);
+      }
+      $('legends').append(figure);
+    }
     if (forces?.group.visible) {
       $('legends').insertAdjacentHTML('beforeend',
           `<figure><figcaption>contact force [N]</figcaption><span class="bar"></span>` +
@@ -271,7 +308,18 @@ class Page {
         this.select(this.scene.bodyAt(event.clientX, event.clientY));
       }
     });
+    $('warnings').addEventListener('click', () => this.openTab('run'));
     document.addEventListener('keydown', event => this.#key(event));
+    // After a click the keys belong to the scene again: space plays. Who goes by the tab key keeps the place.
+    let isPointed = false;
+    document.addEventListener('pointerdown', () => { isPointed = true; });
+    document.addEventListener('keydown', () => { isPointed = false; }, true);
+    document.addEventListener('click', () => {
+      const {activeElement} = document;
+      if (isPointed && activeElement?.matches('button, summary, input') && !activeElement.closest('dialog')) {
+        activeElement.blur();
+      }
+    });
   }
 
   #togglePanel() {

@@ -26,6 +26,13 @@ function rows(list) {
   return table;
 }
 
+/** A table that is too wide scrolls: no number is broken. */
+function scrolling(table) {
+  const box = element('div', '', {class: 'table'});
+  box.append(table);
+  return box;
+}
+
 const readings = values => [...values].map(v => reading(v));
 
 export function showBody(parent, contents, frame, body) {
@@ -46,7 +53,7 @@ export function showBody(parent, contents, frame, body) {
     ['angular velocity', readings(b.angularVelocity), 'rad/s', 'angular_velocity'],
     ['contact force', readings(b.contactForce), 'N', 'contact_force'],
   ];
-  parent.append(rows(list));
+  parent.append(scrolling(rows(list)));
   parent.append(rows([
     ['speed', reading(Math.hypot(...b.velocity)), 'm/s', 'speed'],
     ['turned by', reading(angle, 4), 'deg', 'angle'],
@@ -63,11 +70,24 @@ export function showBody(parent, contents, frame, body) {
                  element('td', reading(contact.force, 4)), element('td', reading(contact.overlap, 3)),
                  element('td', contact.isSliding ? 'slides' : 'sticks'));
     }
-    parent.append(table);
+    parent.append(scrolling(table));
   }
 }
 
+const plural = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
+
 export function showCase(parent, contents) {
+  const set = contents.ticket?.set ?? [];
+  if (set.length > 0) {
+    const banner = element('div', '', {class: 'banner', role: 'note'}), list = element('ul');
+    banner.append(element('strong', `${plural(set.length, 'key')} set by hand: the run used ${set.length === 1 ? 'this' : 'these'}, not what the file says`), list);
+    for (const one of set) {
+      const item = element('li');
+      item.append(element('code', one.replace('=', ' = ')));
+      list.append(item);
+    }
+    parent.append(banner);
+  }
   for (const [name, text] of [['case.toml, as it was given', contents.case],
                               ['resolved.toml, with every default', contents.resolved]]) {
     const details = element('details');
@@ -85,7 +105,7 @@ function expectsTable(expects) {
   for (const e of expects) {
     const row = table.insertRow();
     const number = v => typeof v === 'number' ? reading(v, 4) : 'none';
-    row.append(element('td', e.name, {title: e.citation ?? ''}), element('td', `${number(e.value)} ${e.unit ?? ''}`),
+    row.append(element('td', e.name, {title: e.citation ?? ''}), element('td', `${number(e.value)}\u00a0${e.unit ?? ''}`),
                element('td', `${number(e.low)} to ${number(e.high)}`),
                element('td', VERDICTS[e.verdict] ?? e.verdict, {class: `verdict ${e.verdict}`}));
   }
@@ -94,13 +114,16 @@ function expectsTable(expects) {
 
 export function showRun(parent, contents) {
   const summary = contents.summary ?? {}, ticket = contents.ticket ?? {};
-  if (contents.notices.length > 0) {
-    const list = element('ul', '', {class: 'notices'});
-    contents.notices.forEach(notice => list.append(element('li', notice)));
-    parent.append(element('h3', 'What could not be shown'), list);
+  for (const [heading, texts] of [['What could not be shown', contents.notices],
+                                  ['Warnings of the run', contents.warnings ?? []]]) {
+    if (texts.length > 0) {
+      const list = element('ul', '', {class: 'notices'});
+      texts.forEach(text => list.append(element('li', text)));
+      parent.append(element('h3', heading), list);
+    }
   }
   if (summary.expects?.length > 0) {
-    parent.append(element('h3', 'Expected answers'), expectsTable(summary.expects));
+    parent.append(element('h3', 'Expected answers'), scrolling(expectsTable(summary.expects)));
   }
   const build = summary.build ?? {}, machine = summary.machine ?? {};
   const known = [
@@ -116,7 +139,7 @@ export function showRun(parent, contents) {
     ['page made by', `Riprap ${contents.page_made_by}`],
   ].filter(([, value]) => value !== undefined && value !== '' && value !== null);
   parent.append(element('h3', 'Provenance'));
-  const table = rows(known.map(([label, value, unit]) => [label, String(value), unit]));
+  const table = rows(known.map(([label, value, unit]) => [label, unit ? `${value}\u00a0${unit}` : String(value)]));
   table.className = 'wide';
   parent.append(table);
   if (contents.water) {
@@ -127,6 +150,14 @@ export function showRun(parent, contents) {
   }
 }
 
+/** A button beside the title that leads to the warnings. */
+export function showWarningCount(button, contents) {
+  const count = contents.warnings?.length ?? 0;
+  button.hidden = count === 0;
+  button.textContent = plural(count, 'warning');
+  button.title = 'what the run warned of, in the tab Run';
+}
+
 export const HELP = `
   <h2>Keys</h2>
   <table>
@@ -134,7 +165,7 @@ export const HELP = `
     <tr><th>&larr; &rarr;</th><td>one frame back, on; with shift ten</td></tr>
     <tr><th>home, end</th><td>first, last frame</td></tr>
     <tr><th>1 2 3 4</th><td>from a corner, the front, the side, above</td></tr>
-    <tr><th>[ ]</th><td>select the block before, after; escape lets go</td></tr>
+    <tr><th>[ ]</th><td>select the block before, after, free ones first; escape lets go</td></tr>
     <tr><th>c</th><td>contact forces</td></tr>
     <tr><th>w</th><td>water: pressure, speed, hidden</td></tr>
     <tr><th>b</th><td>blocks: material, speed, displacement, contact force</td></tr>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves over time from the tables of the run: one chart per table and unit, all under the time that the scene shows.
+// Curves over time from the tables of the run, all under the time that the scene shows. A chart has one unit and holds
+// quantities of one kind: positions do not flatten levels, nor water the blocks.
 
 import {LINES} from './colours.js';
 import {reading, tickText, ticks} from './numbers.js';
 
 const MARGIN = {left: 58, right: 10, top: 8, bottom: 24};  // pixels
 const HEIGHT = 150;
-const SHOWN_AT_FIRST = 5;  // curves of a chart; the others are a click away
-const OPEN_AT_FIRST = 4;   // charts
+const SHOWN_AT_FIRST = LINES.length;  // curves of a chart; the others are a click away
+const OPEN_AT_FIRST = 5;              // charts
 
 function rangeOf(curves) {
   let low = Infinity, high = -Infinity;
@@ -59,6 +60,11 @@ class Chart {
     this.details.open = isOpen;
     this.details.innerHTML = '<summary></summary><canvas role="img"></canvas><ul class="curves"></ul>';
     this.details.firstChild.textContent = heading;
+    this.hint = document.createElement('p');
+    this.hint.className = 'hint';
+    this.hint.textContent = 'Unticked curves are not drawn; a click draws them.';
+    this.details.append(this.hint);
+    this.#tellHidden();
     this.canvas = this.details.querySelector('canvas');
     this.canvas.setAttribute('aria-label', `${heading} over time`);
     this.list = this.details.querySelector('ul');
@@ -88,10 +94,15 @@ class Chart {
     button.addEventListener('click', () => {
       curve.isShown = !curve.isShown;
       button.setAttribute('aria-pressed', curve.isShown);
+      this.#tellHidden();
       this.draw();
     });
     entry.append(button);
     this.list.append(entry);
+  }
+
+  #tellHidden() {
+    this.hint.hidden = this.curves.every(curve => curve.isShown);
   }
 
   at(now) {
@@ -202,15 +213,12 @@ export class Plots {
   constructor(parent, tables, onTime) {
     this.charts = [];
     for (const table of tables) {
-      const byUnit = Map.groupBy ? Map.groupBy(table.columns, c => c.unit) : groupBy(table.columns, c => c.unit);
-      const units = [...byUnit.keys()].sort((a, b) => rank(a) - rank(b));
-      for (const unit of units) {
-        const curves = byUnit.get(unit).filter(
-            column => column.name !== 'step' && column.values.some(v => v !== 0 && Number.isFinite(v)));
-        if (curves.length > 0) {
-          const heading = `${table.name} [${unit}]`;
-          this.charts.push(new Chart(parent, heading, table.time, curves, this.charts.length < OPEN_AT_FIRST, onTime));
-        }
+      const drawn = table.columns.filter(
+          column => column.name !== 'step' && column.values.some(v => v !== 0 && Number.isFinite(v)));
+      const groups = groupBy(drawn, column => `${kindOf(column)} [${column.unit}]`);
+      for (const heading of [...groups.keys()].sort((a, b) => rank(groups.get(a)[0].unit) - rank(groups.get(b)[0].unit))) {
+        const curves = groups.get(heading).map(sinceStart);
+        this.charts.push(new Chart(parent, heading, table.time, curves, this.charts.length < OPEN_AT_FIRST, onTime));
       }
     }
     if (this.charts.length === 0) {
@@ -226,6 +234,22 @@ export class Plots {
   at(time) {
     this.charts.forEach(chart => chart.at(time));
   }
+}
+
+/** What a column is of: "position" for B1.position.x, "water" for a column of water in the ledger. */
+function kindOf({name, unit}) {
+  const parts = name.split('.'), last = parts.length > 1 && 'xyz'.includes(parts.at(-1)) ? -1 : undefined;
+  const quantity = parts.slice(parts.length > 2 ? 1 : 0, last).join(' ').replaceAll('_', ' ');
+  if (unit === 'J') {
+    return name.includes('water') ? 'energy of water since the start' : 'energy of blocks since the start';
+  }
+  return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' : 'gauges';
+}
+
+/** An energy is drawn as its change: a large one that is constant would flatten all others. */
+function sinceStart(column) {
+  const start = column.values.find(v => Number.isFinite(v)) ?? 0;
+  return column.unit === 'J' ? {...column, values: column.values.map(v => v - start)} : column;
 }
 
 /** What is looked at first: energies, then quantities with a unit, then counts and ratios. */

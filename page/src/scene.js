@@ -9,6 +9,7 @@ import {Particles} from './particles.js';
 
 const FIELD_OF_VIEW = 35;  // degrees
 const MARGIN = 1.12;       // around the scene
+const AROUND = 0.08;       // of the size of what moves, shown of what is fixed
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
 
 /** The axis nearest to "against gravity"; without gravity z, in a planar scene y. */
@@ -21,15 +22,24 @@ function upOf(contents) {
   return up.setComponent(k, g[k] > 0 ? -1 : 1);
 }
 
-/** The box that a reader wants to see: where everything was at the start, and went, if it did not fly away. */
+const boxOf = six => new THREE.Box3(new THREE.Vector3(...six.slice(0, 3)), new THREE.Vector3(...six.slice(3)));
+const lengthOf = box => box.getSize(new THREE.Vector3()).length();
+
+/**
+ * The box that a reader wants to see: where free blocks and water were at the start, and went, if they did not fly away.
+ * Of what is fixed it shows the part around them: a wall that is higher than the water may not fill the picture.
+ */
 function boundsOf(contents) {
-  const boxOf = six => new THREE.Box3(new THREE.Vector3(...six.slice(0, 3)), new THREE.Vector3(...six.slice(3)));
-  if (!contents.box_at_start) {
+  const {box, box_at_start: atStart, box_fixed: fixed} = contents;
+  if (!atStart && !fixed) {
     return new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
   }
-  const start = boxOf(contents.box_at_start);
-  const reach = start.clone().expandByScalar(start.getSize(new THREE.Vector3()).length());
-  return start.union(boxOf(contents.box).intersect(reach));
+  if (!atStart) {
+    return boxOf(fixed);
+  }
+  const start = boxOf(atStart), reach = start.clone().expandByScalar(lengthOf(start));
+  const loose = start.union(boxOf(box).intersect(reach));
+  return fixed ? loose.clone().union(boxOf(fixed).intersect(loose.clone().expandByScalar(AROUND * lengthOf(loose)))) : loose;
 }
 
 export class Scene {
@@ -64,7 +74,7 @@ export class Scene {
 
   #fill(contents, shapes, first) {
     if (contents.bodies) {
-      this.blocks = new Blocks(contents, shapes, first.pose, this.box);
+      this.blocks = new Blocks(contents, shapes, first, this.box);
       this.forces = new Forces(contents, this.size);
       this.world.add(this.blocks.group, this.forces.group);
     }
@@ -99,6 +109,15 @@ export class Scene {
         .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
     this.lamp.target.position.copy(this.controls.target);
     this.renderer.render(this.world, camera);
+    this.onView?.(camera, this.#pixelsPerMetre());
+  }
+
+  /** Of the page, at the middle of the scene. */
+  #pixelsPerMetre() {
+    const height = this.canvas.clientHeight;
+    return this.camera.isOrthographicCamera ?
+        height * this.camera.zoom / (this.camera.top - this.camera.bottom) :
+        height / (2 * Math.tan(FIELD_OF_VIEW * Math.PI / 360) * this.camera.position.distanceTo(this.controls.target));
   }
 
   resize() {

@@ -111,8 +111,8 @@ test('the keyboard plays, steps, turns, selects and changes the light', async ()
   await press('ArrowLeft', () => window.riprap.index === window.riprap.frameCount - 2);
   await press('4', () => document.getElementById('camera').value === 'top');
   await press('1', () => document.getElementById('camera').value === 'corner');
+  await press(']', () => document.querySelector('#tab-body [data-field=name]')?.textContent === 'block');  // the free one
   await press(']', () => document.querySelector('#tab-body [data-field=name]')?.textContent === 'plane');
-  await press(']', () => document.querySelector('#tab-body [data-field=name]')?.textContent === 'block');
   await press('Escape', () => !document.querySelector('#tab-body [data-field=name]'));
   await press('c', () => document.getElementById('contacts').checked);
   await press('c', () => !document.getElementById('contacts').checked);
@@ -142,6 +142,41 @@ test('everything fits on the screen of a small laptop', async () => {
   await page.setViewportSize({width: 1280, height: 720});
 });
 
+test('nothing reaches beyond the screen of a telephone', async () => {
+  await page.setViewportSize({width: 390, height: 800});
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  await page.setViewportSize({width: 1280, height: 720});
+});
+
+test('after a click on a button or a box the space bar plays', async () => {
+  await page.selectOption('#pace', '0.25');
+  for (const id of ['#theme', '#contacts']) {
+    await page.click(id);
+    await page.evaluate(() => window.riprap.show(0));
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'pause');
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => document.getElementById('play').getAttribute('aria-label') === 'play');
+    await page.click(id);
+  }
+});
+
+test('keys that were set by hand stand above the case, and their paces have a unit', async () => {
+  assert.match(await page.textContent('#tab-case .banner'), /2 keys set by hand.*end = 0\.3.*output\.interval = 0\.01/s);
+  assert.match(await page.textContent('#pace option[value="1"]'), /1\u00d7 = [0-9.]+ s\/s/);
+});
+
+test('axes, gravity and a length are shown below the scene, which nothing covers', async () => {
+  const compass = await page.textContent('#compass');
+  for (const word of ['x', 'z', 'g = 9.81 m/s\u00b2', ' m']) {
+    assert.ok(compass.includes(word), `${word} is not in '${compass}'`);
+  }
+  const [scene, key] = await Promise.all(['#scene', '#key'].map(id => page.locator(id).boundingBox()));
+  assert.ok(key.y >= scene.y + scene.height - 0.5);
+  await page.selectOption('#block-by', 'material');
+  assert.match(await page.textContent('#legends'), /fixed or driven/);
+});
+
 test('a run whose last frame is half written shows the others and says so', async () => {
   const frame = join(run, 'frames', 'bodies_000030.vtp');
   truncateSync(frame, statSync(frame).size / 2);
@@ -164,7 +199,6 @@ test('where nothing can be drawn, plots, readings and the slider work all the sa
   assert.match(await blind.textContent('#trouble'), /The scene cannot be drawn/);
   await blind.evaluate(() => window.riprap.show(7));
   assert.match(await blind.textContent('#clock'), /\(8 of /);
-  await blind.keyboard.press(']');
   await blind.keyboard.press(']');
   assert.equal(await blind.textContent('#tab-body [data-field=name]'), 'block');
   await blind.click('[data-tab=plots]');

@@ -123,6 +123,32 @@ test('the page of the water asks nobody for anything either', () => {
   assert.deepEqual(page.errors, []);
 });
 
+test('warnings of the run are counted beside the title and told in the tab Run', async () => {
+  const told = await page.evaluate(() => JSON.parse(document.getElementById('contents').textContent).warnings);
+  const summary = JSON.parse(readFileSync(join(run, 'summary.json'), 'utf8'));
+  writeFileSync(join(run, 'summary.json'), JSON.stringify({...summary, warnings: [...told, 'the gate is thin']}));
+  const warned = await stage.visit(run);
+  assert.equal(await warned.textContent('#warnings'), `${told.length + 1} warning${told.length > 0 ? 's' : ''}`);
+  await warned.click('#warnings');
+  assert.ok((await warned.locator('#tab-run').innerText()).includes('the gate is thin'));
+  await warned.close();
+});
+
+test('one chart has one unit, every gauge of the user is drawn at first, and energies are changes', async () => {
+  const charts = await page.evaluate(() => [...document.querySelectorAll('#tab-plots details')].map(chart => ({
+    heading: chart.querySelector('summary').textContent, names: [...chart.querySelectorAll('.curves span')].map(s => s.textContent),
+    hidden: chart.querySelectorAll('[aria-pressed=false]').length})));
+  const [heading] = readFileSync(join(run, 'probes.csv'), 'utf8').split('\n');
+  const units = new Map(heading.split(',').map(text => text.match(/^(.*) \[(.*)\]$/).slice(1)));
+  const gauges = charts.filter(chart => chart.names.every(name => units.has(name)));
+  assert.ok(gauges.length > 0);
+  for (const {heading: words, names, hidden} of gauges) {
+    names.forEach(name => assert.ok(words.endsWith(`[${units.get(name)}]`), `${name} in ${words}`));
+    assert.equal(hidden, 0, words);
+  }
+  assert.ok(charts.some(chart => chart.heading === 'energy of water since the start [J]'));
+});
+
 test('a click in a plot goes to its time', async () => {
   await page.click('[data-tab=plots]');
   const box = await page.locator('#tab-plots canvas').first().boundingBox();

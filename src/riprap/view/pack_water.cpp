@@ -2,6 +2,7 @@
 #include "riprap/view/pack_water.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -20,6 +21,7 @@ constexpr double outliers = 0.002;              // share of the values beyond ea
 struct Bounds {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     std::vector<float> pressure, speed;
+    std::array<std::vector<float>, 3> place;  // [m], along each axis
     std::size_t most_particles{0};
     std::size_t not_numbers{0};  ///< pressures and speeds that bound nothing
 
@@ -30,6 +32,12 @@ struct Bounds {
             high = max(high, x);
         }
         const std::size_t stride = frame.id.size() / values_per_frame + 1;
+        for (std::size_t i = 0; i < frame.position.size(); i += stride) {
+            const Vec3& x = frame.position[i];
+            place[0].push_back(static_cast<float>(x.x));
+            place[1].push_back(static_cast<float>(x.y));
+            place[2].push_back(static_cast<float>(x.z));
+        }
         note(frame.pressure, stride, pressure);
         note(frame.speed, stride, speed);
     }
@@ -128,7 +136,12 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
     const double extent = std::max({size.x, size.y, size.z});
     water.stride = (bounds.most_particles + most_drawn - 1) / most_drawn;
     water.scale.origin = bounds.low;
-    water.high = bounds.high;
+    const auto typical = [&bounds](double share) {
+        return Vec3{quantile(bounds.place[0], share), quantile(bounds.place[1], share),
+                    quantile(bounds.place[2], share)};
+    };
+    water.low = typical(outliers);
+    water.high = typical(1 - outliers);
     water.scale.pressure_low = std::min(0.0, quantile(bounds.pressure, outliers));
     water.scale.pressure_high = std::max(quantile(bounds.pressure, 1 - outliers), water.scale.pressure_low + 1e-9);
     water.scale.speed_high = std::max(quantile(bounds.speed, 1 - outliers), 1e-9);

@@ -16,7 +16,7 @@ using WaterSource = std::function<WaterFrame(std::size_t)>;
 /// Water of a whole run, packed.
 struct PackedWater {
     WaterScale scale;
-    Vec3 high;                        ///< upper corner of the box from scale.origin that holds all water [m]
+    Vec3 low, high;                   ///< box that holds the water but for the 0.2 % outermost on each side [m]
     std::vector<std::string> groups;  ///< of frames_per_group frames each
     std::size_t most_particles{0};    ///< in a frame, as stored
     std::size_t stride{1};            ///< every so many-th particle was kept

@@ -127,12 +127,10 @@ class Packer {
             const double* first = &first_pose_[pose_values * body];
             const DrawnShape& shape = bodies_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
             if (shape.faces.size() > 1) {  // a half-space is drawn as a square around the scene, and has no size
+                Box& box = motion[9] > 0 ? box_all_ : box_fixed_;
                 const Vec3 x{pose[0], pose[1], pose[2]};
                 for (const Vec3& corner : shape.corners) {
-                    box_all_.add(x + rotate({pose[3], pose[4], pose[5], pose[6]}, corner));
-                }
-                if (is_first) {
-                    box_first_ = box_all_;
+                    box.add(x + rotate({pose[3], pose[4], pose[5], pose[6]}, corner));
                 }
             }
             most_.speed = std::fmax(most_.speed, length(motion));
@@ -142,6 +140,7 @@ class Packer {
                 most_.force = std::fmax(most_.force, length(motion + 6));
             }
         }
+        box_first_ = is_first ? box_all_ : box_first_;
     }
 
     void add_contacts(const FrameFiles& files) {
@@ -260,7 +259,7 @@ class Packer {
         }
         content_.water_error = water.error();
         for (Box* box : {&box_first_, &box_all_}) {
-            box->add(water.scale.origin);
+            box->add(water.low);
             box->add(water.high);
         }
         const Vec3& origin = water.scale.origin;
@@ -301,6 +300,7 @@ class Packer {
                   {"group", frames_per_group},
                   {"box_at_start", box_first_.json()},
                   {"box", box_all_.json()},
+                  {"box_fixed", box_fixed_.json()},
                   {"times", times},
                   {"bodies", nullptr},
                   {"contacts", contact_counts_},
@@ -317,6 +317,7 @@ class Packer {
             const bool has_names = run_.body_names.size() == bodies_.body_count();
             json["bodies"] = {{"shape", bodies_.shape},
                               {"material", bodies_.material},
+                              {"material_names", run_.material_names},
                               {"most_speed", most_.speed},
                               {"most_displacement", most_.displacement},
                               {"most_force", most_.force},
@@ -337,7 +338,8 @@ class Packer {
     std::vector<float> contacts_;
     std::vector<std::size_t> contact_counts_;
     std::vector<double> first_pose_;
-    Box box_first_, box_all_;
+    Box box_first_, box_all_;  ///< of free bodies and water
+    Box box_fixed_;            ///< of bodies that are fixed or driven
     struct {
         double speed{0}, displacement{0}, force{0}, contact{0};  // [m/s], [m], [N], [N]
     } most_;

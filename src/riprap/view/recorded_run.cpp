@@ -198,6 +198,11 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
     if (const scene::Value* title = root.find("title"); title != nullptr && title->is_text()) {
         run.title = title->text;
     }
+    if (const scene::Value* materials = root.find("material"); materials != nullptr && materials->is_table()) {
+        for (const scene::Entry& entry : materials->entries) {
+            run.material_names.push_back(entry.key);
+        }
+    }
     const scene::Value* dimension = root.find("dimension");
     run.is_planar = dimension != nullptr && dimension->is_number() && dimension->as_number() == 2;
     const scene::Value* gravity = root.find("gravity");

@@ -28,6 +28,7 @@ struct RecordedRun {
     io::CsvTable probes, ledger;
     std::vector<std::string> body_names;  ///< empty while the run goes on
     std::vector<double> body_mass;        ///< [kg]; as long as body_names
+    std::vector<std::string> material_names;
     std::string case_text, resolved_text;
     std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
     Vec3 gravity;                           ///< at the start [m/s^2]
