@@ -2,9 +2,9 @@
 // Joins the parts: one time for the scene, the plots and the block that is selected.
 
 import './style.css';
-import {MAPS, css, gradient} from './colours.js';
 import {drawCompass} from './compass.js';
-import {reading, short} from './numbers.js';
+import {showLegends} from './legends.js';
+import {reading} from './numbers.js';
 import {HELP, showBody, showCase, showRun, showWarningCount} from './panel.js';
 import {Plots} from './plots.js';
 import {MOTION_VALUES as MOTION, Recording, readContents} from './recording.js';
@@ -253,38 +253,8 @@ class Page {
   }
 
   #legends() {
-    if (!this.scene || !this.frame) {
-      return;
-    }
-    const {particles, blocks, forces} = this.scene;
-    const bars = [];
-    if (particles?.points.visible) {
-      const range = particles.range();
-      bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.viridis), short(range.low), short(range.high)]);
-    }
-    const range = blocks?.range(), names = blocks && !range ? blocks.names() : [];
-    if (range) {
-      bars.push([`${range.label} [${range.unit}]`, gradient(MAPS.cividis), '0', short(range.high)]);
-    }
-    $('legends').innerHTML = bars.map(([label, colours, low, high]) =>
-      `<figure><figcaption>${label}</figcaption><div style="background:${colours}"></div>` +
-      `<span>${low}</span><span>${high}</span></figure>`).join('');
-    if (names.length > 0) {
-      const figure = document.createElement('figure');
-      figure.className = 'names';
-      figure.innerHTML = '<figcaption>blocks</figcaption>';
-      for (const [name, colour] of names) {
-        const entry = document.createElement('span');
-        entry.innerHTML = `<i style="background:${css(colour)}"></i>`;
-        entry.append(name);
-        figure.append(entry);
-      }
-      $('legends').append(figure);
-    }
-    if (forces?.group.visible) {
-      $('legends').insertAdjacentHTML('beforeend',
-          `<figure><figcaption>contact force [N]</figcaption><span class="bar"></span>` +
-          `<span>longest bar ${short(forces.most)}</span></figure>`);
+    if (this.scene && this.frame) {
+      showLegends($('legends'), this.scene);
     }
   }
 

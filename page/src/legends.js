@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the colours and bars of the scene mean.
+
+import {MAPS, css, gradient} from './colours.js';
+import {short} from './numbers.js';
+
+function bar(label, map, low, high) {
+  return `<figure><figcaption>${label}</figcaption><div style="background:${gradient(map)}"></div>` +
+      `<span>${low}</span><span>${high}</span></figure>`;
+}
+
+function namesFigure(names) {
+  const figure = document.createElement('figure');
+  figure.className = 'names';
+  figure.innerHTML = '<figcaption>blocks</figcaption>';
+  for (const [name, colour] of names) {
+    const entry = document.createElement('span');
+    entry.innerHTML = `<i style="background:${css(colour)}"></i>`;
+    entry.append(name);  // of the case: a text, not markup
+    figure.append(entry);
+  }
+  return figure;
+}
+
+export function showLegends(parent, {particles, blocks, forces}) {
+  parent.replaceChildren();
+  if (particles?.points.visible) {
+    const {label, unit, low, high} = particles.range();
+    parent.insertAdjacentHTML('beforeend', bar(`${label} [${unit}]`, MAPS.viridis, short(low), short(high)));
+  }
+  const range = blocks?.range();
+  if (range) {
+    parent.insertAdjacentHTML('beforeend', bar(`${range.label} [${range.unit}]`, MAPS.cividis, '0', short(range.high)));
+  } else if (blocks) {
+    parent.append(namesFigure(blocks.names()));
+  }
+  if (forces?.group.visible) {
+    parent.insertAdjacentHTML('beforeend', '<figure><figcaption>contact force [N]</figcaption><span class="bar"></span>' +
+        `<span>longest bar ${short(forces.most)}</span></figure>`);
+  }
+}

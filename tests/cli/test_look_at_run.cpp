@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/run_fixture.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// plot, view and the report of validate: what needs no browser.
+class Looking : public RunFixture {
+ protected:
+    void have_run() const { ASSERT_EQ(run({"run", case_file(), "--out", out("run"), "--set", "end=0.01"}).code, 0); }
+    Ending plot(const std::vector<std::string>& options) const {
+        std::vector<std::string> words{"plot", out("run"), "--out", out("plot.svg")};
+        words.insert(words.end(), options.begin(), options.end());
+        return run(words);
+    }
+};
+
+TEST_F(Looking, AReportIsWrittenBesideTheTableAndNotInsteadOfIt) {
+    const Ending ending = run({"validate", "rigid/axis_flip", "--report", out("report")});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, HasSubstr("half period, mean [s]"));
+    EXPECT_THAT(ending.out,
+                ContainsRegex("rigid: [0-9]+ reproduced, 0 close, 0 not reproduced.*\n.*report/index.html\n$"));
+    EXPECT_TRUE(std::filesystem::exists(out("report") + "/index.html"));
+}
+
+TEST_F(Looking, APlotIsNotWrittenUnderTheNameOfAnotherFormat) {
+    have_run();
+    const Ending ending = run({"plot", out("run"), "--out", out("plot.pdf")});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, HasSubstr("must end in .svg or .png"));
+    EXPECT_FALSE(std::filesystem::exists(out("plot.pdf")));
+}
+
+TEST_F(Looking, APlotWithoutAColumnDrawsGaugesAndWithoutGaugesEnergies) {
+    have_run();
+    EXPECT_EQ(plot({}).code, 0);
+    EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("_energy")));
+    write_file("run/probes.csv", "time [s]\n0\n");
+    EXPECT_EQ(plot({}).code, 0);
+    EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("kinetic_energy"));
+    EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("change since the start [J]"));
+    EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("pair_count")));
+}
+
+TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
+    have_run();
+    const Ending ending = plot({"--column", "kinetic_energie"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, HasSubstr("did you mean 'kinetic_energy'?"));
+    EXPECT_THAT(ending.err, Not(HasSubstr("pair_count")));
+}
+
+TEST_F(Looking, ATableThatCannotBeReadIsTold) {
+    have_run();
+    write_file("run/ledger.csv", "garbage\n");
+    EXPECT_THAT(plot({}).err, HasSubstr("ledger.csv': it is no table of a run"));
+    write_file("run/probes.csv", "garbage\n");
+    const Ending ending = plot({});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, HasSubstr("neither probes.csv nor ledger.csv has a row that can be read"));
+}
+
+}  // namespace
+}  // namespace riprap
