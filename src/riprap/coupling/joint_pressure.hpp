@@ -5,18 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/coupling/sample_set.hpp"
-#include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/coupling/joint_pairs.hpp"
 
 namespace riprap::coupling {
-
-/// Who takes part in joints.
-struct JointSolids {
-    std::span<const std::uint8_t> is_still;  ///< per body: never moves
-    std::span<const std::uint8_t> is_loose;  ///< per body: forces move it, now or once it is released
-};
 
 /// Pressure of the water in joints: between faces so close that no particle of water comes between them, a block on the
 /// floor or on another block, water stands all the same and presses them apart. Without it a block that lies on
@@ -32,73 +23,65 @@ struct JointSolids {
 /// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
 /// found in the joint leaves to do: 1 + n . G_water/(n . G_solid).
 ///
-/// p is that of steady flow through an even joint, which is harmonic in it: from its rim r, where the solid ends,
+/// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
+/// (linear between its ends) or a disk (Poisson's formula) of even opening:
 ///
-///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r),   w_r = s_r V_r/|x_i - x_r|^(D-1),
+///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r (c_r + e_r (1 - c_r))),
+///     w_r = s_r V_r/(|x_i - x_r|^2 + dp^2/4)^((D-1)/2).
 ///
-/// exact for a joint that is a line (linear between its ends) or a disk (Poisson's formula). G_solid and G_water are
-/// the sums of V grad W at a sample over its own solid and over the water. With t the part along the face of that over
-/// all solids, s_r = max(0, h |t| - 0.1) says how much of a rim r is, 0.1 being more than uneven samples leave inside;
-/// c_r = -t . G_water/(0.85 t^2), from 0 to 1, how much of what is open there is water (moving water leaves up to 15
-/// %); p_r is the mean of the water about r.
+/// G_solid and G_water are the sums of V grad W at a sample over its own solid and of V B grad W over the water. With t
+/// the part along the face of the sum of V grad W over all solids, s_r = max(0, h |t| - 0.1) says how much of a rim a
+/// sample r of the first layer is; c_r = -t . G_water/(0.85 t^2), from 0 to 1, how much of what is open there is water;
+/// e_r is 1 where the head of some water at the rim reaches r and 0 where it does not: a dry rim above the water of an
+/// upright joint takes nothing from it. p_r is the mean pressure of the water about r.
 class JointPressure {
  public:
-    /// Forces on the samples `near` where `walls` are. Zero where nothing is loose or no joint is wet.
+    /// Forces on the samples `near` where `walls` are.
     /// @param slopes   of solid_slopes, for each of `near`
     /// @param water    at each of `walls`, beginning with those of `near`
     /// @param gravity  [m/s^2]
-    /// @param force    one for each of `near` [N]; empty when all are zero
+    /// @param force    one for each of `near` [N]; empty where nothing is loose or no joint is wet
     void find(const SampleSet& near, std::span<const Vec3> slopes, const JointSolids& solids, const BodyMotion& motion,
               const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
               const fluid::SphSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
 
-    /// Forgets what it keeps of the samples: call where `near` is no longer the same.
-    void forget() { paired_at_.clear(); }
+    /// Call where `near` is no longer the same.
+    void forget() { pairs_.forget(); }
 
     std::size_t bytes() const;
 
  private:
-    /// A sample that has, or soon may have, samples of other solids within its support.
-    struct Member {
-        std::int32_t sample, solid;
-        Vec3 place, normal;  ///< world
-        Vec3 rim;            ///< t [1/m]
-        double dry_share;    ///< u [-]
+    /// What a member finds about itself.
+    struct Opening {
+        Vec3 rim;                          ///< t [1/m]
+        double dry_share;                  ///< u [-]
+        std::vector<std::int32_t> others;  ///< loose solids that it shares a joint with, still_solid for all others
     };
-    /// That member as part of the joint with one of those solids.
+    /// A member as part of the joint with one of those.
     struct Side {
         std::int32_t member, other;
+        std::int32_t joint;
         double pressure;
     };
-    /// What joins two members, d = x_i - x_j.
-    struct Link {
-        Vec3 d, closed;                 ///< as they are and with their faces brought together [m]
-        double slope, slope_of_closed;  ///< (dW/dr)/r of both
+    /// A piece of the rim of a joint.
+    struct RimPiece {
+        Vec3 place;
+        double wet, dry;  ///< s V c and s V e (1 - c)
+        double pressure;  ///< of the water there [Pa]
     };
 
-    bool has_pairs_for(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                       double spacing) const;
-    void find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                      const fluid::SphSettings& settings);
-    void find_pairs(const SampleSet& near, const JointSolids& solids, const fluid::SphSettings& settings);
-    void place_members(const SampleSet& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls);
-    void find_sides(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
-                    const fluid::WaterAtWalls& water, const fluid::SphSettings& settings);
-    void find_pressures(const SampleSet& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
-                        const Vec3& gravity);
+    void find_openings(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
+                       const fluid::WaterAtWalls& water, const fluid::SphSettings& settings);
+    void list_sides();
+    void find_rims(const SampleSet& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
+                   const Vec3& gravity);
     double pressure_of(std::size_t member, std::int32_t other) const;
-    /// f(j, link) for the members j that member i meets within the support, ascending.
-    template <class F>
-    void for_each_link(const SampleSet& near, const fluid::SphSettings& settings, std::size_t i, const F& f) const;
 
-    // Kept from step to step while nothing has moved half a spacing; no result depends on when they were found.
-    std::vector<Member> members_;           ///< ascending by sample
-    std::vector<std::int64_t> pair_begin_;  ///< of each member in pairs_, one more at the end
-    std::vector<std::int32_t> pairs_;       ///< members of other solids, ascending
-    std::vector<Vec3> paired_at_;           ///< places of all samples then; empty = nothing found yet [m]
-
+    JointPairs pairs_;
+    std::vector<Opening> openings_;         ///< of each member
     std::vector<std::int32_t> side_begin_;  ///< of each member in sides_, one more at the end
     std::vector<Side> sides_;
+    std::vector<std::vector<RimPiece>> rims_;  ///< of each joint
 };
 
 }  // namespace riprap::coupling

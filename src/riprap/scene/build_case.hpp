@@ -52,6 +52,9 @@ void build_rock_masses(CaseBuild& build);
 void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
 /// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
 void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
+/// Whether water in joints is asked for, and whether periods of the domain are long enough for it; after the fluid's
+/// settings.
+void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
 

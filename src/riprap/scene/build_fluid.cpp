@@ -344,7 +344,6 @@ void build_fluid(CaseBuild& build) {
     fluid.sph = read_settings(build, *table);
     fluid.wall =
         get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
-    fluid.has_joint_pressure = get_boolean(*table, "joint_pressure");
     const Value& list = get(*table, "region");
     const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
     std::vector<coupling::FillRegion> regions;
@@ -352,6 +351,7 @@ void build_fluid(CaseBuild& build) {
     if (!read_regions(build, list, regions) || !has_domain) {
         return;
     }
+    build_joints(build, *table, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         check_level(build, list.items[r], regions[r], fluid.sph);
     }

@@ -201,7 +201,7 @@ const Table& fluid_table() {
          {"joint_pressure",
           {boolean()},
           "Water presses apart faces that are too close for particles to come between: uplift of blocks that lie on "
-          "something. False where joints are watertight; wall = \"penalty\" has none.",
+          "something. False where joints are watertight. wall = \"penalty\" and scheme = \"muller\" have none.",
           Value::of(true)},
          {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
          {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},

@@ -13,22 +13,14 @@ namespace riprap::sim {
 
 namespace {
 
-/// f(i) for the samples of the first layer of loose bodies.
-template <class F>
-void for_each_face_sample(const Model& model, std::span<const std::uint8_t> is_loose, const F& f) {
-    if (!model.fluid->has_joint_pressure) {
-        return;
-    }
+/// Samples whose body forces may move and that lie under a face.
+bool is_face_of_loose(const Model& model, std::span<const std::uint8_t> is_loose, std::size_t sample) {
     const coupling::SampleSet& samples = model.fluid->samples;
-    for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
-        if (is_loose[at(samples.body[i].value)] != 0 && samples.depth[i] < model.fluid->sph.spacing) {
-            f(i);
-        }
-    }
+    return is_loose[at(samples.body[sample].value)] != 0 && samples.depth[sample] < model.fluid->sph.spacing;
 }
 
 /// Slopes of the samples that are near now.
-void find_slopes(const Model& model, WaterScratch& scratch) {
+void find_near_slopes(const Model& model, WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
     JointScratch& joints = scratch.joints;
     if (joints.slopes.size() != at(water.samples.size())) {
@@ -47,18 +39,22 @@ void find_slopes(const Model& model, WaterScratch& scratch) {
 }  // namespace
 
 std::size_t JointScratch::bytes() const {
-    return pressure.bytes() + water.bytes() + bytes_of(slopes, near_slopes, sample_force, force, torque);
+    return pressure.bytes() + water.bytes() + bytes_of(slopes, near_slopes, sample_force, force, torque, radius);
+}
+
+bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose) {
+    return model.fluid->has_joint_pressure && model.fluid->wall == WallTreatment::boundary_particles &&
+           std::find(is_loose.begin(), is_loose.end(), 1) != is_loose.end();
 }
 
 void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& gravity) {
     const FluidModel& water = *model.fluid;
     JointScratch& joints = scratch.joints;
     joints.sample_force.clear();
-    const bool is_any_loose = std::find(scratch.is_loose.begin(), scratch.is_loose.end(), 1) != scratch.is_loose.end();
-    if (!water.has_joint_pressure || !is_any_loose) {
+    if (!has_joints(model, scratch.is_loose)) {
         return;
     }
-    find_slopes(model, scratch);
+    find_near_slopes(model, scratch);
     describe_water_at_walls(gravity, scratch.sph, joints.water);
     joints.pressure.find(scratch.near, joints.near_slopes, {scratch.is_still, scratch.is_loose}, scratch.motion,
                          scratch.walls, joints.water, water.sph, gravity, joints.sample_force);
@@ -83,21 +79,38 @@ double joint_power(const WaterScratch& scratch) {
 
 void add_places_of_joints(const Model& model, std::span<const std::uint8_t> is_loose,
                           const coupling::BodyMotion& motion, std::vector<Vec3>& places) {
+    if (!has_joints(model, is_loose)) {
+        return;
+    }
     const coupling::SampleSet& samples = model.fluid->samples;
-    for_each_face_sample(model, is_loose, [&](std::size_t i) {
-        const Pose& pose = motion.pose[at(samples.body[i].value)];
-        places.push_back(pose.position + rotate(pose.orientation, samples.anchor[i]));
-    });
+    for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+        if (is_face_of_loose(model, is_loose, i)) {
+            const Pose& pose = motion.pose[at(samples.body[i].value)];
+            places.push_back(pose.position + rotate(pose.orientation, samples.anchor[i]));
+        }
+    }
 }
 
-double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const coupling::BodyMotion& motion) {
-    double fastest = 0;
+double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const body::BodyState& bodies,
+                       JointScratch& joints) {
+    if (!has_joints(model, is_loose)) {
+        return 0;
+    }
     const coupling::SampleSet& samples = model.fluid->samples;
-    for_each_face_sample(model, is_loose, [&](std::size_t i) {
-        const auto b = at(samples.body[i].value);
-        fastest =
-            std::max(fastest, norm(motion.velocity[b]) + norm(motion.angular_velocity[b]) * norm(samples.anchor[i]));
-    });
+    if (joints.radius.size() != is_loose.size()) {
+        joints.radius.assign(is_loose.size(), 0);
+        for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+            double& radius = joints.radius[at(samples.body[i].value)];
+            radius = std::max(radius, norm(samples.anchor[i]));
+        }
+    }
+    double fastest = 0;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (is_loose[at(b)] != 0) {
+            const double spin = norm(angular_velocity(model.bodies, bodies, BodyId{b}));
+            fastest = std::max(fastest, norm(bodies.velocity[at(b)]) + spin * joints.radius[at(b)]);
+        }
+    }
     return fastest;
 }
 

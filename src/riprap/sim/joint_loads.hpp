@@ -21,8 +21,12 @@ struct JointScratch {
     std::vector<Vec3> slopes, near_slopes;  ///< of solid_slopes, of all samples and of those near [1/m]
     std::vector<Vec3> sample_force;         ///< on each sample near; empty where no joint is wet [N]
     std::vector<Vec3> force, torque;        ///< on each body; about its centre of mass [N], [N m]
+    std::vector<double> radius;             ///< of the samples of each body about its centre of mass [m]
     std::size_t bytes() const;
 };
+
+/// Whether water in joints is asked for and some body may feel it.
+bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose);
 
 /// Adds the loads of water in joints to scratch.held_loads: bodies where scratch.motion says, after begin_forces.
 void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& gravity);
@@ -34,7 +38,8 @@ double joint_power(const WaterScratch& scratch);
 void add_places_of_joints(const Model& model, std::span<const std::uint8_t> is_loose,
                           const coupling::BodyMotion& motion, std::vector<Vec3>& places);
 
-/// The fastest that such a place moves [m/s]; 0 where joints are left out.
-double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const coupling::BodyMotion& motion);
+/// The fastest that such a place moves [m/s]; 0 where there are none.
+double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const body::BodyState& bodies,
+                       JointScratch& joints);
 
 }  // namespace riprap::sim

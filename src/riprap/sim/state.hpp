@@ -35,8 +35,8 @@ struct CouplingState {
     std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
     std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to water [m/s^2]
     std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
-    std::vector<std::int32_t> near_samples;      ///< that the water may feel, see coupling::near_samples
-    double near_travel{-1};  ///< farthest that water can have moved since they were found; negative: never [m]
+    std::vector<std::int32_t> near_samples;      ///< that water or joints may feel, see coupling::near_samples
+    double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {

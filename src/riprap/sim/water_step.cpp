@@ -156,7 +156,7 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
 }
 
 /// Everywhere that water is, or may enter less than a spacing past, and faces that may make joints.
-std::vector<Vec3> places_of_water(const Model& model, const State& state, const WaterScratch& scratch) {
+std::vector<Vec3> places_of_water_and_joints(const Model& model, const State& state, const WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
     std::vector<Vec3> places = state.fluid.position;
     for (const fluid::Inflow& inflow : water.open.inflows) {
@@ -182,11 +182,12 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
         state.fluid.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.fluid.velocity[at(i)]); },
         [](double a, double b) { return std::max(a, b); });
     const double ahead =
-        0.5 * dt * std::max(std::sqrt(fastest), speed_of_joints(model, scratch.is_loose, scratch.motion));
+        0.5 * dt * std::max(std::sqrt(fastest), speed_of_joints(model, scratch.is_loose, state.bodies, scratch.joints));
     if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
-        coupling.near_samples =
-            near_samples(water.samples, scratch.motion, scratch.is_still, places_of_water(model, state, scratch),
-                         water.sph.domain, water.sph.support_radius() + margin + ahead);
+        const double closing = has_joints(model, scratch.is_loose) ? water.sph.spacing : 0;  // of faces, see JointPairs
+        coupling.near_samples = near_samples(water.samples, scratch.motion, scratch.is_still,
+                                             places_of_water_and_joints(model, state, scratch), water.sph.domain,
+                                             water.sph.support_radius() + closing + margin + ahead);
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
@@ -295,7 +296,8 @@ fluid::Passage end_water_step(const Model& model, State& state, const fluid::Flu
                               double dt) {
     const FluidModel& water = *model.fluid;
     fluid::drift(water.sph, state.fluid, 0.5 * dt);
-    const double fastest = std::max(kicked.max_speed, speed_of_joints(model, scratch.is_loose, scratch.motion));
+    const double fastest =
+        std::max(kicked.max_speed, speed_of_joints(model, scratch.is_loose, state.bodies, scratch.joints));
     state.coupling.near_travel += 0.5 * dt * fastest + kicked.max_shift;
     if (water.open.empty()) {
         return {};

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/joint_pairs.hpp"
+
+#include <algorithm>
+
+#include "riprap/core/bytes.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/core/mat3.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/kernel.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+constexpr std::int64_t grain = 64;
+/// Share of a spacing that two samples may come nearer before pairs are looked for again.
+constexpr double skin = 0.5;
+
+/// s n_ij, which brings together faces that look at each other.
+/// @param d       x_i - x_j
+/// @param depths  of both samples below their faces, together [m]
+Vec3 closing(const Vec3& d, const Vec3& normal_i, const Vec3& normal_j, double depths, double spacing) {
+    if (!(dot(normal_i, normal_j) < -0.5)) {
+        return {};
+    }
+    const Vec3 across = normal_i - normal_j, n = across / norm(across);
+    const double gap = -dot(d, n) - depths;
+    return std::clamp(std::min(gap, 2 * spacing - gap), 0.0, spacing) * n;
+}
+
+}  // namespace
+
+double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
+    // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
+    return (has_driven ? 2 : 1) * settings.support_radius() + (1 + skin) * settings.spacing;
+}
+
+JointLink JointPairs::link_of(const SampleSet& near, const fluid::SphSettings& settings, const JointMember& i,
+                              const JointMember& j) {
+    const fluid::WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    JointLink link{};
+    link.apart = fluid::NearestImage(settings.domain)(i.place - j.place);
+    link.closed = link.apart + closing(link.apart, i.normal, j.normal,
+                                       near.depth[at(i.sample)] + near.depth[at(j.sample)], settings.spacing);
+    link.slope = kernel.slope_over_r(norm(link.apart));
+    link.slope_of_closed = kernel.slope_over_r(norm(link.closed));
+    return link;
+}
+
+bool JointPairs::is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+                               double spacing) const {
+    if (paired_at_.size() != at(near.size())) {
+        return false;
+    }
+    const double farthest = parallel::reduce(
+        near.size(), 0.0,
+        [&](std::int64_t i) {
+            const bool is_still = solids.is_still[at(near.body[at(i)].value)] != 0;
+            return is_still ? 0.0 : norm_squared(walls.position[at(i)] - paired_at_[at(i)]);
+        },
+        [](double a, double b) { return std::max(a, b); });
+    return farthest < 0.25 * skin * skin * spacing * spacing;
+}
+
+void JointPairs::find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+                              const fluid::SphSettings& settings) {
+    std::vector<std::uint8_t> is_member(at(near.size()), 0);
+    std::vector<Vec3> loose;
+    bool has_driven = false;
+    for (std::size_t i = 0; i < is_member.size(); ++i) {
+        const auto body = at(near.body[i].value);
+        has_driven = has_driven || (solids.is_loose[body] == 0 && solids.is_still[body] == 0);
+        if (solids.is_loose[body] != 0) {
+            is_member[i] = 1;
+            loose.push_back(walls.position[i]);
+        }
+    }
+    const double most = reach(settings, has_driven);
+    fluid::CellGrid grid;
+    grid.build(loose, settings.domain, most);
+    const fluid::NearestImage nearest(settings.domain);
+    const auto is_near_loose = [&](const Vec3& x) {
+        bool is_near = false;
+        grid.for_each_near(x, [&](std::int64_t j) { is_near = is_near || norm(nearest(x - loose[at(j)])) < most; });
+        return is_near;
+    };
+    parallel::for_each_uneven(near.size(), grain, [&](std::int64_t i) {
+        if (is_member[at(i)] == 0) {
+            is_member[at(i)] = is_near_loose(walls.position[at(i)]) ? 1 : 0;
+        }
+    });
+    members_.clear();
+    for (std::size_t i = 0; i < is_member.size(); ++i) {
+        if (is_member[i] != 0) {
+            const auto body = at(near.body[i].value);
+            const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body[i].value;
+            members_.push_back({static_cast<std::int32_t>(i), solid, solids.is_loose[body] != 0, {}, {}});
+        }
+    }
+    paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());
+}
+
+void JointPairs::place_members(const SampleSet& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls) {
+    parallel::for_each(static_cast<std::int64_t>(members_.size()), [&](std::int64_t i) {
+        JointMember& member = members_[at(i)];
+        const auto sample = at(member.sample);
+        member.place = walls.position[sample];
+        member.normal = rotate(motion.pose[at(near.body[sample].value)].orientation, near.normal[sample]);
+    });
+}
+
+void JointPairs::find_pairs(const fluid::SphSettings& settings) {
+    std::vector<Vec3> places;
+    for (const JointMember& member : members_) {
+        places.push_back(member.place);
+    }
+    fluid::CellGrid grid;
+    const double most = reach(settings, false);
+    grid.build(places, settings.domain, most);
+    const fluid::NearestImage nearest(settings.domain);
+    std::vector<std::vector<std::int32_t>> met(members_.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
+        const JointMember& member = members_[at(i)];
+        std::vector<std::int32_t>& mine = met[at(i)];
+        grid.for_each_near(member.place, [&](std::int64_t j) {
+            const JointMember& other = members_[at(j)];
+            if (other.solid != member.solid && norm(nearest(member.place - other.place)) < most) {
+                mine.push_back(static_cast<std::int32_t>(j));
+            }
+        });
+        std::sort(mine.begin(), mine.end());
+    });
+    pair_begin_.assign(1, 0);
+    pairs_.clear();
+    for (const std::vector<std::int32_t>& mine : met) {
+        pairs_.insert(pairs_.end(), mine.begin(), mine.end());
+        pair_begin_.push_back(static_cast<std::int64_t>(pairs_.size()));
+    }
+}
+
+void JointPairs::update(const SampleSet& near, const JointSolids& solids, const BodyMotion& motion,
+                        const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings) {
+    const bool is_kept = is_up_to_date(near, solids, walls, settings.spacing);
+    if (!is_kept) {
+        find_members(near, solids, walls, settings);
+    }
+    place_members(near, motion, walls);
+    if (!is_kept) {
+        find_pairs(settings);
+    }
+}
+
+std::size_t JointPairs::bytes() const { return bytes_of(members_, pair_begin_, pairs_, paired_at_); }
+
+}  // namespace riprap::coupling
