@@ -149,6 +149,17 @@ TEST(FluidCase, a_spacing_beyond_all_counting_is_refused_for_what_it_is) {
     }
 }
 
+TEST(FluidCase, a_period_within_which_a_loose_block_meets_its_own_joints_is_refused) {
+    // 8 spacings; joints look 4.5 to either side.
+    const std::string coarse = test::with(tank, "\"2 cm\"", "0.125");
+    EXPECT_THAT(test::problems_of(coarse), ElementsAre(HasSubstr("joints")));
+    EXPECT_TRUE(test::read(coarse, {"fluid.joint_pressure=false"}).model.fluid);
+    EXPECT_TRUE(test::read(coarse, {"body.block.fixed=true"}).model.fluid);
+    EXPECT_TRUE(test::read(tank).model.fluid->has_joint_pressure);
+    EXPECT_FALSE(test::read(tank, {"fluid.wall=penalty"}).model.fluid->has_joint_pressure);
+    EXPECT_FALSE(test::read(tank, {"fluid.scheme=muller"}).model.fluid->has_joint_pressure);
+}
+
 TEST(FluidCase, gauges_become_columns_and_can_be_expected) {
     const LoadedCase loaded = test::read(tank + R"(
 [[output.gauge]]
