@@ -44,6 +44,11 @@ def compile_module():
     return BUILD / "python" / "riprap"
 
 
+def examples():
+    """The cases of cases/ with every file that they read."""
+    return sorted(file for file in (ROOT / "cases").rglob("*") if file.is_file())
+
+
 def tag():
     """Of the interpreter that runs this and of this machine: cp311-cp311-linux_x86_64."""
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
@@ -73,6 +78,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     files = sorted(file for file in package.iterdir() if file.suffix == ".py" or file.name.endswith(suffix))
     info = f"riprap-{version()}.dist-info"
     contents = {f"riprap/{file.name}": file.read_bytes() for file in files}
+    contents |= {f"riprap/{file.relative_to(ROOT).as_posix()}": file.read_bytes() for file in examples()}
     contents |= {f"{info}/{name}": data for name, data in information().items()}
     record = ""
     for name, data in contents.items():

@@ -21,8 +21,9 @@ std::string problems_json(const CaseError& error) {
                             {"message", problem.message},
                             {"allowed", problem.allowed}});
     }
-    return nlohmann::ordered_json{{"problems", problems}}.dump(2, ' ', false,
-                                                               nlohmann::ordered_json::error_handler_t::replace);
+    const auto* partly = dynamic_cast<const scene::PartlySeenCaseError*>(&error);
+    const nlohmann::ordered_json answer{{"problems", problems}, {"unseen", partly != nullptr ? partly->unseen() : ""}};
+    return answer.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace

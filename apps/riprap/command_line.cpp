@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <initializer_list>
@@ -14,8 +15,10 @@
 #include "riprap/bench/bench.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/run/find_case.hpp"
+#include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/scene/key_text.hpp"
+#include "riprap/scene/suggest.hpp"
 #include "riprap/validation/validate.hpp"
 #include "riprap/view/render.hpp"
 
@@ -39,6 +42,9 @@ constexpr const char* case_help = "A case file, a folder with a case.toml, or a 
 constexpr int max_threads = 1024;
 
 using Action = std::function<int()>;
+
+/// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.
+void end_with_reader() { std::signal(SIGPIPE, SIG_DFL); }
 
 void add_run(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::RunOptions>();
@@ -90,7 +96,10 @@ void add_check(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     command->add_flag("--json", options->as_json, "As JSON");
     command->callback([&action, options] {
-        action = [options] { return print_check(options->case_text, options->overrides, options->as_json); };
+        action = [options] {
+            end_with_reader();
+            return print_check(options->case_text, options->overrides, options->as_json);
+        };
     });
 }
 
@@ -200,7 +209,12 @@ void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, as_json] { action = [as_json] { return print_list(*as_json); }; });
+    command->callback([&action, as_json] {
+        action = [as_json] {
+            end_with_reader();
+            return print_list(*as_json);
+        };
+    });
 }
 
 void add_schema(CLI::App& app, Action& action) {
@@ -209,6 +223,7 @@ void add_schema(CLI::App& app, Action& action) {
     command->add_flag("--keys", *as_keys, "Print the keys as a list for reading instead");
     command->callback([&action, as_keys] {
         action = [as_keys] {
+            end_with_reader();
             fmt::print("{}\n", *as_keys ? scene::key_listing() : scene::case_schema());
             return 0;
         };
@@ -230,7 +245,61 @@ void add_version(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("version", "Print the version and how it was built");
     auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, as_json] { action = [as_json] { return print_version(*as_json); }; });
+    command->callback([&action, as_json] {
+        action = [as_json] {
+            end_with_reader();
+            return print_version(*as_json);
+        };
+    });
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string meant = scene::nearest(word, known);
+    return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+}
+
+/// What is wrong with the first word that no command and no option bears; empty where all are known.
+std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
+    if (words.empty() || words.front().empty()) {
+        return {};
+    }
+    const CLI::App* command = &app;
+    std::size_t first = 0;
+    if (words.front().front() != '-') {
+        std::vector<std::string> names;
+        for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
+            names.push_back(one->get_name());
+            command = one->get_name() == words.front() ? one : command;
+        }
+        if (command == &app) {
+            return fmt::format("there is no command '{}'{}", words.front(), did_you_mean(words.front(), names));
+        }
+        first = 1;
+    }
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            options.push_back("--" + name);
+        }
+    }
+    for (std::size_t i = first; i < words.size() && words[i] != "--"; ++i) {
+        const std::string option = words[i].substr(0, words[i].find('='));
+        if (option.rfind("--", 0) == 0 && std::find(options.begin(), options.end(), option) == options.end()) {
+            return fmt::format("`{}` has no option '{}'{}",
+                               command == &app ? "riprap" : "riprap " + command->get_name(), option,
+                               did_you_mean(option, options));
+        }
+    }
+    return {};
+}
+
+int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+    if (const std::string unknown = unknown_word(app, words); !unknown.empty()) {
+        fmt::print(stderr, "riprap: {}\nRun with --help for more information.\n", unknown);
+    } else {
+        app.exit(error);
+    }
+    return static_cast<int>(ExitCode::usage);
 }
 
 }  // namespace
@@ -238,6 +307,7 @@ void add_version(CLI::App& app, Action& action) {
 int command_line(int argument_count, char** arguments) {
     CLI::App app("Riprap: discrete solid blocks in and under water", "riprap");
     app.require_subcommand(1);
+    app.set_version_flag("--version", "riprap " + run::build_info().version, "Print the version and exit");
     app.footer(exit_code_help);
     Action action;
     add_run(app, action);
@@ -254,7 +324,12 @@ int command_line(int argument_count, char** arguments) {
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? static_cast<int>(ExitCode::success) : static_cast<int>(ExitCode::usage);
+        if (error.get_exit_code() != 0) {
+            return refuse(app, error, {arguments + 1, arguments + argument_count});
+        }
+        end_with_reader();
+        app.exit(error);  // prints the help or the version that was asked for
+        return static_cast<int>(ExitCode::success);
     }
     return action();
 }

@@ -12,6 +12,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
+#include "riprap/scene/read_case.hpp"
 #include "riprap/view/page_content.hpp"
 
 namespace {
@@ -38,6 +39,10 @@ int report_case_error(const riprap::CaseError& error) {
     }
     const std::size_t count = error.problems().size();
     fmt::print(stderr, "riprap: {} problem{} with the case, nothing was run\n", count, count == 1 ? "" : "s");
+    if (const auto* partly = dynamic_cast<const riprap::scene::PartlySeenCaseError*>(&error)) {
+        fmt::print(stderr, "riprap: not looked at: {}; more may be found once {} mended\n", partly->unseen(),
+                   count == 1 ? "this is" : "these are");
+    }
     return static_cast<int>(riprap::ExitCode::bad_case);
 }
 

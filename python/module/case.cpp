@@ -57,7 +57,7 @@ py::object check(const Case& self) {
 
 constexpr const char* load_help = R"(Reads and checks a case file.
 
-path       a case file, a folder with a case.toml, or a name from `riprap list`
+path       a case file, a folder with a case.toml, or a name from riprap.list()
 overrides  {"end": 2.0, "solid.skin": 0.2} or ["end=2.0"]: keys that replace those of the file
 
 Raises CaseError with every problem, each with its file, line and column; FileError where there is no such file.)";
@@ -93,6 +93,18 @@ void define_case(py::module_& module) {
             return "<riprap.Case '" + self.loaded.model.title + "', " +
                    std::to_string(self.loaded.model.bodies.size()) + " bodies>";
         });
+    module.def(
+        "list",
+        [] {
+            std::vector<std::string> names;
+            for (const run::KnownCase& known : run::known_cases("cases")) {
+                names.push_back(known.name);
+            }
+            return names;
+        },
+        "Names of the cases that load() finds: those of `cases/` in the working folder and the examples that came with "
+        "the package.");
+    module.def("_add_case_root", &run::add_case_root, "folder"_a);
     module.def("load", &load, load_help, "path"_a, "overrides"_a = py::none());
     module.def("loads", &loads, loads_help, "text"_a, "name"_a = "case.toml", "folder"_a = ".",
                "overrides"_a = py::none());

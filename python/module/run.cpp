@@ -89,6 +89,9 @@ py::object run_folder(const Case& of, const std::filesystem::path& out, bool res
     if (every < 1) {
         throw py::value_error("every: call back after every so many steps, 1 or more");
     }
+    if (resume && force) {
+        throw py::value_error("resume continues the run in the folder, force replaces it: give one of the two");
+    }
     run::RunOptions options;
     options.overrides = of.overrides;
     options.out = out;
@@ -123,7 +126,7 @@ constexpr const char* run_help =
 
 out       the run folder
 resume    continue the run in the folder, if any
-force     replace the run in the folder, if any
+force     replace the run in the folder, if any; not with resume
 quiet     print nothing
 callback  called with the Simulation after every `every` steps and after the last; returning False stops the run, with a
           checkpoint. It may read the simulation while it is called, not step it

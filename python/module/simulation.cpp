@@ -140,6 +140,13 @@ double or_never(const std::optional<double>& until) { return until.value_or(neve
 std::int64_t run_on(const py::object& self, std::optional<double> until, const py::object& callback, std::int64_t every,
                     bool with_energy) {
     auto& simulation = self.cast<Simulation&>();
+    const double end = simulation.read().end();
+    constexpr double slack = 1e-9;  // of the end: 3 * 0.1 > 0.3
+    if (until && !(*until <= (1 + slack) * end)) {
+        throw py::value_error("until = " + py::repr(py::float_(*until)).cast<std::string>() +
+                              " s lies beyond the end of the case, " + py::repr(py::float_(end)).cast<std::string>() +
+                              " s; set `end` first");
+    }
     if (callback.is_none()) {
         return simulation.step(std::numeric_limits<std::int64_t>::max(), with_energy, or_never(until));
     }
@@ -157,10 +164,22 @@ std::int64_t run_on(const py::object& self, std::optional<double> until, const p
     return taken;
 }
 
+/// What exists only of a step, before there is one: NaN would go on unseen.
+void refuse_before_first_step(const run::Simulation& simulation, const sim::Column& column, double value) {
+    const auto has = [&column](const char* word) { return column.name.find(word) != std::string::npos; };
+    const bool is_of_water = has("water") || has("fluid");  // a case without has none after a step either
+    const bool is_of_a_step = column.gauge < 0 && (simulation.model().fluid || !is_of_water);
+    if (std::isnan(value) && simulation.state().step == 0 && is_of_a_step) {
+        throw std::runtime_error("'" + column.name + "' is that of a step, and none has been taken yet: step() first");
+    }
+}
+
 py::object value(const Simulation& self, const std::string& name) {
     const run::Simulation& simulation = self.read();
     if (const auto column = sim::find_column(simulation.model(), name)) {
-        return py::float_(evaluate(*column, simulation.now()));
+        const double number = evaluate(*column, simulation.now());
+        refuse_before_first_step(simulation, *column, number);
+        return py::float_(number);
     }
     py::array_t<double> vector(3);
     constexpr std::array axes{".x", ".y", ".z"};
@@ -172,6 +191,7 @@ py::object value(const Simulation& self, const std::string& name) {
                 "': a quantity of the scene, 'body.quantity', or the name of a probe or gauge of the case");
         }
         vector.mutable_at(i) = evaluate(*column, simulation.now());
+        refuse_before_first_step(simulation, *column, vector.at(i));
     }
     return vector;
 }
@@ -195,6 +215,20 @@ py::object summary(const Simulation& self) {
     return from_json(run::summary_json(summary));
 }
 
+std::string repr(const Simulation& self) {
+    if (!self.is_readable()) {
+        return "<riprap.Simulation of a run, readable while that calls back>";
+    }
+    const run::Simulation& simulation = self.read();
+    const sim::State& state = simulation.state();
+    const std::int64_t particles = state.fluid.size();
+    const auto number = [](double value) { return py::repr(py::float_(value)).cast<std::string>(); };
+    return "<riprap.Simulation '" + simulation.model().title + "': t = " + number(state.time) + " of " +
+           number(simulation.end()) + " s, step " + std::to_string(state.step) + ", " +
+           std::to_string(simulation.model().bodies.size()) + " bodies" +
+           (particles > 0 ? ", " + std::to_string(particles) + " particles of water" : "") + ">";
+}
+
 constexpr const char* step_help = R"(Takes `count` steps and returns how many were taken: fewer at the end of the case.
 
 energy  measure the energy ledger whole at the last of them; else it is where the case wants a row of ledger.csv
@@ -205,6 +239,7 @@ NumericalError when a step is refused, KeyboardInterrupt on Ctrl-C; the State is
 
 constexpr const char* run_help = R"(Steps to the end of the case, or to the first step at or after `until` [s].
 
+until     at most the end of the case, which may be moved (`end`); ValueError else
 callback  called with the simulation after every `every` steps, and after the last; returning False stops
 energy    measure the energy ledger whole before every call
 
@@ -233,15 +268,17 @@ void define_simulation(py::module_& module) {
             step_help, "count"_a = 1, py::kw_only(), "energy"_a = false, "until"_a = py::none())
         .def("run", &run_on, run_help, "until"_a = py::none(), "callback"_a = py::none(), "every"_a = 1, py::kw_only(),
              "energy"_a = false)
-        .def(
-            "value", &value,
-            "A quantity as probes and expected answers name it: 'kinetic_energy', 'block.position.z' (float), "
-            "'block.position' (array of 3), a gauge of the case. NaN where it does not exist yet. KeyError for others.",
-            "name"_a)
+        .def("value", &value,
+             "A quantity as probes and expected answers name it: 'kinetic_energy', 'block.position.z' (float), "
+             "'block.position' (array of 3), a gauge of the case. RuntimeError for what exists only of a step, such as "
+             "a contact force, before the first; NaN for an energy that the last step did not measure, and after a "
+             "refused step. KeyError for others.",
+             "name"_a)
         .def_property_readonly("ledger", &ledger,
                                "Every quantity of the scene by the names of ledger.csv, in SI (dict). Energies of "
                                "contacts and the residual "
                                "are NaN where the last step did not measure them, see step(energy=True).")
+        .def("__repr__", &repr)
         .def("summary", &summary, "What summary.json would hold (dict): state_hash, time, ledger, stages, expects.")
         .def_property(
             "end", [](const Simulation& self) { return self.read().end(); }, &Simulation::set_end,

@@ -35,6 +35,7 @@ class Simulation {
 
     /// For reading. @throws std::runtime_error while another thread steps it, or where it is not lent
     run::Simulation& read() const;
+    bool is_readable() const { return simulation_ != nullptr && !is_stepping_; }
     FieldViews& views() { return views_; }
     void set_end(double end);
     double seconds() const { return seconds_; }  ///< spent in step() [s]; of a lent one, since its run began

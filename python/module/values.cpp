@@ -78,10 +78,24 @@ std::vector<std::string> to_overrides(const py::object& overrides) {
     if (overrides.is_none()) {
         return assignments;
     }
+    const bool is_list = py::isinstance<py::list>(overrides) || py::isinstance<py::tuple>(overrides);
+    if (is_list) {
+        for (const py::handle& assignment : overrides) {
+            if (!py::isinstance<py::str>(assignment)) {
+                throw py::type_error("overrides: a list of them holds texts, [\"end=2.0\"]");
+            }
+            assignments.push_back(assignment.cast<std::string>());
+        }
+        return assignments;
+    }
     if (!py::isinstance<py::dict>(overrides)) {
-        return overrides.cast<std::vector<std::string>>();
+        throw py::type_error("overrides is a " + py::str(py::type::of(overrides).attr("__name__")).cast<std::string>() +
+                             ": give a dict, {\"end\": 2.0}, or a list of texts, [\"end=2.0\"]");
     }
     for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(overrides)) {
+        if (!py::isinstance<py::str>(key)) {
+            throw py::type_error("overrides has a key that is not a text");
+        }
         const auto path = key.cast<std::string>();
         const Value converted = convert(value, path, 0);
         if (converted.is_table()) {

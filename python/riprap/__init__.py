@@ -14,6 +14,7 @@ import os as _os
 _os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 from ._riprap import (  # noqa: E402
+    _add_case_root,
     Bodies,
     Case,
     Fluid,
@@ -21,6 +22,7 @@ from ._riprap import (  # noqa: E402
     __version__,
     build,
     build_info,
+    list,
     load,
     loads,
     run,
@@ -37,10 +39,13 @@ from .errors import (  # noqa: E402
     Problem,
 )
 
+_add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples that came with the package
+
 # A child made by fork() has none of the threads that OpenMP keeps waiting between steps, and would wait for them forever.
 if hasattr(_os, "register_at_fork"):
     _os.register_at_fork(after_in_child=lambda: set_threads(1))
 
+# Without `list`, which `from riprap import *` would put over Python's own.
 __all__ = [
     "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
     "Problem", "Simulation", "__version__", "build", "build_info", "load", "loads", "run", "set_threads", "threads",

@@ -137,7 +137,7 @@ TEST_F(Runs, ASecondSignalEndsAtOnceAndTheCheckpointStaysGood) {
     program.send(SIGTERM);
     const int code = program.wait().code;
     EXPECT_TRUE(code == 128 + SIGINT || code == 128 + SIGTERM) << code;
-    EXPECT_EQ(run({"resume", out("a"), "--max-steps", "5000000", "--end", "0.001"}).code, 0);
+    EXPECT_EQ(run({"resume", out("a"), "--max-steps", "1"}).code, 0);  // reads it and has nothing left to do
 }
 
 TEST_F(Runs, AnAbsurdStateEndsTheRunWithinOneStepAndTheLastGoodOneIsKept) {

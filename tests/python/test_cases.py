@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cases from files, texts and dicts, and what is wrong with them. Working folder: that of the repository."""
+import os
 import pathlib
 import pickle
 import subprocess
@@ -60,6 +61,35 @@ class Cases(unittest.TestCase):
         case = riprap.load("cases/stack", overrides={"end": 0.5, "body.cube.position": [0, 0, 0.75], "title": "Higher"})
         self.assertEqual((case.end, case.title), (0.5, "Higher"))
         self.assertEqual(riprap.load("cases/stack", ["end=500 ms"]).end, 0.5)
+
+    def test_overrides_that_are_neither_a_dict_nor_texts_say_what_is_wanted(self):
+        with self.assertRaisesRegex(TypeError, r'overrides is a str: give a dict, \{"end": 2.0\}'):
+            riprap.load("cases/stack", overrides="end=2")
+        with self.assertRaisesRegex(TypeError, "holds texts"):
+            riprap.load("cases/stack", overrides=[("end", 2)])
+
+    def test_an_override_that_is_wrong_is_told_in_words_of_python(self):
+        with self.assertRaises(riprap.CaseError) as caught:
+            riprap.load("cases/stack", overrides=["end"])
+        self.assertIn("override end", str(caught.exception))
+        self.assertNotIn("--", str(caught.exception))
+
+    def test_the_examples_that_come_with_the_package_are_found_from_any_folder(self):
+        here = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                self.assertIn("hello_block", riprap.list())
+                self.assertEqual(riprap.load("hello_block").end, 1.0)
+                self.assertEqual(len(riprap.load("armour_unit").warnings), 0)  # reads a file beside it
+                with self.assertRaisesRegex(riprap.FileError, r"riprap.list\(\) knows; did you mean 'hello_block'"):
+                    riprap.load("hello_blok")
+                pathlib.Path("cases/hello_block").mkdir(parents=True)
+                pathlib.Path("cases/hello_block/case.toml").write_text(
+                    riprap.load("stack").text.replace("title", "title = \"Mine\" #", 1))
+                self.assertEqual(riprap.load("hello_block").title, "Mine")
+            finally:
+                os.chdir(here)
 
     def test_the_exception_of_a_case_crosses_processes_whole(self):
         with self.assertRaises(riprap.CaseError) as caught:

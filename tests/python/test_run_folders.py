@@ -58,6 +58,15 @@ class RunFolders(unittest.TestCase):
             np.testing.assert_array_equal(position, copy)
             self.assertRaises(RuntimeError, lambda: view.time)
 
+    def test_a_refused_folder_is_told_in_words_of_python(self):
+        with tempfile.TemporaryDirectory() as folder:
+            riprap.run(falling_block(), folder)
+            with self.assertRaisesRegex(riprap.FileError, "resume=True continues it, force=True replaces it") as caught:
+                riprap.run(falling_block(), folder)
+            self.assertNotIn("--", str(caught.exception))
+            with self.assertRaisesRegex(ValueError, "one of the two"):
+                riprap.run(falling_block(), folder, resume=True, force=True)
+
     def test_runs_with_a_folder_come_one_at_a_time(self):
         def nested(_):
             riprap.run(falling_block(), pathlib.Path(folder, "inner"))

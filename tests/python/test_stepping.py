@@ -131,6 +131,26 @@ class Stepping(unittest.TestCase):
         simulation.step()
         self.assertGreater(simulation.summary()["wall_seconds"], seconds)
 
+    def test_what_exists_only_of_a_step_is_no_number_before_the_first(self):
+        simulation = riprap.Simulation(falling_block())
+        for name in ("momentum", "block.contact_force.z", "max_speed"):
+            with self.assertRaisesRegex(RuntimeError, r"step\(\) first"):
+                simulation.value(name)
+        self.assertEqual(simulation.value("block.position.z"), 0.6)
+        simulation.step()
+        self.assertFalse(np.isnan(simulation.value("momentum")).any())
+
+    def test_a_time_beyond_the_end_is_no_time_to_run_to(self):
+        simulation = riprap.Simulation(falling_block())
+        with self.assertRaisesRegex(ValueError, "until = 2.0 s lies beyond the end of the case, 0.3 s"):
+            simulation.run(until=2.0)
+        self.assertGreater(simulation.run(until=3 * 0.1), 0)  # which is more than 0.3 by round-off
+
+    def test_a_simulation_shows_where_it_is(self):
+        simulation = riprap.Simulation(falling_block())
+        simulation.step(10)
+        self.assertRegex(repr(simulation), r"'A block falls onto the ground': t = 0.00\d+ of 0.3 s, step 10, 2 bodies>")
+
     def test_wrong_numbers_are_value_errors(self):
         simulation = riprap.Simulation(falling_block())
         for wrong in (lambda: simulation.step(-1), lambda: simulation.run(callback=print, every=0),

@@ -40,7 +40,7 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
     const CaseCheck check = check_of(tank);
     EXPECT_NEAR(check.trimmed_volume, 0.5 * 0.005, 1e-12);
     EXPECT_THAT(check_text(check), HasSubstr("100 kg/m, "));
-    EXPECT_THAT(check_text(check), HasSubstr("0.0025 m^2 of its regions hold none"));
+    EXPECT_THAT(check_text(check), HasSubstr("0.0025 m^2 (2.4 %) of the room outside of solids holds none"));
 }
 
 TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {

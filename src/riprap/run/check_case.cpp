@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "riprap/fluid/sph/sph_step.hpp"
@@ -50,6 +51,19 @@ double estimated_steps(const CaseCheck& check) {
     return check.steps < saturated ? static_cast<double>(check.steps) : check.end / check.time_step;
 }
 
+/// What of the room for water is not filled, or filled twice over, by a particle or more; empty else.
+std::string room_text(const CaseCheck& check) {
+    const double room = check.filled_volume + check.trimmed_volume;
+    const double particle = check.filled_volume / static_cast<double>(check.particles);
+    if (std::abs(check.trimmed_volume) < particle) {
+        return {};
+    }
+    return fmt::format("; {:.3g} {} ({:.2g} %) {}", std::abs(check.trimmed_volume), check.is_planar ? "m^2" : "m^3",
+                       100 * std::abs(check.trimmed_volume) / room,
+                       check.trimmed_volume > 0 ? "of the room outside of solids holds none"
+                                                : "more than there is room outside of solids");
+}
+
 }  // namespace
 
 std::string size_text(double bytes) {
@@ -89,6 +103,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         check.particles = loaded.state.fluid.size();
         check.samples = model.fluid->samples.size();
         check.water_mass = static_cast<double>(check.particles) * model.fluid->sph.particle_mass;
+        check.filled_volume = model.fluid->filled_volume;
         check.trimmed_volume = model.fluid->region_volume - model.fluid->filled_volume;
         check.sound_speed = model.fluid->sph.sound_speed;
         check.sound_speed_reason = model.fluid->sound_speed_reason;
@@ -141,10 +156,10 @@ std::string check_text(const CaseCheck& check) {
         check.frames);
     if (check.particles > 0) {
         text += fmt::format(
-            "  water         {} particles, {:.6g} {}, {} boundary particles; {:.3g} {} of its regions hold none\n"
+            "  water         {} particles, {:.6g} {}, {} boundary particles{}\n"
             "  sound speed   {:.6g} m/s ({})\n",
-            check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, check.trimmed_volume,
-            check.is_planar ? "m^2" : "m^3", check.sound_speed, check.sound_speed_reason);
+            check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, room_text(check),
+            check.sound_speed, check.sound_speed_reason);
     }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';

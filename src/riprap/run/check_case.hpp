@@ -19,7 +19,8 @@ struct CaseCheck {
     std::int64_t particles{0};  ///< of water
     std::int64_t samples{0};    ///< of boundary particles
     double water_mass{0};       ///< [kg]; in a planar scene per metre of width
-    double trimmed_volume{0};   ///< of the regions of water that holds none [m^3]; in a planar scene [m^2]
+    double filled_volume{0};    ///< that the particles stand for [m^3]; in a planar scene [m^2]
+    double trimmed_volume{0};   ///< of the room in regions, outside of solids, that holds no water; in the same unit
     double sound_speed{0};      ///< of water [m/s]
     std::string sound_speed_reason;
     double time_step{0};        ///< [s]

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/run/signals.hpp"
 
@@ -25,6 +26,20 @@ std::string signal_name(int signal) {
             return "SIGHUP";
         default:
             return fmt::format("signal {}", signal);
+    }
+}
+
+/// A run does not go back.
+void refuse_earlier_end(double end, const sim::State& reached, const RunFolder& folder) {
+    constexpr double slack = 1e-9;  // of the time: the last step may miss the end by round-off
+    // A given time step may pass the end that it was given for.
+    if (end < (1 - slack) * (reached.time - reached.previous_dt)) {
+        Diagnostic problem;
+        problem.place.file = folder.root.string();
+        problem.message = fmt::format("the run is at t = {:.6g} s (step {}) already, beyond the end {:.6g} s",
+                                      reached.time, reached.step, end);
+        problem.allowed = "a later end, or a new run";
+        throw CaseError(std::move(problem));
     }
 }
 
@@ -52,6 +67,7 @@ void Driver::start() {
 
 void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_steps) {
     Restart restart = load_checkpoint(folder_, model(), simulation_.initial());
+    refuse_earlier_end(end.value_or(restart.record.end), restart.state, folder_);
     log_ = std::make_unique<RunLog>(folder_);
     if (!restart.notice.empty()) {
         log_->add("notice", restart.notice);
@@ -80,8 +96,7 @@ void Driver::announce(const std::string& beginning) {
                {"time_step", simulation_.next_dt()},
                {"threads", parallel::thread_count()}});
     for (const std::string& warning : simulation_.loaded().warnings) {
-        log_->add("warning", warning);
-        say("warning: " + warning);
+        warn(warning);
     }
     const sim::TimeStepBound limit = sim::step_bound(model(), state());
     say(
@@ -158,12 +173,24 @@ void Driver::tell_retry(const StepOutcome& outcome) {
     say(text);
 }
 
+void Driver::warn(const std::string& text, RunLog::Numbers numbers) {
+    log_->add("warning", text, numbers);
+    say("warning: " + text);
+}
+
+/// Once more at the end: those of the beginning have long left the screen.
+void Driver::tell_warnings() const {
+    if (const std::size_t count = log_->warnings().size(); count > 0) {
+        say(fmt::format("{} warning{} of this run {} in {}", count, count == 1 ? "" : "s", count == 1 ? "is" : "are",
+                        folder_.summary().string()));
+    }
+}
+
 void Driver::tell_notices() {
     for (const Notice& notice : step_watch_.look(simulation_.report(), state(), simulation_.counts())) {
-        log_->add(
-            "warning", notice.text,
+        warn(
+            notice.text,
             {{"step", static_cast<double>(state().step)}, {"time", state().time}, {notice.number_name, notice.number}});
-        say("warning: " + notice.text);
     }
 }
 
@@ -210,13 +237,12 @@ int Driver::finish(const Progress& progress) {
     // The checkpoint comes last: killed before it, the run continues from the one before and writes all this again.
     outputs_->note(record_);
     outputs_->at_end(simulation_.now());
+    for (const std::string& line : StepWatch::totals(simulation_.counts(), state().step)) {
+        warn(line);
+    }
     summarise(progress, "finished", simulation_.is_at_end() ? "" : "max_steps reached", results);
     note(progress);
     save_checkpoint(folder_, model(), state(), record_);
-    for (const std::string& line : StepWatch::totals(simulation_.counts(), state().step)) {
-        log_->add("warning", line);
-        say("warning: " + line);
-    }
     if (!simulation_.is_at_end() && simulation_.has_stepped()) {
         tell_prediction(progress);
     }
@@ -225,6 +251,7 @@ int Driver::finish(const Progress& progress) {
     const sim::Ledger& ledger = simulation_.report().ledger;
     say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} J of {:.2g} J turned over",
                     sim::state_hash(state()), ledger.residual, ledger.turnover));
+    tell_warnings();
     return verdict(results);
 }
 
@@ -280,6 +307,7 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
     summary.cost = progress.cost_per_body(state().step);
     summary.resumes = record_.resumes;
     summary.expects = results;
+    summary.warnings = log_->warnings();
     write_summary(folder_, summary);
 }
 

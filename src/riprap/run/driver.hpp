@@ -40,6 +40,8 @@ class Driver {
     StepOutcome take_step(Due& due);
     void tell_retry(const StepOutcome& outcome);
     void tell_notices();
+    void warn(const std::string& text, RunLog::Numbers numbers = {});
+    void tell_warnings() const;
     void tell_prediction(const Progress& progress);
     /// Wall-clock time of the whole run, to its end whatever max_steps says, at the pace of this process so far [s].
     double predicted_seconds(const Progress& progress) const;

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "riprap/core/error.hpp"
+#include "riprap/scene/suggest.hpp"
 
 namespace riprap::run {
 
@@ -31,7 +32,26 @@ std::string title_of(const fs::path& file) {
     return "";
 }
 
+std::vector<fs::path>& added_roots() {
+    static std::vector<fs::path> roots;
+    return roots;
+}
+
+/// The known case that is most likely meant, as a question; empty when none is near.
+std::string did_you_mean(const std::string& text) {
+    std::vector<std::string> names;
+    for (const char* collection : {"cases", "validation"}) {
+        for (const KnownCase& known : known_cases(collection)) {
+            names.push_back(known.name);
+        }
+    }
+    const std::string meant = scene::nearest(text, names);
+    return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+}
+
 }  // namespace
+
+void add_case_root(const fs::path& folder) { added_roots().push_back(folder); }
 
 std::vector<fs::path> case_roots() {
     std::error_code error;
@@ -44,6 +64,7 @@ std::vector<fs::path> case_roots() {
             roots.push_back(folder);
         }
     }
+    roots.insert(roots.end(), added_roots().begin(), added_roots().end());
     return roots;
 }
 
@@ -70,7 +91,8 @@ fs::path find_case(const std::string& text) {
         }
     }
     throw FileError("there is no case '" + text +
-                    "': neither a file, nor a folder with a case.toml, nor a name that `riprap list` knows");
+                    "': neither a file, nor a folder with a case.toml, nor a name that `riprap list` knows" +
+                    did_you_mean(text));
 }
 
 std::string short_name(const fs::path& case_file) {
@@ -93,14 +115,12 @@ std::vector<KnownCase> known_cases(const std::string& collection) {
             if (entry.depth() >= suite_depth) {
                 entry.disable_recursion_pending();
             }
-            if (entry->path().filename() == case_file_name) {
+            const std::string name = entry->path().parent_path().lexically_relative(folder).generic_string();
+            const auto has_name = [&name](const KnownCase& known) { return known.name == name; };
+            if (entry->path().filename() == case_file_name && std::none_of(cases.begin(), cases.end(), has_name)) {
                 const fs::path file = entry->path();
-                const std::string name = file.parent_path().lexically_relative(folder).generic_string();
                 cases.push_back({name, title_of(file), file.lexically_normal()});
             }
-        }
-        if (!cases.empty()) {
-            break;
         }
     }
     std::sort(cases.begin(), cases.end(), [](const KnownCase& a, const KnownCase& b) { return a.name < b.name; });

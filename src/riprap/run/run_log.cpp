@@ -5,13 +5,17 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace riprap::run {
 
 namespace {
+
+constexpr std::string_view warning_kind = "warning";
 
 io::FileDescriptor open_to_append(const std::filesystem::path& path) {
     io::FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
@@ -27,7 +31,22 @@ RunLog::RunLog(const RunFolder& folder)
     : log_path_(folder.log()),
       events_path_(folder.events()),
       log_(open_to_append(log_path_)),
-      events_(open_to_append(events_path_)) {}
+      events_(open_to_append(events_path_)) {
+    std::ifstream earlier(events_path_);
+    for (std::string line; std::getline(earlier, line);) {
+        const auto event = nlohmann::json::parse(line, nullptr, false);  // the last line of a killed process may be cut
+        if (event.is_object() && event.value("event", nlohmann::json()) == warning_kind && event.contains("text") &&
+            event["text"].is_string()) {
+            keep_warning(event["text"].get<std::string>());
+        }
+    }
+}
+
+void RunLog::keep_warning(const std::string& text) {
+    if (std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end()) {
+        warnings_.push_back(text);
+    }
+}
 
 void RunLog::add(std::string_view kind, const std::string& text, Numbers numbers) {
     const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
@@ -40,6 +59,9 @@ void RunLog::add(std::string_view kind, const std::string& text, Numbers numbers
     }
     const std::string event_line = event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
     write_all(events_, event_line.data(), event_line.size(), events_path_);
+    if (kind == warning_kind) {
+        keep_warning(text);
+    }
 }
 
 }  // namespace riprap::run

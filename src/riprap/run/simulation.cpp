@@ -124,6 +124,11 @@ Summary Simulation::summary() const {
     summary.ledger = report_.ledger;
     summary.stages = sim::stage_times(scratch_);
     summary.expects = judge();
+    summary.warnings = loaded_.warnings;
+    for (std::string& line : StepWatch::totals(counts_, state_.step)) {
+        summary.warnings.push_back(std::move(line));
+    }
+    summary.overrides = loaded_.overrides;
     return summary;
 }
 

@@ -57,6 +57,8 @@ std::string summary_json(const Summary& summary) {
     const Json json{{"status", summary.status},
                     {"reason", summary.reason},
                     {"title", summary.title},
+                    {"set", summary.overrides},
+                    {"warnings", summary.warnings},
                     {"state_hash", fmt::format("{:016x}", summary.state_hash)},
                     {"steps", summary.steps},
                     {"time", summary.time},

@@ -35,6 +35,8 @@ struct Summary {
     sim::Ledger ledger;
     sim::StageTimes stages;
     std::vector<ExpectResult> expects;
+    std::vector<std::string> warnings;   ///< of the case and of its steps
+    std::vector<std::string> overrides;  ///< "key=value", as --set gave them
 };
 
 /// The text of summary.json.

@@ -19,7 +19,8 @@ namespace riprap::scene {
 
 namespace {
 
-void throw_if_any(std::vector<Diagnostic>& problems) {
+/// @param unseen  what comes after this and has not been looked at
+void throw_if_any(std::vector<Diagnostic>& problems, std::string unseen) {
     if (problems.empty()) {
         return;
     }
@@ -28,7 +29,7 @@ void throw_if_any(std::vector<Diagnostic>& problems) {
         problems.resize(limits::problems);
         problems.push_back({problems.back().place, fmt::format("{} more problems", count - limits::problems), ""});
     }
-    throw CaseError(std::move(problems));
+    throw PartlySeenCaseError(std::move(problems), std::move(unseen));
 }
 
 /// `dimension` decides how vectors are read, so it is looked at before everything else.
@@ -82,18 +83,19 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
                           std::span<const std::string> overrides) {
     std::vector<Diagnostic> problems;
     Value root = parse_toml(text, name, problems);
-    throw_if_any(problems);
+    throw_if_any(problems, "keys and what they make");
     for (const std::string& assignment : overrides) {
         apply_override(root, assignment, problems);
     }
     const bool is_planar = is_planar_case(root);
     const Value resolved = check_keys(root, case_table(), is_planar, problems);
     check_counts(resolved, problems);
-    throw_if_any(problems);
+    throw_if_any(problems, "bodies, water, records and the time step");
 
     LoadedCase loaded;
     loaded.folder = folder;
     loaded.source_text = std::string(text);
+    loaded.overrides.assign(overrides.begin(), overrides.end());
     CaseFiles files(folder);
     ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings);
     CaseBuild build{resolved, is_planar, loaded.model, loaded.state, files, shapes, problems, loaded.warnings};
@@ -114,7 +116,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     if (problems.empty()) {
         check_overlaps(build);
     }
-    throw_if_any(problems);
+    throw_if_any(problems, "what depends on the bodies and water of these problems, and the time step");
 
     loaded.model.shapes.shrink_to_fit();
     body::shrink_to_fit(loaded.model.bodies, loaded.state.bodies);

@@ -9,6 +9,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/scene/suggest.hpp"
 
 namespace riprap::validation {
 
@@ -24,6 +25,27 @@ bool is_selected(const ValidationCase& one, const ValidateOptions& options) {
     const bool suite_wanted = options.selection.empty() || std::find(options.selection.begin(), options.selection.end(),
                                                                      one.suite) != options.selection.end();
     return suite_wanted && (options.is_full || !one.is_long);
+}
+
+/// What to say of a name that nothing bears: the nearest one, and the cases of its suite, or all where it has none.
+std::string refusal_of(const std::string& text, std::span<const ValidationCase> cases) {
+    std::vector<std::string> names;
+    for (const ValidationCase& one : cases) {
+        names.push_back(full_name(one));
+        names.emplace_back(one.suite);
+    }
+    const std::string meant = scene::nearest(text, names);
+    const std::string suite = meant.empty() ? text.substr(0, text.find('/')) : meant.substr(0, meant.find('/'));
+    const bool is_suite = std::find(names.begin(), names.end(), suite) != names.end();
+    std::string answer = fmt::format("no suite or case of validation is called '{}'", text);
+    answer += meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+    answer += is_suite ? fmt::format("\nof the suite {} there are:\n", suite) : "\nthere are:\n";
+    for (const ValidationCase& one : cases) {
+        if (!is_suite || one.suite == suite) {
+            answer += fmt::format("  {:<28} {}{}\n", full_name(one), one.title, one.is_long ? " (long)" : "");
+        }
+    }
+    return answer;
 }
 
 /// Names of the selection that no suite and no case bears.
@@ -76,12 +98,7 @@ void write_plot(const CaseSetting& setting, std::string_view name, const Plot& p
 int validate(const ValidateOptions& options, std::span<const ValidationCase> cases, std::ostream& out,
              std::ostream* progress) {
     if (const std::vector<std::string> unknown = unknown_names(options, cases); !unknown.empty()) {
-        std::string known;
-        for (const ValidationCase& one : cases) {
-            known += fmt::format("  {:<28} {}{}\n", full_name(one), one.title, one.is_long ? " (long)" : "");
-        }
-        std::cerr << fmt::format("no suite or case of validation is called '{}'; there are:\n{}", unknown.front(),
-                                 known);
+        std::cerr << refusal_of(unknown.front(), cases);
         return static_cast<int>(ExitCode::usage);
     }
     std::vector<std::string_view> suites;
