@@ -117,7 +117,8 @@ TEST(BadInput, names_that_point_nowhere_are_refused) {
                 ElementsAre("case.toml:11:8: there is no body 'blok'; did you mean 'block'?"));
     EXPECT_THAT(problems_of(minimal_case + "[[output.probe]]\nbody = \"block\"\nquantity = \"positon\"\n"),
                 ElementsAre(HasSubstr("did you mean \"position\"?")));
-    EXPECT_THAT(problems_of(minimal_case + "[[body]]\nname = \"block\"\nmaterial = \"rock\"\nshape = { cube = 1 }\n"),
+    EXPECT_THAT(problems_of(minimal_case + "[[body]]\nname = \"block\"\nmaterial = \"rock\"\nshape = { cube = 1 }\n"
+                                           "position = [9.0, 0.0, 0.0]\n"),
                 ElementsAre(HasSubstr("the name 'block' is taken")));
 }
 

@@ -60,6 +60,7 @@ void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std
     const auto first_part = static_cast<std::size_t>(bodies.part_begin[i]);
     if (!build.model.shapes.is_half_space(bodies.parts[first_part].shape) &&
         !(std::isnormal(mass) && std::isnormal(std::max({moments.x, moments.y, moments.z})))) {
+        build.has_sound_bodies = false;
         build.problem(table.place,
                       fmt::format("body '{}' has a mass of {:.3g} kg and moments of inertia of {:.3g} kg m^2 at most",
                                   name, mass, std::max({moments.x, moments.y, moments.z})),
@@ -71,6 +72,7 @@ void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std
     for (std::int32_t p = bodies.part_begin[i]; p < bodies.part_begin[i + 1]; ++p) {
         const double radius = build.model.shapes.view(bodies.parts[static_cast<std::size_t>(p)].shape).inscribed_radius;
         if (rounding > resolution * radius) {
+            build.has_sound_bodies = false;
             const double limit = resolution * radius / std::numeric_limits<double>::epsilon();
             build.problem(
                 table.place,
@@ -141,11 +143,17 @@ bool check_planar_turn(CaseBuild& build, const Value& table, const Quat& turn) {
     return false;
 }
 
-/// Notes that the body with index `first` is a paddle that absorbs waves, if it is.
-void note_absorption(CaseBuild& build, const Value& table, std::size_t first, std::size_t count) {
+/// Notes that the body with index `first` is a paddle, and absorbs waves, if it is and does.
+void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::size_t count) {
     const Value* motion = table.find("motion");
     const Value* maker = motion != nullptr ? motion->find("wave_maker") : nullptr;
-    auto absorption = maker != nullptr ? paddle_absorption(build, *maker) : std::nullopt;
+    if (maker == nullptr || count == first) {
+        return;
+    }
+    const Value& depth = get(*maker, "depth");
+    build.paddles.push_back({BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
+                             depth.as_number(), depth.place});
+    auto absorption = paddle_absorption(build, *maker);
     if (!absorption) {
         return;
     }
@@ -199,7 +207,7 @@ void build_body(CaseBuild& build, const Value& table) {
         add_with_loads(build, table, body);
     }
     const auto count = static_cast<std::size_t>(build.model.bodies.size());
-    note_absorption(build, table, first, count);
+    note_paddle(build, table, first, count);
     build.is_dry.resize(first, 0);
     build.is_dry.resize(count, get_boolean(table, "wet") ? 0 : 1);
     build.sticks.resize(first, 0);
@@ -207,6 +215,11 @@ void build_body(CaseBuild& build, const Value& table) {
 }
 
 }  // namespace
+
+Vec3 CaseBuild::up() const {
+    const Vec3 gravity = model.gravity.value;
+    return norm(gravity) > 0 ? -1.0 * normalized(gravity) : is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
 
 void CaseBuild::claim_name(const Value& table) {
     const Value* name = table.find("name");

@@ -16,6 +16,14 @@ namespace riprap::scene {
 
 class ShapeLibrary;
 
+/// A body that a wave maker moves.
+struct WavePaddle {
+    BodyId body;
+    Vec3 direction;     ///< of the waves
+    double depth;       ///< that the case gives [m]
+    SourcePlace place;  ///< of that
+};
+
 /// What the functions below share while a checked case becomes Model and State. They append problems and go on.
 struct CaseBuild {
     const Value& root;  ///< resolved: every key has passed the key table
@@ -30,11 +38,18 @@ struct CaseBuild {
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<std::int32_t> used_materials{};
     std::vector<sim::PaddleAbsorption> absorptions{};  ///< of paddles that have one
-    std::vector<std::uint8_t> is_dry{}, sticks{};      ///< of bodies that say so, by body; those beyond the end do not
+    std::vector<WavePaddle> paddles{};
+    std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
+    bool has_all_bodies{true};                     ///< none is missing for a problem of its own
+    bool has_sound_bodies{true};                   ///< none is too small, too large or too far away to be computed with
+    std::set<std::string> records{};               ///< names of all probes and gauges that the case gives
+    std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
         problems.push_back({place, std::move(message), std::move(allowed)});
     }
+    /// Against gravity; along the last axis where there is none.
+    Vec3 up() const;
     /// The material that `table` names; invalid, with a problem, when there is none.
     MaterialId material_of(const Value& table);
     /// Notes the name of a body, pack or rock mass; a problem when it is taken.

@@ -11,6 +11,7 @@
 #include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build_case.hpp"
+#include "riprap/scene/fluid_warnings.hpp"
 #include "riprap/scene/limits.hpp"
 #include "riprap/scene/shape_library.hpp"
 
@@ -63,11 +64,6 @@ fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
     return sph;
 }
 
-Vec3 up_of(const CaseBuild& build) {
-    const Vec3 gravity = build.model.gravity.value;
-    return norm(gravity) > 0 ? -1.0 * normalized(gravity) : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-}
-
 /// Refuses a level that its region does not reach: the water would end at the top of the region instead.
 void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
                  const fluid::SphSettings& sph) {
@@ -75,7 +71,7 @@ void check_level(CaseBuild& build, const Value& table, const coupling::FillRegio
     if (!std::isfinite(region.level)) {
         return;
     }
-    const double top = coupling::top_of(region, sph.domain, up_of(build));
+    const double top = coupling::top_of(region, sph.domain, build.up());
     if (region.level > top + slack * sph.spacing) {
         build.problem(
             get(table, "level").place,
@@ -187,7 +183,7 @@ void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<
         std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, table, regions)));
     fluid.sph.sound_speed = chosen.value;
     fluid.sound_speed_reason = chosen.reason;
-    if (!(chosen.value > 0)) {
+    if (!(chosen.value > 0) && build.has_all_bodies) {
         build.problem(given.place, "nothing moves and nothing weighs: no sound speed follows from the case",
                       "a sound_speed");
     }
@@ -229,53 +225,6 @@ void build_absorptions(CaseBuild& build, const Value& table, const fluid::Partic
     }
 }
 
-void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid) {
-    constexpr double least = 4;  // spacings: two layers under each of two opposite faces
-    const body::BodySet& bodies = build.model.bodies;
-    for (const body::Part& part : bodies.parts) {
-        const auto body = static_cast<std::size_t>(part.body.value);
-        const double thickness = 2 * build.model.shapes.view(part.shape).inscribed_radius;
-        if (fluid.is_dry[body] == 0 && thickness < (least - 1e-6) * fluid.sph.spacing) {
-            build.warnings.push_back(
-                fmt::format("'{}' is {:.3g} spacings thick: water on its two sides feels each other through it below "
-                            "{:.3g}",
-                            bodies.name(part.body), thickness / fluid.sph.spacing, least));
-            return;
-        }
-    }
-}
-
-/// Corrected gradients tell the inside of the water from its rim by numbers that hold at h/dp = 1.5
-/// (docs/theory/sph.md, 4).
-void warn_of_smoothing_ratio(CaseBuild& build, const fluid::SphSettings& sph) {
-    constexpr double least = 1.4, most = 1.6;
-    const bool is_corrected = sph.gradient_correction && sph.scheme == fluid::SphScheme::delta_sph;
-    if (is_corrected && (sph.smoothing_ratio < least || sph.smoothing_ratio > most)) {
-        build.warnings.push_back(
-            fmt::format("smoothing_ratio = {:.3g} with gradient_correction: the inside of the water is told from its "
-                        "rim by numbers "
-                        "that hold at 1.5, so gradients are corrected in part only",
-                        sph.smoothing_ratio));
-    }
-}
-
-/// What Müller's scheme leaves out, and where it is known to fail (docs/theory/sph.md, 9).
-void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
-    if (sph.scheme != fluid::SphScheme::muller) {
-        return;
-    }
-    build.warnings.emplace_back(
-        "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients nor "
-        "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing");
-    constexpr double least_alpha = 0.1, known_ratio = 1.2;
-    if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
-        build.warnings.push_back(fmt::format(
-            "scheme = \"muller\" with artificial_alpha = {:.3g} and smoothing_ratio = {:.3g}: short waves grow; "
-            "still water is known to hold with artificial_alpha of at least {} at smoothing_ratio = {}",
-            sph.artificial_alpha, sph.smoothing_ratio, least_alpha, known_ratio));
-    }
-}
-
 /// The regions of the case; false where one of them has a problem.
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions) {
     if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
@@ -303,8 +252,7 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
         is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
     }
     bool is_good = place_problems(build, get(table, "region"), [&] {
-        filling =
-            coupling::fill(shapes, bodies, build.state.bodies, fluid.sph, up_of(build), regions, limits::particles);
+        filling = coupling::fill(shapes, bodies, build.state.bodies, fluid.sph, build.up(), regions, limits::particles);
     });
     if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
         is_good = place_problems(build, table, [&] {
@@ -317,12 +265,11 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
     return is_good;
 }
 
-/// Sums the volumes up and refuses regions without water.
+/// Sums the volume up and refuses regions without water.
 void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling, sim::FluidModel& fluid) {
     for (std::size_t r = 0; r < filling.regions.size(); ++r) {
         const coupling::FillReport& report = filling.regions[r];
         fluid.filled_volume += report.volume;
-        fluid.region_volume += report.region_volume;
         if (report.count == 0) {
             build.problem(list.items[r].place, "no particle of water fits into this region",
                           "a region larger than the spacing, in the domain, outside of solids and earlier regions");
@@ -346,6 +293,9 @@ void build_fluid(CaseBuild& build) {
         get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
     const Value& list = get(*table, "region");
     const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
+    if (has_domain) {
+        build.domain = fluid.sph.domain;  // gauges are checked against it, whatever becomes of the water
+    }
     std::vector<coupling::FillRegion> regions;
     coupling::Filling filling;
     if (!read_regions(build, list, regions) || !has_domain) {
@@ -365,9 +315,10 @@ void build_fluid(CaseBuild& build) {
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
     coupling::set_hydrostatic_density(filling, fluid.sph,
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
-    warn_of_thin_bodies(build, fluid);
-    warn_of_muller(build, fluid.sph);
-    warn_of_smoothing_ratio(build, fluid.sph);
+    fluid.region_volume = room_for_water(build, fluid.sph.domain, regions);
+    warn_of_thin_bodies(build, fluid, filling.particles);
+    warn_of_wave_depths(build, fluid, filling);
+    warn_of_scheme(build, fluid.sph);
     build_absorptions(build, *table, filling.particles, fluid);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);

@@ -73,7 +73,7 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
 void build_gauges(CaseBuild& build, const Value& list) {
     sim::Model& model = build.model;
     for (const Value& table : list.items) {
-        if (!model.fluid) {
+        if (!build.domain) {
             if (build.root.find("fluid") == nullptr) {
                 build.problem(table.place, "a gauge in a case without water", "a [fluid], or a probe of a body");
             }
@@ -83,13 +83,12 @@ void build_gauges(CaseBuild& build, const Value& list) {
         gauge.name = get_text(table, "name");
         gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"))->kind;
         gauge.point = get_vector(table, "point");
-        const double g = norm(model.gravity.value);
-        gauge.up = g > 0 ? -1 / g * model.gravity.value : build.is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-        if (!is_in(gauge.point, model.fluid->sph.domain)) {
+        gauge.up = build.up();
+        if (!is_in(gauge.point, *build.domain)) {
             build.problem(get(table, "point").place, "a gauge outside the domain of the water", "a point inside it");
         }
         if (needs_end(gauge.kind)) {
-            check_extent(build, table, gauge, model.fluid->sph.domain.dimension);
+            check_extent(build, table, gauge, build.domain->dimension);
         } else if (const Value* end = table.find("end")) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");

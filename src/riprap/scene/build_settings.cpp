@@ -34,6 +34,13 @@ sim::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
     return out;
 }
 
+/// Its column: what the case calls it, or else BODY.QUANTITY.
+std::string name_of_probe(const Value& table) {
+    const Value* name = table.find("name");
+    const Value* body = table.find("body");
+    return name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + get_text(table, "quantity");
+}
+
 void read_probe(CaseBuild& build, const Value& table) {
     sim::Probe probe;
     probe.quantity = get_text(table, "quantity");
@@ -50,8 +57,7 @@ void read_probe(CaseBuild& build, const Value& table) {
             return;
         }
     }
-    const Value* name = table.find("name");
-    probe.name = name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + probe.quantity;
+    probe.name = name_of_probe(table);
     if (sim::find_quantity(probe.quantity, body != nullptr) == nullptr) {
         build.problem(
             get(table, "quantity").place,
@@ -67,10 +73,41 @@ void read_probe(CaseBuild& build, const Value& table) {
     build.model.output.probes.push_back(std::move(probe));
 }
 
+/// Whether `quantity` may be missing only because the record or the body that it names has a problem of its own.
+bool may_lack_its_subject(const CaseBuild& build, const std::string& quantity) {
+    if (build.problems.empty()) {
+        return false;
+    }
+    const auto begins = [&quantity](const std::string& name) {
+        return quantity.compare(0, name.size(), name) == 0 &&
+               (quantity.size() == name.size() || quantity[name.size()] == '.');
+    };
+    if (std::any_of(build.records.begin(), build.records.end(), begins)) {
+        return true;
+    }
+    const std::string body = quantity.substr(0, quantity.find('.'));
+    return build.is_claimed(body) && !sim::find_body(build.model.bodies, body).is_valid();
+}
+
+/// Every number of a body as an [[expect]] names it.
+void add_quantities_of(const std::string& body, std::vector<std::string>& names) {
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body) {
+            continue;
+        }
+        for (const char* const component : {".x", ".y", ".z"}) {
+            names.push_back(fmt::format("{}.{}{}", body, info.name, info.components > 1 ? component : ""));
+        }
+    }
+}
+
 /// Whether `quantity` names one number of the run; a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
     if (sim::find_column(build.model, quantity)) {
         return true;
+    }
+    if (may_lack_its_subject(build, quantity)) {
+        return false;
     }
     std::vector<std::string> known;
     for (const sim::Column& column : sim::record_columns(build.model)) {
@@ -78,6 +115,10 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     }
     for (const sim::QuantityInfo& info : sim::quantities()) {
         known.emplace_back(info.name);
+    }
+    if (const std::string body = quantity.substr(0, quantity.find('.'));
+        sim::find_body(build.model.bodies, body).is_valid()) {
+        add_quantities_of(body, known);
     }
     const std::string meant = nearest(quantity, known);
     build.problem(place, fmt::format("there is no quantity '{}'", quantity),
@@ -135,11 +176,9 @@ void read_expect(CaseBuild& build, const Value& table) {
             return;
         }
     }
-    if (!build.problems.empty()) {
-        return;  // the body or probe that it names may be missing for another reason
-    }
-    if (!check_column(build, expect.quantity, get(table, "quantity").place) ||
-        (when != nullptr && !check_column(build, expect.when, when->place))) {
+    const bool has_quantity = check_column(build, expect.quantity, get(table, "quantity").place);
+    const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
+    if (!has_quantity || !has_trigger) {
         return;
     }
     build.model.expects.push_back(std::move(expect));
@@ -183,6 +222,12 @@ void build_output(CaseBuild& build) {
     settings.ledger_tolerance = get_number(output, "ledger_tolerance");
     settings.vtk = get_boolean(output, "vtk");
     settings.contacts = get_boolean(output, "contacts");
+    for (const Value& probe : get(output, "probe").items) {
+        build.records.insert(name_of_probe(probe));
+    }
+    for (const Value& gauge : get(output, "gauge").items) {
+        build.records.insert(get_text(gauge, "name"));
+    }
     for (const Value& probe : get(output, "probe").items) {
         read_probe(build, probe);
     }

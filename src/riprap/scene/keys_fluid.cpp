@@ -81,7 +81,7 @@ const Table& fluid_inflow_table() {
         "[[fluid.inflow]]",
         "Water enters through a rectangle (a line in a planar scene) at a given speed; its pressure is that of the "
         "water in "
-        "front of it. Leave room for its layers, five spacings, behind it.",
+        "front of it. Leave room for its layers, a support and one spacing (four spacings by default), behind it.",
         {{"name", {form::name()}, "Unique among the openings.", {}, true},
          {"low", {vector(dimension::length)}, "A corner.", {}, true},
          {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},

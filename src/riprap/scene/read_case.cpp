@@ -105,7 +105,8 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_packs(build);
     build_rock_masses(build);
     build_contact(build);
-    if (problems.empty()) {
+    build.has_all_bodies = problems.empty();
+    if (build.has_sound_bodies) {
         build_fluid(build);
     }
     if (loaded.model.bodies.size() == 0 && !loaded.model.fluid && problems.empty()) {
@@ -113,10 +114,10 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
                       "at least one [[body]], [[pack]], [[rock_mass]] or [fluid]");
     }
     build_output(build);
-    if (problems.empty()) {
+    if (build.has_sound_bodies) {
         check_overlaps(build);
     }
-    throw_if_any(problems, "what depends on the bodies and water of these problems, and the time step");
+    throw_if_any(problems, build.has_all_bodies ? "the time step" : "the bodies of these problems and the time step");
 
     loaded.model.shapes.shrink_to_fit();
     body::shrink_to_fit(loaded.model.bodies, loaded.state.bodies);

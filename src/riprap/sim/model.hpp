@@ -67,7 +67,7 @@ struct FluidModel {
     std::string sound_speed_reason;  ///< where sph.sound_speed comes from
     double depth{0};                 ///< of the water at the start [m]
     double filled_volume{0};         ///< [m^3]; in 2D [m^2]
-    double region_volume{0};         ///< that its regions have, solids not taken out [m^3]; in 2D [m^2]
+    double region_volume{0};         ///< room that its regions have outside of solids [m^3]; in 2D [m^2]
 };
 
 /// Time axis.

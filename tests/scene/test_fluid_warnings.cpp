@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is worth knowing of a case with water, and no reason to stop.
+#include <fmt/format.h>
+
+#include "scene/case_fixture.hpp"
+
+namespace riprap::scene {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A planar flume 2 m long with 0.5 m of water at a spacing of 5 cm; bodies are appended.
+const std::string flume = R"(dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e6
+friction_coefficient = 0.3
+[fluid]
+spacing = 0.05
+domain = { low = [-0.5, -0.2], high = [2.5, 1.5] }
+[[fluid.region]]
+box = { low = [0.0, 0.0], high = [2.0, 0.5] }
+[[body]]
+name = "floor"
+material = "rock"
+shape = { half_space = { normal = [0.0, 1.0] } }
+fixed = true
+)";
+
+std::string body(const std::string& name, const std::string& size, const std::string& position,
+                 const std::string& more = "") {
+    return fmt::format("[[body]]\nname = \"{}\"\nmaterial = \"rock\"\nshape = {{ box = {} }}\nposition = {}\n{}\n",
+                       name, size, position, more);
+}
+
+std::string paddle(const std::string& depth, const std::string& size = "[0.4, 1.0]") {
+    return body("paddle", size, "[-0.2, 0.5]",
+                "motion = { wave_maker = { wave = \"regular\", height = 0.02, period = 1.5, depth = " + depth + " } }");
+}
+
+TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
+    EXPECT_THAT(test::read(flume + paddle("0.5")).warnings, ElementsAre());
+    EXPECT_THAT(test::read(flume + paddle("0.46")).warnings, ElementsAre());  // less than a spacing
+    EXPECT_THAT(test::read(flume + paddle("0.3")).warnings,
+                ElementsAre(AllOf(HasSubstr("case.toml:23:"), HasSubstr("'paddle' has depth = 0.3 m"),
+                                  HasSubstr("water stands 0.5 m deep before it"))));
+}
+
+TEST(FluidWarnings, of_several_levels_that_of_the_water_at_the_paddle_counts) {
+    const std::string two = test::with(flume, "high = [2.0, 0.5] }",
+                                       "high = [1.0, 0.5] }\n[[fluid.region]]\nbox = { low = [1.0, 0.0], high = "
+                                       "[2.0, 0.3] }");
+    EXPECT_THAT(test::read(two + paddle("0.5")).warnings, ElementsAre());
+    EXPECT_THAT(test::read(two + paddle("0.3")).warnings, ElementsAre(HasSubstr("0.5 m deep before it")));
+    const std::string away = test::with(flume, "low = [0.0, 0.0], high", "low = [0.5, 0.0], high");
+    EXPECT_THAT(test::read(away + paddle("0.3")).warnings, ElementsAre());  // no water touches it: nothing is known
+}
+
+TEST(FluidWarnings, all_thin_bodies_are_named_with_the_spacing_that_would_do) {
+    const std::string bodies = body("gate", "[0.16, 1.0]", "[1.0, 0.6]", "fixed = true") +
+                               body("raft", "[0.4, 0.155]", "[0.5, 0.5]") + body("block", "[0.2, 0.2]", "[1.5, 0.3]");
+    EXPECT_THAT(test::read(flume + bodies).warnings,
+                ElementsAre(AllOf(HasSubstr("'gate' and 'raft' are 3.1 to 3.2 spacings thick"),
+                                  HasSubstr("opposite sides feels each other through them"),
+                                  HasSubstr("fluid.spacing = 0.0387 or less would do"))));
+    const std::string fine = test::with(flume, "spacing = 0.05", "spacing = 0.0387");
+    EXPECT_THAT(test::read(fine + bodies).warnings, Not(Contains(HasSubstr("thick"))));
+}
+
+TEST(FluidWarnings, a_thin_body_with_water_on_one_side_does_no_harm_yet) {
+    const std::vector<std::string> warnings =
+        test::read(flume + paddle("0.5", "[0.4, 1.0]") + body("wall", "[0.1, 1.0]", "[2.05, 0.5]", "fixed = true"))
+            .warnings;
+    EXPECT_THAT(warnings, ElementsAre(AllOf(HasSubstr("'wall' is 2 spacings thick"),
+                                            HasSubstr("no harm while water stays on one side"))));
+}
+
+TEST(FluidWarnings, the_room_for_water_is_that_outside_of_solids_and_counts_once) {
+    const auto room = [](const std::string& text) { return test::read(text).model.fluid->region_volume; };
+    EXPECT_NEAR(room(flume), 1.0, 1e-12);
+    EXPECT_NEAR(room(flume + body("block", "[0.4, 0.4]", "[1.0, 0.4]")), 1.0 - 0.4 * 0.3, 1e-12);
+    const std::string more = test::with(flume, "high = [2.0, 0.5] }",
+                                        "high = [2.0, 0.5] }\n[[fluid.region]]\nbox = { low = [1.5, -0.1], high = "
+                                        "[2.2, 0.6] }");
+    EXPECT_NEAR(room(more), 1.0 + 0.5 * 0.1 + 0.2 * 0.6, 1e-12);
+}
+
+}  // namespace
+}  // namespace riprap::scene
