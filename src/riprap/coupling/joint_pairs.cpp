@@ -2,13 +2,12 @@
 #include "riprap/coupling/joint_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
-#include "riprap/fluid/particle/kernel.hpp"
 
 namespace riprap::coupling {
 
@@ -37,15 +36,17 @@ double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
     return (has_driven ? 2 : 1) * settings.support_radius() + (1 + skin) * settings.spacing;
 }
 
-JointLink JointPairs::link_of(const SampleSet& near, const fluid::SphSettings& settings, const JointMember& i,
-                              const JointMember& j) {
-    const fluid::WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+JointLink JointPairs::link_of(const SampleSet& near, const Sums& sums, const JointMember& i, const JointMember& j) {
     JointLink link{};
-    link.apart = fluid::NearestImage(settings.domain)(i.place - j.place);
-    link.closed = link.apart + closing(link.apart, i.normal, j.normal,
-                                       near.depth[at(i.sample)] + near.depth[at(j.sample)], settings.spacing);
-    link.slope = kernel.slope_over_r(norm(link.apart));
-    link.slope_of_closed = kernel.slope_over_r(norm(link.closed));
+    link.apart = sums.nearest(i.place - j.place);
+    const double square = norm_squared(link.apart), reach = sums.kernel_reach + sums.spacing;
+    if (square > reach * reach) {
+        return link;  // too far even when faces are brought together
+    }
+    const double depths = near.depth[at(i.sample)] + near.depth[at(j.sample)];
+    link.closed = link.apart + closing(link.apart, i.normal, j.normal, depths, sums.spacing);
+    link.slope = sums.kernel.slope_over_r(std::sqrt(square));
+    link.slope_of_closed = link.closed == link.apart ? link.slope : sums.kernel.slope_over_r(norm(link.closed));
     return link;
 }
 

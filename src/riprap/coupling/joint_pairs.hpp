@@ -8,6 +8,8 @@
 #include "riprap/coupling/rigid_map.hpp"
 #include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::coupling {
@@ -52,9 +54,11 @@ class JointPairs {
     /// f(j, link) for the members j of other solids that member i meets, ascending.
     template <class F>
     void for_each_link(const SampleSet& near, const fluid::SphSettings& settings, std::size_t i, const F& f) const {
+        const Sums sums{fluid::WendlandC2(settings.smoothing_length(), settings.domain.dimension),
+                        fluid::NearestImage(settings.domain), settings.support_radius(), settings.spacing};
         for (auto k = static_cast<std::size_t>(pair_begin_[i]); k < static_cast<std::size_t>(pair_begin_[i + 1]); ++k) {
             const auto j = static_cast<std::size_t>(pairs_[k]);
-            const JointLink link = link_of(near, settings, members_[i], members_[j]);
+            const JointLink link = link_of(near, sums, members_[i], members_[j]);
             if (link.slope != 0 || link.slope_of_closed != 0) {
                 f(j, link);
             }
@@ -63,8 +67,13 @@ class JointPairs {
     std::size_t bytes() const;
 
  private:
-    static JointLink link_of(const SampleSet& near, const fluid::SphSettings& settings, const JointMember& i,
-                             const JointMember& j);
+    /// What links are found with, made once for many.
+    struct Sums {
+        fluid::WendlandC2 kernel;
+        fluid::NearestImage nearest;
+        double kernel_reach, spacing;  ///< [m]
+    };
+    static JointLink link_of(const SampleSet& near, const Sums& sums, const JointMember& i, const JointMember& j);
     bool is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                        double spacing) const;
     void find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
