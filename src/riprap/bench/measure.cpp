@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <utility>
 #include <vector>
 
 #include "riprap/core/parallel.hpp"
@@ -12,12 +13,23 @@
 
 namespace riprap::bench {
 
+namespace {
+double seconds_on_the_wall() {
+    static const Timer timer;
+    return timer.seconds();
+}
+
+Timing timing_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    return {values[values.size() / 2], values.front(), values.back(), static_cast<int>(values.size())};
+}
+}  // namespace
+
 double now() {
     if (parallel::thread_count() == 1) {
         return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     }
-    static const Timer timer;
-    return timer.seconds();
+    return seconds_on_the_wall();
 }
 
 Timing time_calls(const std::function<void()>& call, const Repeat& repeat) {
@@ -29,8 +41,23 @@ Timing time_calls(const std::function<void()>& call, const Repeat& repeat) {
         call();
         times.push_back(now() - before);
     }
-    std::ranges::sort(times);
-    return {times[times.size() / 2], times.front(), times.back(), static_cast<int>(times.size())};
+    return timing_of(std::move(times));
+}
+
+Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count) {
+    const auto time = [](const std::function<void()>& call) {
+        const double before = seconds_on_the_wall();
+        call();
+        return seconds_on_the_wall() - before;
+    };
+    first();
+    second();
+    std::vector<double> ratios;
+    for (int pair = 0; pair < pair_count; ++pair) {
+        const double slow = time(first), fast = time(second);
+        ratios.push_back(slow / std::max(1e-9, fast));
+    }
+    return timing_of(std::move(ratios));
 }
 
 std::string spread(const Timing& timing) {

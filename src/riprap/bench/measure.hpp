@@ -10,7 +10,7 @@ namespace riprap::bench {
 /// disturb; with more the time on the wall.
 double now();
 
-/// Repeated measurements of one thing [s].
+/// Repeated measurements of one thing: times [s], or ratios of them [-].
 struct Timing {
     double median{0}, low{0}, high{0};
     int count{0};
@@ -24,6 +24,11 @@ struct Repeat {
 
 /// Times `call` over and over. The first call, which grows buffers, is not counted.
 Timing time_calls(const std::function<void()>& call, const Repeat& repeat = {});
+
+/// How many times as fast `second` is as `first` [-]. They are called in turn and timed on the wall, and the ratios are
+/// those of neighbouring calls: what else keeps the machine busy for longer than two calls meets both. The first call
+/// of each, which grows buffers, is not counted.
+Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count = 9);
 
 /// "median of 7, spread -1 % +4 %"
 std::string spread(const Timing& timing);

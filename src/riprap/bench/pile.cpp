@@ -12,32 +12,43 @@ namespace riprap::bench {
 
 namespace {
 
-/// What one number of threads made of a pile.
-struct PileFigures {
-    Timing step;  ///< [s]
-    sim::StepReport report;
-    sim::StageTimes stages;  ///< of all steps
-    std::size_t bytes;
-};
-
-/// Steps a copy of `pile`: first some steps that fill caches and buffers, then batches of about a fifth of a second.
-PileFigures time_pile(Pile pile, int threads, int warm_steps) {
-    const ThreadScope scope(threads);
-    sim::Scratch scratch;
-    PileFigures figures{};
-    advance(pile, scratch, 1);
-    const double start = now();
-    figures.report = advance(pile, scratch, warm_steps);
-    const double warm_seconds = std::max(1e-6, now() - start);
-    const int batch = std::max(2, static_cast<int>(0.2 * warm_steps / warm_seconds));
-    figures.step = time_calls([&] { figures.report = advance(pile, scratch, batch); }, {7, 1.0});
-    for (double* time : {&figures.step.median, &figures.step.low, &figures.step.high}) {
-        *time /= batch;
+/// A pile that so many threads step, in batches of about a fifth of a second.
+class PileRun {
+ public:
+    /// Makes some steps that fill caches and buffers.
+    PileRun(Pile pile, int threads, int warm_steps) : pile_(std::move(pile)), threads_(threads) {
+        const ThreadScope scope(threads_);
+        advance(pile_, scratch_, 1);
+        const double start = now();
+        advance(pile_, scratch_, warm_steps);
+        const double warm_seconds = std::max(1e-6, now() - start);
+        batch_ = std::max(2, static_cast<int>(0.2 * warm_steps / warm_seconds));
     }
-    figures.stages = sim::stage_times(scratch);
-    figures.bytes = sim::memory_bytes(pile.model, pile.state, scratch);
-    return figures;
-}
+    void step_batch() {
+        const ThreadScope scope(threads_);
+        report = advance(pile_, scratch_, batch_);
+    }
+    /// Seconds of a step.
+    Timing time_steps() {
+        const ThreadScope scope(threads_);
+        Timing timing = time_calls([this] { step_batch(); }, {7, 1.0});
+        for (double* time : {&timing.median, &timing.low, &timing.high}) {
+            *time /= batch_;
+        }
+        return timing;
+    }
+    sim::StageTimes stages() const { return sim::stage_times(scratch_); }  ///< of all steps
+    std::size_t bytes() const { return sim::memory_bytes(pile_.model, pile_.state, scratch_); }
+    int batch() const { return batch_; }
+    void set_batch(int batch) { batch_ = batch; }
+
+    sim::StepReport report;  ///< of the last batch
+
+ private:
+    Pile pile_;
+    sim::Scratch scratch_;
+    int threads_, batch_;
+};
 
 std::string shares(const sim::StageTimes& t) {
     const double percent = 100 / (t.find_pairs + t.find_contacts + t.contact_loads + t.move_bodies + t.measure);
@@ -47,30 +58,37 @@ std::string shares(const sim::StageTimes& t) {
         t.measure * percent);
 }
 
-/// Body-steps per second with every number of threads, the ratio of the last to the first, memory per block.
+/// How many times as fast `threads` step a pile as one thread does.
+Result speedup(const std::string& name, const Pile& pile, int warm_steps, int threads) {
+    PileRun one(pile, 1, warm_steps), many(pile, threads, warm_steps);
+    many.set_batch(one.batch());
+    const Timing ratio = compare_calls([&] { one.step_batch(); }, [&] { many.step_batch(); }, 15);
+    return {name + ".speedup", threads, ratio.median, "-",
+            fmt::format("over one thread, in turn on the wall; {}", spread(ratio))};
+}
+
+/// Body-steps per second with every number of threads, its ratio to that of one thread, memory per block.
 void measure_pile(const Setting& setting, const std::string& name, const Pile& pile, int warm_steps,
                   std::vector<Result>& results) {
     const double blocks = static_cast<double>(std::ranges::count(pile.model.bodies.drive, body::Drive::free));
-    double first_rate = 0;
     for (const int threads : setting.thread_counts) {
-        const PileFigures figures = time_pile(pile, threads, warm_steps);
-        const double rate = blocks / figures.step.median;
+        PileRun run(pile, threads, warm_steps);
+        const Timing step = run.time_steps();
+        const double rate = blocks / step.median;
         const auto per_block = [&](std::int64_t count) { return static_cast<double>(count) / blocks; };
         std::string note;
         if (threads == 1) {
-            first_rate = rate;
             note = fmt::format("{:.4g} scaled to the reference core; ", rate / core_speed(setting.machine));
         }
         note += fmt::format("{:.0f} blocks, {:.2f} contacts and {:.2f} candidates a block, fastest {:.2g} m/s; {}; {}",
-                            blocks, per_block(figures.report.contact_count), per_block(figures.report.pair_count),
-                            figures.report.max_speed, shares(figures.stages), spread(figures.step));
+                            blocks, per_block(run.report.contact_count), per_block(run.report.pair_count),
+                            run.report.max_speed, shares(run.stages()), spread(step));
         results.push_back({name, threads, rate, "body-steps/s", note});
         if (threads == 1) {
-            results.push_back({name + ".memory", threads, static_cast<double>(figures.bytes) / blocks, "B/block",
+            results.push_back({name + ".memory", threads, static_cast<double>(run.bytes()) / blocks, "B/block",
                                "Model, State and Scratch"});
         } else {
-            results.push_back({name + ".speedup", threads, rate / first_rate, "-",
-                               "over one thread; both must have the machine to themselves"});
+            results.push_back(speedup(name, pile, warm_steps, threads));
         }
     }
 }

@@ -179,12 +179,21 @@ void add_rate(const std::string& name, int threads, double particles, const Timi
     const double rate = particles / timing.median;
     results.push_back({name, threads, 1e-6 * rate, "M particle-passes/s",
                        fmt::format("{:.0f} ns; {}; {}", 1e9 / rate, note, spread(timing))});
-    for (const Result& first : std::vector<Result>(results)) {
-        if (threads > 1 && first.name == name && first.threads == 1) {
-            results.push_back({name + ".speedup", threads, 1e-6 * rate / first.value, "-",
-                               "over one thread; both must have the machine to themselves"});
+}
+
+/// How many times as fast `threads` make ten calls of a Work on the column as one thread does.
+template <class Work>
+void add_speedup(const std::string& name, const SphColumn& column, int threads, std::vector<Result>& results) {
+    Work one(column), many(column);
+    const auto batch = [](Work& work, int count) {
+        const ThreadScope scope(count);
+        for (int k = 0; k < 10; ++k) {
+            work();
         }
-    }
+    };
+    const Timing ratio = compare_calls([&] { batch(one, 1); }, [&] { batch(many, threads); });
+    results.push_back({name + ".speedup", threads, ratio.median, "-",
+                       fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
 }
 
 void measure_sph(const Setting& setting, const std::string& name, double smoothing_ratio,
@@ -211,6 +220,9 @@ void measure_sph(const Setting& setting, const std::string& name, double smoothi
                                 100 * particles / timing.median * bytes_per_particle / limits.triad);
         }
         add_rate(name, threads, particles, timing, note, results);
+        if (threads > 1) {
+            add_speedup<Pass>(name, column, threads, results);
+        }
     }
     for (const int threads : setting.thread_counts) {
         const ThreadScope scope(threads);
@@ -222,7 +234,9 @@ void measure_sph(const Setting& setting, const std::string& name, double smoothi
                                              1e-6 * pairs / timing.median);
         add_rate(name + ".step", threads, particles, timing, note + (steps.problem.empty() ? "" : "; " + steps.problem),
                  results);
-        if (threads == 1) {
+        if (threads > 1) {
+            add_speedup<Steps>(name + ".step", column, threads, results);
+        } else {
             results.push_back(
                 {name + ".memory", threads, bytes, "B/particle",
                  fmt::format("State and Scratch of whole steps; 1.5 million particles: {:.2f} GB", 1.5e-3 * bytes)});

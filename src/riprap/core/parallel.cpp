@@ -52,6 +52,43 @@ class FirstFailure {
     std::int64_t chunk_{std::numeric_limits<std::int64_t>::max()};
     std::exception_ptr failure_;
 };
+
+#if defined(RIPRAP_OPENMP)
+/// Chunks shared out so that a thread meets the same part of the data in loop after loop, where its own cache may still
+/// hold what it wrote: each thread has a contiguous share and, once through with it, helps with those that follow.
+class Shares {
+ public:
+    Shares(std::int64_t chunk_count, int team) : shares_(static_cast<std::size_t>(team)) {
+        for (std::int64_t thread = 0; thread < team; ++thread) {
+            Share& share = shares_[static_cast<std::size_t>(thread)];
+            share.next.store(chunk_count * thread / team, std::memory_order_relaxed);
+            share.end = chunk_count * (thread + 1) / team;
+        }
+    }
+    /// run(chunk) until none is left in any share. Every share is emptied even if fewer threads came than were asked
+    /// for.
+    template <class F>
+    void work(int thread, const F& run) {
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            Share& share = shares_[(static_cast<std::size_t>(thread) + k) % shares_.size()];
+            for (;;) {
+                const std::int64_t chunk = share.next.fetch_add(1, std::memory_order_relaxed);
+                if (chunk >= share.end) {
+                    break;
+                }
+                run(chunk);
+            }
+        }
+    }
+
+ private:
+    struct alignas(64) Share {  // a cache line each
+        std::atomic<std::int64_t> next;
+        std::int64_t end;
+    };
+    std::vector<Share> shares_;
+};
+#endif
 }  // namespace
 
 void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context) {
@@ -67,10 +104,9 @@ void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, s
             }
         };
         if (is_dynamic) {
-#pragma omp parallel for schedule(dynamic, 1) num_threads(team)
-            for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-                run_one(chunk);
-            }
+            Shares shares(chunk_count, team);
+#pragma omp parallel num_threads(team)
+            shares.work(omp_get_thread_num(), run_one);
         } else {
 #pragma omp parallel for schedule(static) num_threads(team)
             for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
