@@ -95,7 +95,7 @@ py::object contacts(const Simulation& self) {
     if (!simulation.has_stepped()) {
         return py::none();
     }
-    const std::vector<contact::ContactRow>& rows = simulation.scratch().contacts();
+    const contact::ContactRows rows = simulation.scratch().contacts();
     const auto column = [&](auto make) {
         std::vector<decltype(make(rows[0]))> values;
         for (const contact::ContactRow& row : rows) {

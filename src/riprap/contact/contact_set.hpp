@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "riprap/core/fields.hpp"
@@ -104,6 +105,35 @@ struct ContactRow {
     float potential;     ///< largest normalised potential [-]
     float area;          ///< [m^2]
     std::uint8_t is_sliding;
+};
+
+/// The contacts of a step in the order of their keys, wherever each is kept.
+class ContactRows {
+ public:
+    class Iterator {
+     public:
+        explicit Iterator(const ContactRow* const* at) : at_(at) {}
+        const ContactRow& operator*() const { return **at_; }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        friend bool operator==(const Iterator&, const Iterator&) = default;
+
+     private:
+        const ContactRow* const* at_;
+    };
+
+    ContactRows() = default;
+    explicit ContactRows(std::span<const ContactRow* const> rows) : rows_(rows) {}
+    std::size_t size() const { return rows_.size(); }
+    bool empty() const { return rows_.empty(); }
+    const ContactRow& operator[](std::size_t i) const { return *rows_[i]; }
+    Iterator begin() const { return Iterator(rows_.data()); }
+    Iterator end() const { return Iterator(rows_.data() + rows_.size()); }
+
+ private:
+    std::span<const ContactRow* const> rows_;
 };
 
 }  // namespace riprap::contact

@@ -3,8 +3,6 @@
 
 // The body of ContactPipeline::find_contacts, for the source file of a physics and for tests.
 
-#include <algorithm>
-
 #include "riprap/contact/pipeline.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
@@ -17,26 +15,21 @@ double ContactPipeline::find_contacts(const Physics& physics, const ContactScene
                                       ContactHistory& history) {
     map_history(history);
     is_carried_.assign(history.size(), 0);
-    std::size_t contact_count = 0;
-    for (std::int64_t begin = 0; begin < pair_count();) {
-        const Wave wave = next_wave(begin);
-        wave_.resize(std::max(wave_.size(), at(wave.chunk_count())));
-        run_wave(wave, physics, scene, state, kinematics, sliding_time, history);
-        contact_count = append_wave(wave, contact_count);
-        begin = wave.end;
-    }
-    contact_begin_.back() = static_cast<std::int32_t>(contact_count);
-    rows_.resize(contact_count);
-    next_.resize(contact_count);
+    evaluate(physics, scene, state, kinematics, sliding_time, history);
     const double lost = lost_energy(history);
-    std::swap(history, next_);
+    collect(history);
     return lost;
 }
 
 template <PairPhysics Physics>
-void ContactPipeline::run_wave(const Wave& wave, const Physics& physics, const ContactScene& scene,
-                               const body::BodyState& state, const body::BodyKinematics& kinematics,
-                               double sliding_time, const ContactHistory& history) {
+void ContactPipeline::evaluate(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
+                               const body::BodyKinematics& kinematics, double sliding_time,
+                               const ContactHistory& history) {
+    // Up to `few` candidates one thread works through sooner than it wakes another.
+    constexpr std::int64_t few = 256, share = 64;
+    rows_.clear();  // they point into what is written now
+    grain_ = pair_count() <= few ? few : share;
+    found_.resize(at((pair_count() + grain_ - 1) / grain_));
     const auto side = [&](std::int32_t part) {
         const std::int32_t body = placed_.body[at(part)];
         return PairSide{.part = part,
@@ -50,11 +43,11 @@ void ContactPipeline::run_wave(const Wave& wave, const Physics& physics, const C
                         .inverse_mass = kinematics.inverse_mass[at(body)],
                         .inverse_inertia = kinematics.inverse_inertia[at(body)]};
     };
-    parallel::for_ranges(wave.end - wave.begin, wave.grain, [&](std::int64_t first, std::int64_t last) {
-        std::vector<FoundContact>& chunk = wave_[at(first / wave.grain)];
+    parallel::for_ranges(pair_count(), grain_, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<FoundContact>& chunk = found_[at(begin / grain_)];
         chunk.clear();
         FoundContacts found(history, chunk);
-        for (std::int64_t p = wave.begin + first; p < wave.begin + last; ++p) {
+        for (std::int64_t p = begin; p < end; ++p) {
             const PartPair parts = cache_.pairs()[at(p)];
             const PairSide a = side(parts.a), b = side(parts.b);
             const auto& surfaces =
@@ -62,6 +55,11 @@ void ContactPipeline::run_wave(const Wave& wave, const Physics& physics, const C
             found.begin_pair(static_cast<std::int32_t>(p), parts, contact_begin_[at(p)]);
             physics.find_contacts({a, b, surfaces, sliding_time}, separating_[at(p)], found);
             found.end_pair();
+        }
+        for (const FoundContact& contact : chunk) {
+            if (contact.is_old()) {
+                is_carried_[at(contact.old_contact)] = 1;
+            }
         }
     });
 }

@@ -31,7 +31,7 @@ void ContactPipeline::visit_contacts_of(std::size_t body, const body::BodySet& b
     for (std::int32_t part = bodies.part_begin[body]; part < bodies.part_begin[body + 1]; ++part) {
         for (const std::int32_t pair : cache_.pairs_of(part)) {
             for (std::int32_t contact = contact_begin_[at(pair)]; contact < contact_begin_[at(pair) + 1]; ++contact) {
-                visit(rows_[at(contact)], part);
+                visit(*rows_[at(contact)], part);
             }
         }
     }
@@ -66,7 +66,7 @@ double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::Body
     return parallel::reduce(
         static_cast<std::int64_t>(rows_.size()), 0.0,
         [&](std::int64_t i) {
-            const ContactRow& row = rows_[at(i)];
+            const ContactRow& row = *rows_[at(i)];
             if (row.dashpot == Vec3T<float>{} && row.dashpot_couple == Vec3T<float>{}) {
                 return 0.0;
             }

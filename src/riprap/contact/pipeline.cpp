@@ -13,13 +13,11 @@ namespace {
 
 /// Makes a buffer at least so long, without the doubling of std::vector: its length changes little from step to step.
 template <class T>
-void grow_closely(std::vector<T>& buffer, std::size_t size) {
+void resize_closely(std::vector<T>& buffer, std::size_t size) {
     if (size > buffer.capacity()) {
         buffer.reserve(size + size / 32);
     }
-    if (size > buffer.size()) {
-        buffer.resize(size);
-    }
+    buffer.resize(size);
 }
 
 }  // namespace
@@ -38,20 +36,11 @@ bool ContactPipeline::find_pairs() {
     return is_new;
 }
 
-ContactPipeline::Wave ContactPipeline::next_wave(std::int64_t begin) const {
-    constexpr std::int64_t chunk = 16, least = 32 * chunk;
-    // Candidates that one thread works through sooner than it wakes another.
-    constexpr std::int64_t small = 256;
-    const std::int64_t eighth = (pair_count() / 8 + chunk - 1) / chunk * chunk;
-    const std::int64_t end = std::min(pair_count(), begin + std::max(least, eighth));
-    return {begin, end, end - begin <= small ? small : chunk};
-}
-
 bool ContactPipeline::are_rows_of(const ContactHistory& history) const {
     return rows_.size() == history.size() &&
            parallel::reduce(
                static_cast<std::int64_t>(rows_.size()), true,
-               [&](std::int64_t i) { return pair_key(rows_[at(i)].parts) == history.pair[at(i)]; },
+               [&](std::int64_t i) { return pair_key(rows_[at(i)]->parts) == history.pair[at(i)]; },
                [](bool a, bool b) { return a && b; });
 }
 
@@ -67,44 +56,40 @@ void ContactPipeline::map_history(const ContactHistory& history) {
     });
 }
 
-std::size_t ContactPipeline::append_wave(const Wave& wave, std::size_t base) {
-    const std::int64_t chunk_count = wave.chunk_count();
-    wave_offset_.resize(at(chunk_count));
-    std::int32_t found = 0;
-    for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-        wave_offset_[at(chunk)] = found;
-        found += static_cast<std::int32_t>(wave_[at(chunk)].size());
+void ContactPipeline::collect(ContactHistory& history) {
+    const auto chunk_count = static_cast<std::int64_t>(found_.size());
+    chunk_begin_.resize(found_.size());
+    std::int32_t count = 0;
+    for (std::size_t chunk = 0; chunk < found_.size(); ++chunk) {
+        chunk_begin_[chunk] = count;
+        count += static_cast<std::int32_t>(found_[chunk].size());
     }
-    const std::size_t end = base + at(found);
-    grow_closely(rows_, end);
-    ContactHistory::visit_fields(next_, [end](std::string_view, auto& field) { grow_closely(field, end); });
+    resize_closely(rows_, at(count));
+    ContactHistory::visit_fields(history, [count](std::string_view, auto& field) { resize_closely(field, at(count)); });
     parallel::for_each_uneven(chunk_count, 8, [&](std::int64_t chunk) {
-        std::int64_t pair = wave.begin + chunk * wave.grain;
-        const std::int64_t pair_end = std::min(wave.end, pair + wave.grain);
-        std::size_t to = base + at(wave_offset_[at(chunk)]);
+        std::int64_t pair = chunk * grain_;
+        const std::int64_t pair_end = std::min(pair_count(), pair + grain_);
+        std::size_t to = at(chunk_begin_[at(chunk)]);
         const auto skip_to = [&](std::int64_t stop) {
             for (; pair < stop; ++pair) {
                 contact_begin_[at(pair)] = static_cast<std::int32_t>(to);
             }
         };
-        for (const FoundContact& contact : wave_[at(chunk)]) {
+        for (const FoundContact& contact : found_[at(chunk)]) {
             skip_to(contact.pair + 1);
-            rows_[to] = contact.row;
-            next_.pair[to] = pair_key(contact.row.parts);
-            next_.feature[to] = contact.feature;
-            next_.normal[to] = contact.springs.normal;
-            next_.shear_force[to] = contact.springs.shear_force;
-            next_.torsion[to] = contact.springs.torsion;
-            next_.shear_energy[to] = contact.springs.shear_energy;
-            next_.anchor[to] = contact.springs.anchor;
-            if (contact.is_old()) {
-                is_carried_[at(contact.old_contact)] = 1;
-            }
+            rows_[to] = &contact.row;
+            history.pair[to] = pair_key(contact.row.parts);
+            history.feature[to] = contact.feature;
+            history.normal[to] = contact.springs.normal;
+            history.shear_force[to] = contact.springs.shear_force;
+            history.torsion[to] = contact.springs.torsion;
+            history.shear_energy[to] = contact.springs.shear_energy;
+            history.anchor[to] = contact.springs.anchor;
             ++to;
         }
         skip_to(pair_end);
     });
-    return end;
+    contact_begin_.back() = count;
 }
 
 double ContactPipeline::lost_energy(const ContactHistory& history) const {
@@ -116,12 +101,11 @@ double ContactPipeline::lost_energy(const ContactHistory& history) const {
 
 std::size_t ContactPipeline::bytes() const {
     const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-    std::size_t bytes = cache_.bytes() + placed_.bytes() + of(separating_) + of(contact_begin_) + of(wave_) +
-                        of(wave_offset_) + of(rows_) + of(is_carried_);
-    for (const std::vector<FoundContact>& chunk : wave_) {
+    std::size_t bytes = cache_.bytes() + placed_.bytes() + of(separating_) + of(contact_begin_) + of(found_) +
+                        of(chunk_begin_) + of(rows_) + of(is_carried_);
+    for (const std::vector<FoundContact>& chunk : found_) {
         bytes += of(chunk);
     }
-    ContactHistory::visit_fields(next_, [&](std::string_view, const auto& field) { bytes += of(field); });
     return bytes;
 }
 

@@ -31,6 +31,12 @@ struct BodyLoads {
 /// Only touching contacts, in the order of their keys, reach any result; candidates, chunks and caches do not.
 class ContactPipeline {
  public:
+    ContactPipeline() = default;
+    ~ContactPipeline() = default;
+    ContactPipeline(const ContactPipeline&) = delete;  // rows_ points into found_, which a move takes along
+    ContactPipeline& operator=(const ContactPipeline&) = delete;
+    ContactPipeline(ContactPipeline&&) = default;
+    ContactPipeline& operator=(ContactPipeline&&) = default;
     /// Puts every part where its body is.
     void place_parts(const ContactScene& scene, const body::BodyState& state);
     /// Brings the candidate pairs up to date. @returns true when they were searched afresh.
@@ -52,28 +58,20 @@ class ContactPipeline {
     /// without contacts.
     double stable_step(const ContactScene& scene) const;
 
-    const std::vector<ContactRow>& rows() const { return rows_; }
+    /// Contacts found last; valid until they are sought again.
+    ContactRows rows() const { return ContactRows(rows_); }
     std::int64_t pair_count() const { return static_cast<std::int64_t>(cache_.pairs().size()); }
     std::size_t bytes() const;
 
  private:
-    /// Candidates [begin, end), whose results are moved to their final place together: few at a time, so that the
-    /// records of a large scene take little memory beside what stays.
-    struct Wave {
-        std::int64_t begin, end;
-        std::int64_t grain;  ///< candidates of a chunk, evaluated by one thread at a time
-        std::int64_t chunk_count() const { return (end - begin + grain - 1) / grain; }
-    };
-    Wave next_wave(std::int64_t begin) const;
-
     /// The contacts of the last step are those of `history`: nobody has put another State in between.
     bool are_rows_of(const ContactHistory& history) const;
     void map_history(const ContactHistory& history);
     template <PairPhysics Physics>
-    void run_wave(const Wave& wave, const Physics& physics, const ContactScene& scene, const body::BodyState& state,
+    void evaluate(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                   const body::BodyKinematics& kinematics, double sliding_time, const ContactHistory& history);
-    /// @param base  contacts of the waves before  @returns base for the next wave
-    std::size_t append_wave(const Wave& wave, std::size_t base);
+    /// Makes rows_, contact_begin_ and the history of what the chunks hold.
+    void collect(ContactHistory& history);
     double lost_energy(const ContactHistory& history) const;
     template <class Visit>
     void visit_contacts_of(std::size_t body, const body::BodySet& bodies, const Visit& visit) const;
@@ -81,13 +79,14 @@ class ContactPipeline {
     PairCache cache_;
     PlacedParts placed_;
     PairCache::Settings cache_settings_;
-    std::vector<SeparatingCache> separating_;      // per candidate pair
-    std::vector<std::int32_t> contact_begin_;      // per candidate pair and one more: its first contact
-    std::vector<std::vector<FoundContact>> wave_;  // contacts of the wave in progress, per chunk
-    std::vector<std::int32_t> wave_offset_;        // per chunk: contacts in the chunks before it
-    std::vector<ContactRow> rows_;
-    std::vector<std::uint8_t> is_carried_;  // per row of the old history
-    ContactHistory next_;
+    std::vector<SeparatingCache> separating_;  // per candidate pair
+    std::vector<std::int32_t> contact_begin_;  // per candidate pair and one more: its first contact
+    /// The contacts, per chunk of `grain_` candidates. They stay where the thread that found them wrote them.
+    std::vector<std::vector<FoundContact>> found_;
+    std::int64_t grain_{1};
+    std::vector<std::int32_t> chunk_begin_;  // per chunk: contacts in the chunks before it
+    std::vector<const ContactRow*> rows_;    // into found_
+    std::vector<std::uint8_t> is_carried_;   // per row of the old history
 };
 
 }  // namespace riprap::contact

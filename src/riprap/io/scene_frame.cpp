@@ -186,7 +186,7 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
     return data;
 }
 
-PolyData draw_contacts(const sim::Model& model, std::span<const contact::ContactRow> contacts) {
+PolyData draw_contacts(const sim::Model& model, const contact::ContactRows& contacts) {
     PolyData data;
     data.is_point_cloud = true;
     const auto body_of = [&model](std::int32_t part) {

@@ -33,7 +33,7 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
 
 /// Contacts as points. Point arrays: body_a, body_b, force (on body a) [N], normal_force, shear_force [N],
 /// overlap [m], area [m^2], is_sliding.
-PolyData draw_contacts(const sim::Model& model, std::span<const contact::ContactRow> contacts);
+PolyData draw_contacts(const sim::Model& model, const contact::ContactRows& contacts);
 
 /// One line per body at the end of a run: name, mass, pose, velocities, displacement, rotation, contact force.
 /// `contact_force` may be empty. @throws FileError

@@ -109,7 +109,6 @@ void Outputs::write_ledger_row(const sim::Moment& moment) {
 void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
     const bool has_contacts = moment.scratch != nullptr;
     const std::vector<Vec3> no_force;
-    const std::vector<contact::ContactRow> none;
     write_vtp(folder_.frames() / ("bodies_" + tag + ".vtp"),
               io::draw_bodies(model_, moment.initial, moment.state, planes_,
                               has_contacts ? moment.scratch->contact_force() : no_force),
@@ -120,7 +119,8 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
     }
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
-                  io::draw_contacts(model_, has_contacts ? moment.scratch->contacts() : none), moment.state.time);
+                  io::draw_contacts(model_, has_contacts ? moment.scratch->contacts() : contact::ContactRows()),
+                  moment.state.time);
     }
 }
 

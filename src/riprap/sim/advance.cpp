@@ -22,7 +22,7 @@ Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
 Scratch::~Scratch() = default;
 Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
-const std::vector<contact::ContactRow>& Scratch::contacts() const { return data_->pipeline.rows(); }
+contact::ContactRows Scratch::contacts() const { return data_->pipeline.rows(); }
 const std::vector<Vec3>& Scratch::contact_force() const { return data_->loads.force; }
 const std::vector<Vec3>& Scratch::contact_torque() const { return data_->loads.torque; }
 
@@ -67,7 +67,7 @@ struct ContactSums {
     std::int64_t deepest{-1};
 };
 
-ContactSums sum_contacts(const std::vector<contact::ContactRow>& rows, const contact::ContactHistory& history) {
+ContactSums sum_contacts(const contact::ContactRows& rows, const contact::ContactHistory& history) {
     return parallel::reduce(
         static_cast<std::int64_t>(rows.size()), ContactSums{},
         [&](std::int64_t i) {
@@ -91,7 +91,7 @@ ContactSums sum_contacts(const std::vector<contact::ContactRow>& rows, const con
 
 /// Names what makes the step unacceptable, if anything does.
 StepStatus judge(const Model& model, const State& state, const solid::KickReport& kick, const ContactSums& contacts,
-                 const std::vector<contact::ContactRow>& rows, double time) {
+                 const contact::ContactRows& rows, double time) {
     const body::BodySet& bodies = model.bodies;
     if (kick.worst_body >= 0) {
         const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
