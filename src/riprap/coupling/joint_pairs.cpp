@@ -17,37 +17,33 @@ constexpr std::int64_t grain = 64;
 /// Share of a spacing that two samples may come nearer before pairs are looked for again.
 constexpr double skin = 0.5;
 
-/// s n_ij, which brings together faces that look at each other.
-/// @param d       x_i - x_j
-/// @param depths  of both samples below their faces, together [m]
-Vec3 closing(const Vec3& d, const Vec3& normal_i, const Vec3& normal_j, double depths, double spacing) {
-    if (!(dot(normal_i, normal_j) < -0.5)) {
-        return {};
-    }
-    const Vec3 across = normal_i - normal_j, n = across / norm(across);
-    const double gap = -dot(d, n) - depths;
-    return std::clamp(std::min(gap, 2 * spacing - gap), 0.0, spacing) * n;
-}
-
 }  // namespace
+
+JointKernel::JointKernel(const fluid::SphSettings& settings)
+    : kernel_(settings.smoothing_length(), settings.domain.dimension),
+      nearest_(settings.domain),
+      reach_(settings.support_radius()),
+      square_of_reach_(reach_ * reach_),
+      spacing_(settings.spacing) {}
+
+JointLink JointKernel::closed(const JointMember& i, const JointMember& j, const JointLink& link) const {
+    const double farthest = reach_ + spacing_;
+    if (norm_squared(link.apart) > farthest * farthest || !(dot(i.normal, j.normal) < -0.5)) {
+        return link;
+    }
+    const Vec3 across = i.normal - j.normal, n = across / norm(across);
+    const double gap = -dot(link.apart, n) - (i.depth + j.depth);
+    const double shift = std::clamp(std::min(gap, 2 * spacing_ - gap), 0.0, spacing_);
+    if (shift == 0) {
+        return link;
+    }
+    const Vec3 apart = link.apart + shift * n;
+    return {apart, kernel_.slope_over_r(norm(apart))};
+}
 
 double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
     // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
     return (has_driven ? 2 : 1) * settings.support_radius() + (1 + skin) * settings.spacing;
-}
-
-JointLink JointPairs::link_of(const SampleSet& near, const Sums& sums, const JointMember& i, const JointMember& j) {
-    JointLink link{};
-    link.apart = sums.nearest(i.place - j.place);
-    const double square = norm_squared(link.apart), reach = sums.kernel_reach + sums.spacing;
-    if (square > reach * reach) {
-        return link;  // too far even when faces are brought together
-    }
-    const double depths = near.depth[at(i.sample)] + near.depth[at(j.sample)];
-    link.closed = link.apart + closing(link.apart, i.normal, j.normal, depths, sums.spacing);
-    link.slope = sums.kernel.slope_over_r(std::sqrt(square));
-    link.slope_of_closed = link.closed == link.apart ? link.slope : sums.kernel.slope_over_r(norm(link.closed));
-    return link;
 }
 
 bool JointPairs::is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
@@ -97,7 +93,13 @@ void JointPairs::find_members(const SampleSet& near, const JointSolids& solids, 
         if (is_member[i] != 0) {
             const auto body = at(near.body[i].value);
             const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body[i].value;
-            members_.push_back({static_cast<std::int32_t>(i), solid, solids.is_loose[body] != 0, {}, {}});
+            members_.push_back({static_cast<std::int32_t>(i),
+                                solid,
+                                solids.is_loose[body] != 0,
+                                near.volume[i],
+                                near.depth[i],
+                                {},
+                                {}});
         }
     }
     paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,14 +26,33 @@ struct JointMember {
     std::int32_t sample;
     std::int32_t solid;  ///< number of the body, or still_solid
     bool is_loose;
-    Vec3 place, normal;  ///< world
+    double volume, depth;  ///< of the sample
+    Vec3 place, normal;    ///< world
 };
 inline constexpr std::int32_t still_solid = -1;
 
-/// What joins two members i and j, with faces as they are and brought together, see JointPressure.
+/// What joins two members i and j, with faces as they are or brought together.
 struct JointLink {
-    Vec3 apart, closed;             ///< x_i - x_j, and the same + s n_ij [m]
-    double slope, slope_of_closed;  ///< (dW/dr)/r of both
+    Vec3 apart;    ///< x_i - x_j, or the same + s n_ij, see JointPressure [m]
+    double slope;  ///< (dW/dr)/r there; 0 = not in reach
+};
+
+/// What links are found with, made once for many.
+class JointKernel {
+ public:
+    explicit JointKernel(const fluid::SphSettings& settings);
+    JointLink link(const JointMember& i, const JointMember& j) const {
+        const Vec3 apart = nearest_(i.place - j.place);
+        const double square = norm_squared(apart);
+        return {apart, square < square_of_reach_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
+    }
+    /// The same with faces that look at each other brought together.
+    JointLink closed(const JointMember& i, const JointMember& j, const JointLink& link) const;
+
+ private:
+    fluid::WendlandC2 kernel_;
+    fluid::NearestImage nearest_;
+    double reach_, square_of_reach_, spacing_;
 };
 
 /// Which samples of different solids are within the support of each other, faces brought together by up to a spacing.
@@ -51,29 +71,14 @@ class JointPairs {
 
     /// Ascending by sample.
     const std::vector<JointMember>& members() const { return members_; }
-    /// f(j, link) for the members j of other solids that member i meets, ascending.
-    template <class F>
-    void for_each_link(const SampleSet& near, const fluid::SphSettings& settings, std::size_t i, const F& f) const {
-        const Sums sums{fluid::WendlandC2(settings.smoothing_length(), settings.domain.dimension),
-                        fluid::NearestImage(settings.domain), settings.support_radius(), settings.spacing};
-        for (auto k = static_cast<std::size_t>(pair_begin_[i]); k < static_cast<std::size_t>(pair_begin_[i + 1]); ++k) {
-            const auto j = static_cast<std::size_t>(pairs_[k]);
-            const JointLink link = link_of(near, sums, members_[i], members_[j]);
-            if (link.slope != 0 || link.slope_of_closed != 0) {
-                f(j, link);
-            }
-        }
+    /// Members of other solids that member i may meet, ascending.
+    std::span<const std::int32_t> met_by(std::size_t i) const {
+        const auto begin = static_cast<std::size_t>(pair_begin_[i]), end = static_cast<std::size_t>(pair_begin_[i + 1]);
+        return {pairs_.data() + begin, end - begin};
     }
     std::size_t bytes() const;
 
  private:
-    /// What links are found with, made once for many.
-    struct Sums {
-        fluid::WendlandC2 kernel;
-        fluid::NearestImage nearest;
-        double kernel_reach, spacing;  ///< [m]
-    };
-    static JointLink link_of(const SampleSet& near, const Sums& sums, const JointMember& i, const JointMember& j);
     bool is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                        double spacing) const;
     void find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,

@@ -36,7 +36,7 @@ bool is_any_wet(const SampleSet& near, const JointSolids& solids, const fluid::W
 }  // namespace
 
 void JointPressure::find_openings(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
-                                  const fluid::WaterAtWalls& water, const fluid::SphSettings& settings) {
+                                  const fluid::WaterAtWalls& water, const JointKernel& kernel) {
     const std::vector<JointMember>& members = pairs_.members();
     openings_.resize(members.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
@@ -45,14 +45,16 @@ void JointPressure::find_openings(const SampleSet& near, std::span<const Vec3> s
         std::vector<std::int32_t>& others = opening.others;
         others.clear();
         Vec3 slope_of_others{};
-        pairs_.for_each_link(near, settings, at(index), [&](std::size_t j, const JointLink& link) {
-            const JointMember& other = members[j];
-            slope_of_others += near.volume[at(other.sample)] * link.slope * link.apart;
+        for (const std::int32_t j : pairs_.met_by(at(index))) {
+            const JointMember& other = members[at(j)];
+            const JointLink link = kernel.link(member, other);
+            slope_of_others += other.volume * link.slope * link.apart;
             const bool is_joint = member.is_loose || other.is_loose;
-            if (is_joint && std::find(others.begin(), others.end(), partner_of(other)) == others.end()) {
+            if (is_joint && std::find(others.begin(), others.end(), partner_of(other)) == others.end() &&
+                (link.slope != 0 || kernel.closed(member, other, link).slope != 0)) {
                 others.push_back(partner_of(other));
             }
-        });
+        }
         const auto sample = at(member.sample);
         const Quat& turn = motion.pose[at(near.body[sample].value)].orientation;
         const Vec3 own = member.solid == still_solid ? slopes[sample] : rotate(turn, slopes[sample]);
@@ -137,7 +139,8 @@ void JointPressure::find(const SampleSet& near, std::span<const Vec3> slopes, co
         return;
     }
     pairs_.update(near, solids, motion, walls, settings);
-    find_openings(near, slopes, motion, water, settings);
+    const JointKernel kernel(settings);
+    find_openings(near, slopes, motion, water, kernel);
     list_sides();
     if (sides_.empty()) {
         return;
@@ -162,14 +165,19 @@ void JointPressure::find(const SampleSet& near, std::span<const Vec3> slopes, co
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         Vec3 sum{};
-        pairs_.for_each_link(near, settings, at(index), [&](std::size_t j, const JointLink& link) {
-            const JointMember& other = members[j];
-            const double pressure = pressure_of(at(index), partner_of(other)) + pressure_of(j, partner_of(member));
-            const double share = 0.5 * (openings_[at(index)].dry_share + openings_[j].dry_share);
-            sum -= near.volume[at(other.sample)] * pressure *
-                   ((1 - share) * link.slope * link.apart + share * link.slope_of_closed * link.closed);
-        });
-        force[at(member.sample)] = near.volume[at(member.sample)] * sum;
+        for (const std::int32_t j : pairs_.met_by(at(index))) {
+            const JointMember& other = members[at(j)];
+            const double pressure = pressure_of(at(index), partner_of(other)) + pressure_of(at(j), partner_of(member));
+            if (pressure == 0) {
+                continue;
+            }
+            const JointLink link = kernel.link(member, other);
+            const double share = 0.5 * (openings_[at(index)].dry_share + openings_[at(j)].dry_share);
+            const JointLink closed = share > 0 ? kernel.closed(member, other, link) : link;
+            sum -=
+                other.volume * pressure * ((1 - share) * link.slope * link.apart + share * closed.slope * closed.apart);
+        }
+        force[at(member.sample)] = member.volume * sum;
     });
 }
 

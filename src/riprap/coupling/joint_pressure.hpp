@@ -71,7 +71,7 @@ class JointPressure {
     };
 
     void find_openings(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
-                       const fluid::WaterAtWalls& water, const fluid::SphSettings& settings);
+                       const fluid::WaterAtWalls& water, const JointKernel& kernel);
     void list_sides();
     void find_rims(const SampleSet& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
                    const Vec3& gravity);

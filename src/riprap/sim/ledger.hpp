@@ -11,7 +11,7 @@ namespace riprap::sim {
 struct WaterLedger {
     double kinetic{0}, potential{0}, internal{0};  ///< [J]
     double dissipated_viscous{0};                  ///< [J], accumulated like all below
-    double dissipated_diffusion{0};                ///< by the diffusion of density [J]
+    double dissipated_diffusion{0};                ///< by the diffusion of density and by tearing [J]
     double shifted{0};                             ///< by shifting, potential and of compression [J]
     double work_on_solids{0};                      ///< [J]
     double wall_exchange{0};                       ///< of mirrored wall pressure that no body sees [J]

@@ -211,7 +211,7 @@ const std::array scene_table{
     Quantity{{"water_dissipated_viscous", "J", 1, false, "since time 0"},
              nullptr,
              of_water<&WaterLedger::dissipated_viscous>},
-    Quantity{{"water_dissipated_diffusion", "J", 1, false, "by the diffusion of density since time 0"},
+    Quantity{{"water_dissipated_diffusion", "J", 1, false, "by the diffusion of density and by tearing since time 0"},
              nullptr,
              of_water<&WaterLedger::dissipated_diffusion>},
     Quantity{{"water_shifted", "J", 1, false,

@@ -10,6 +10,7 @@
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/sph/tearing.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 
 namespace riprap::fluid {
@@ -124,13 +125,15 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         s.correction_share[i] = correction.share;
         const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
-        const double after =
+        const double flown =
             diluted + dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]) + spread;
+        const double torn = density_by_tearing(s.bareness[i], flown, settings.rest_density);
+        const double after = flown + torn;
         const double mean = 0.5 * (before + after);
         state.density[i] = after;
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
         const double per_density = settings.particle_mass * pressure_of(settings, mean) / (mean * mean);
-        return Losses{-per_density * spread, per_density * (before - diluted)};
+        return Losses{-per_density * (spread + torn), per_density * (before - diluted)};
     };
     const Losses losses = parallel::reduce(state.size(), Losses{}, advance_one, [](Losses a, const Losses& b) {
         return Losses{a.diffusion + b.diffusion, a.shifting + b.shifting};

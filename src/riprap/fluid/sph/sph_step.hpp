@@ -48,7 +48,7 @@ struct FluidReport {
     double potential{0};             ///< -sum m g.x; gravity along periodic axes is in work_external
     double internal{0};              ///< of compression
     double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
-    double dissipated_diffusion{0};  ///< in this step, by the diffusion of density
+    double dissipated_diffusion{0};  ///< in this step, by the diffusion of density and by tearing
     double shifted{0};               ///< potential energy and that of compression that shifting took away in this step
     double work_on_solids{0};        ///< in this step
     double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees

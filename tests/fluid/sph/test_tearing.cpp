@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/tearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fluid/sph/water.hpp"
+
+namespace riprap::fluid::testing {
+namespace {
+
+constexpr double spacing = 0.01, sound_speed = 40, rate = 500;
+
+/// A cube of 3 x 3 x 3 particles that flies apart, v = rate x: 25 J/kg. Tension of 0.01 rho_0 c_0^2 takes 16 J/kg while
+/// its volume doubles, and fades from there on.
+Water torn_drop() {
+    Water water;
+    water.settings = settings_2d(spacing, sound_speed);
+    water.settings.domain.dimension = 3;
+    water.settings.domain.low.z = -100;
+    water.settings.domain.high.z = 100;
+    water.settings.particle_mass = water.settings.rest_density * spacing * spacing * spacing;
+    for (int k = 0; k < 27; ++k) {
+        const Vec3 x = spacing * Vec3{k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0};
+        water.add_particle(x + 1e-3 * spacing * Vec3{k % 5 - 2.0, k % 7 - 3.0, k % 4 - 1.5}, rate * x);
+    }
+    return water;
+}
+
+double kinetic_energy(const Water& water) {
+    double energy = 0;
+    for (const Vec3& v : water.state.velocity) {
+        energy += 0.5 * water.settings.particle_mass * norm_squared(v);
+    }
+    return energy;
+}
+
+double closest_pair(const Water& water) {
+    double closest = 1e9;
+    for (std::size_t i = 0; i < water.state.position.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            closest = std::min(closest, norm(water.state.position[i] - water.state.position[j]));
+        }
+    }
+    return closest;
+}
+
+TEST(Tearing, limits_the_tension_of_a_surface_and_of_nothing_else) {
+    EXPECT_EQ(density_by_tearing(1, 991, 1000), 0);
+    EXPECT_EQ(density_by_tearing(1, 1020, 1000), 0);
+    EXPECT_EQ(density_by_tearing(0, 900, 1000), 0);
+    EXPECT_DOUBLE_EQ(density_by_tearing(1, 900, 1000), 90);
+    EXPECT_DOUBLE_EQ(density_by_tearing(0.5, 900, 1000), 45);
+}
+
+TEST(Tearing, lets_a_drop_fly_apart_that_is_faster_than_its_tension) {
+    Water water = torn_drop();
+    water.run_until(0.04);
+    const double in_flight = kinetic_energy(water);
+    water.run_until(0.05);
+    EXPECT_EQ(water.report.problem, "");
+    EXPECT_GT(closest_pair(water), 3 * spacing);
+    EXPECT_DOUBLE_EQ(kinetic_energy(water), in_flight);
+    for (const double density : water.state.density) {
+        EXPECT_NEAR(density, 1000, 10.001);
+    }
+}
+
+TEST(Tearing, gives_the_energy_of_the_tension_to_the_ledger) {
+    Water water = torn_drop();
+    water.step(1e-6);
+    const double before = water.closure();
+    while (water.time < 0.02) {
+        water.step(1e-5);
+    }
+    EXPECT_GT(water.dissipated_diffusion, 0.01 * before);
+    EXPECT_NEAR(water.closure(), before, 0.005 * before);
+}
+
+}  // namespace
+}  // namespace riprap::fluid::testing
