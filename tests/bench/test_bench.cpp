@@ -118,6 +118,15 @@ TEST(Bench, TheMedianLiesBetweenTheFastestAndTheSlowestAndTheFirstCallIsNotCount
     EXPECT_LE(timing.median, timing.high);
 }
 
+TEST(Bench, ASpeedUpIsOfCallsInTurnOfWhichTheFirstTwoAreNotCounted) {
+    std::string calls;
+    const Timing ratio = compare_calls([&] { calls += 'a'; }, [&] { calls += 'b'; }, 3);
+    EXPECT_EQ(calls, "abababab");
+    EXPECT_EQ(ratio.count, 3);
+    EXPECT_LE(ratio.low, ratio.median);
+    EXPECT_LE(ratio.median, ratio.high);
+}
+
 TEST(Bench, TheNumberOfThreadsIsPutBack) {
     const int before = parallel::thread_count();
     { const ThreadScope scope(before + 2); }

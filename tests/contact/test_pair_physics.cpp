@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/contact/find_contacts.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/geometry/shapes.hpp"
 
 namespace riprap::contact {
@@ -117,15 +118,37 @@ TEST_F(PairPhysicsTest, SpringsSurviveNewCandidatesAndANewPipeline) {
     EXPECT_EQ(history_.torsion, (std::vector<double>{4, 4, 2, 2}));
 }
 
-/// Enough cubes for many chunks and several waves.
+TEST_F(PairPhysicsTest, SpringsAreThoseOfTheHistoryGivenAndNotOfTheLastStep) {
+    find(TwoCorners{});
+    lift(1, 20);
+    find(TwoCorners{});
+    const ContactHistory lower_two = history_;  // of pair (0, 1), second step
+    state_.position[0].z = -20;
+    lift(1, 2);
+    find(TwoCorners{});
+    ASSERT_EQ(history_.size(), lower_two.size());  // of pair (1, 2), first step
+    state_.position[0].z = 0;
+    history_ = lower_two;  // as after a step that is taken back
+    find(TwoCorners{});
+    EXPECT_EQ(history_.torsion, (std::vector<double>{3, 3, 1, 1}));
+    history_ = {};
+    find(TwoCorners{});
+    EXPECT_EQ(history_.torsion, (std::vector<double>{1, 1, 1, 1}));
+}
+
+/// Enough cubes for many chunks.
 class LongStackTest : public PairPhysicsTest {
  protected:
     LongStackTest() : PairPhysicsTest(3000) {}
 };
 
-TEST_F(LongStackTest, ContactsKeepTheirOrderAndSpringsAcrossChunksAndWaves) {
+TEST_F(LongStackTest, ContactsKeepTheirOrderAndSpringsAcrossChunksAtAnyNumberOfThreads) {
+    const int before = parallel::thread_count();
+    parallel::set_thread_count(4);
     find(TwoCorners{});
+    parallel::set_thread_count(3);
     find(TwoCorners{});
+    parallel::set_thread_count(before);
     ASSERT_EQ(history_.size(), 2U * 2999U);
     for (std::size_t i = 0; i < history_.size(); ++i) {
         const auto a = static_cast<std::int32_t>(i / 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -66,6 +67,26 @@ TEST_P(ThreadCounts, UnevenLoopsVisitEveryEntryOnce) {
     for (const int count : visits) {
         ASSERT_EQ(count, 1);
     }
+}
+
+TEST_P(ThreadCounts, FewerEntriesThanThreadsAreVisitedOnceToo) {
+    std::vector<int> visits(3);
+    parallel::for_each_uneven(3, 1, [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
+    EXPECT_EQ(visits, (std::vector<int>{1, 1, 1}));
+}
+
+TEST_P(ThreadCounts, AnUnevenLoopWhoseCostIsAllAtItsEndVisitsEveryEntryOnce) {
+    std::vector<double> sums(4'000);
+    std::vector<int> visits(sums.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(sums.size()), 16, [&](std::int64_t i) {
+        const auto entry = static_cast<std::size_t>(i);
+        for (std::int64_t k = 0; k < (i < 3'000 ? 0 : 2'000); ++k) {
+            sums[entry] += static_cast<double>(k);
+        }
+        ++visits[entry];
+    });
+    EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), 4'000);
+    EXPECT_EQ(sums.back(), 1'999'000);
 }
 
 TEST_P(ThreadCounts, LoopsOverNothingDoNothing) {

@@ -54,8 +54,8 @@ Timing compare_calls(const std::function<void()>& first, const std::function<voi
     second();
     std::vector<double> ratios;
     for (int pair = 0; pair < pair_count; ++pair) {
-        const double slow = time(first), fast = time(second);
-        ratios.push_back(slow / std::max(1e-9, fast));
+        const double seconds_of_first = time(first), seconds_of_second = time(second);
+        ratios.push_back(seconds_of_first / std::max(1e-9, seconds_of_second));
     }
     return timing_of(std::move(ratios));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "riprap/bench/benches.hpp"
 #include "riprap/bench/measure.hpp"

@@ -6,7 +6,7 @@
 
 #include "riprap/bench/benches.hpp"
 #include "riprap/bench/measure.hpp"
-#include "riprap/bench/sph_pairs.hpp"
+#include "riprap/bench/sph_pass.hpp"
 #include "riprap/bench/sph_scene.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sort.hpp"
@@ -17,112 +17,8 @@ namespace riprap::bench {
 
 namespace {
 
-using fluid::component;
-using fluid::field;
-using fluid::sink;
-using fluid::sink_component;
-using fluid::SweepScratch;
-
 constexpr double flops_per_pair = 70;       ///< of both sweeps, a reciprocal counted as four
 constexpr double bytes_per_particle = 300;  ///< that a pass must move through memory
-
-/// One set of particles with the numbers that both pairs read and the sums that they make.
-struct PassSide {
-    const std::vector<Vec3>& position;
-    const std::vector<Vec3>& velocity;
-    std::vector<double> density, excess, volume, pressure_term, density_rate;
-    std::vector<Vec3> acceleration;
-
-    PassSide(const std::vector<Vec3>& x, const std::vector<Vec3>& v, std::vector<double> rho, const SphConstants& c)
-        : position(x), velocity(v), density(std::move(rho)), density_rate(x.size()), acceleration(x.size()) {
-        for (const double r : density) {
-            const double stiffness = c.rest_density * c.sound_speed * c.sound_speed / 7;
-            excess.push_back(r - c.rest_density);
-            volume.push_back(c.particle_mass / r);
-            pressure_term.push_back(stiffness * (std::pow(r / c.rest_density, 7) - 1) / (r * r));
-        }
-    }
-    fluid::SweepSide<5> density_side() const {
-        return {position,
-                {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(excess), field(volume)}};
-    }
-    fluid::SweepSide<5> force_side() const {
-        return {position,
-                {component(velocity, 0), component(velocity, 1), component(velocity, 2), field(pressure_term),
-                 field(density)}};
-    }
-    std::array<fluid::FieldSink, 3> force_sinks() {
-        return {sink_component(acceleration, 0), sink_component(acceleration, 1), sink_component(acceleration, 2)};
-    }
-};
-
-/// Both sweeps over water and walls with the physics of the peers: what docs/howto/benchmarks.md compares.
-class Pass {
- public:
-    explicit Pass(const SphColumn& column)
-        : column_(column),
-          constants_{fluid::WendlandC2(column.settings.smoothing_length(), 3),
-                     column.settings.smoothing_length(),
-                     column.settings.sound_speed,
-                     column.settings.rest_density,
-                     column.settings.particle_mass,
-                     0.1,
-                     0.1,
-                     column.gravity},
-          reach_{column.settings.support_radius(), column.settings.domain},
-          water_(column_.water.position, column_.water.velocity, column_.water.density, constants_),
-          walls_(column_.walls.position, column_.walls.velocity,
-                 std::vector<double>(column_.walls.position.size(), constants_.rest_density), constants_) {}
-    Pass(const Pass&) = delete;
-    Pass& operator=(const Pass&) = delete;
-
-    /// One pass of a step: the water moves by half a step before each sweep.
-    void operator()() {
-        move();
-        const DensityRatePair density{constants_};
-        exchange_within(density, reach_, water_.density_side(), {sink(water_.density_rate)}, water_water_);
-        exchange(density, reach_, water_.density_side(), walls_.density_side(), {sink(water_.density_rate)},
-                 {sink(walls_.density_rate)}, water_walls_);
-        move();
-        const AccelerationPair force{constants_};
-        exchange_within(force, reach_, water_.force_side(), water_.force_sinks(), water_water_);
-        exchange(force, reach_, water_.force_side(), walls_.force_side(), water_.force_sinks(), walls_.force_sinks(),
-                 water_walls_);
-    }
-    /// Directed pairs that act.
-    double count_pairs() {
-        std::vector<double> in_water(water_.position.size()), in_walls(walls_.position.size());
-        const auto count = [&](const PassSide& a, const PassSide& b, std::vector<double>& sum, SweepScratch& scratch) {
-            sweep(CountPair{constants_}, reach_, {a.position, {}}, {b.position, {}}, {sink(sum)}, scratch);
-        };
-        SweepScratch water_water, water_walls, walls_water;
-        count(water_, water_, in_water, water_water);
-        count(water_, walls_, in_water, water_walls);
-        count(walls_, water_, in_walls, walls_water);
-        double pairs = 0;
-        for (const auto* counts : {&in_water, &in_walls}) {
-            for (const double n : *counts) {
-                pairs += n;
-            }
-        }
-        return pairs;
-    }
-
- private:
-    void move() {
-        const fluid::SphSettings& s = column_.settings;
-        const double half_step = 0.5 * s.courant * s.smoothing_length() / (1.1 * s.sound_speed);
-        parallel::for_each(column_.water.size(), [&](std::int64_t entry) {
-            const auto i = static_cast<std::size_t>(entry);
-            column_.water.position[i] += half_step * column_.water.velocity[i];
-        });
-    }
-    SphColumn column_;
-    SphConstants constants_;
-    fluid::SweepReach reach_;
-    PassSide water_, walls_;
-    SweepScratch water_water_, water_walls_;
-};
 
 /// Whole steps of the default scheme, with everything a step does but output.
 class Steps {
@@ -157,17 +53,20 @@ double bytes_in_use() {
     return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// Time of one call on average over batches of ten, so that lists made anew every few sweeps count with their share.
-template <class Call>
-Timing time_in_batches(Call& call) {
-    constexpr int batch = 10;
-    Timing timing = time_calls(
-        [&] {
-            for (int k = 0; k < batch; ++k) {
-                call();
-            }
-        },
-        {5, 1.0});
+/// Calls made in one go, so that lists made anew every few sweeps count with their share.
+constexpr int batch = 10;
+
+template <class Work>
+void make_batch(Work& work) {
+    for (int k = 0; k < batch; ++k) {
+        work();
+    }
+}
+
+/// Time of one call on average over batches.
+template <class Work>
+Timing time_in_batches(Work& work) {
+    Timing timing = time_calls([&] { make_batch(work); }, {5, 1.0});
     for (double* time : {&timing.median, &timing.low, &timing.high}) {
         *time /= batch;
     }
@@ -181,17 +80,15 @@ void add_rate(const std::string& name, int threads, double particles, const Timi
                        fmt::format("{:.0f} ns; {}; {}", 1e9 / rate, note, spread(timing))});
 }
 
-/// How many times as fast `threads` make ten calls of a Work on the column as one thread does.
+/// How many times as fast `threads` make batches of a Work on the column as one thread does.
 template <class Work>
 void add_speedup(const std::string& name, const SphColumn& column, int threads, std::vector<Result>& results) {
     Work one(column), many(column);
-    const auto batch = [](Work& work, int count) {
+    const auto with_threads = [](Work& work, int count) {
         const ThreadScope scope(count);
-        for (int k = 0; k < 10; ++k) {
-            work();
-        }
+        make_batch(work);
     };
-    const Timing ratio = compare_calls([&] { batch(one, 1); }, [&] { batch(many, threads); });
+    const Timing ratio = compare_calls([&] { with_threads(one, 1); }, [&] { with_threads(many, threads); });
     results.push_back({name + ".speedup", threads, ratio.median, "-",
                        fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
 }

@@ -14,7 +14,7 @@ bool is_before(const FoundContact& x, const FoundContact& y) { return x.feature 
 }  // namespace
 
 FoundContact& FoundContacts::add(std::uint64_t feature) {
-    constexpr std::size_t growth = 4;  // a doubling vector would hold a third more than it needs
+    constexpr std::size_t growth = 4;  // chunks keep what they have once held, so closely
     if (found_->size() == found_->capacity()) {
         found_->reserve(found_->size() + growth);
     }

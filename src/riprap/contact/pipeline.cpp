@@ -11,7 +11,7 @@ namespace riprap::contact {
 
 namespace {
 
-/// Makes a buffer at least so long, without the doubling of std::vector: its length changes little from step to step.
+/// Makes a buffer so long, without the doubling of std::vector: its length changes little from step to step.
 template <class T>
 void resize_closely(std::vector<T>& buffer, std::size_t size) {
     if (size > buffer.capacity()) {
@@ -64,8 +64,8 @@ void ContactPipeline::collect(ContactHistory& history) {
         chunk_begin_[chunk] = count;
         count += static_cast<std::int32_t>(found_[chunk].size());
     }
-    resize_closely(rows_, at(count));
     ContactHistory::visit_fields(history, [count](std::string_view, auto& field) { resize_closely(field, at(count)); });
+    resize_closely(rows_, at(count));  // last: should memory run out, no row points nowhere
     parallel::for_each_uneven(chunk_count, 8, [&](std::int64_t chunk) {
         std::int64_t pair = chunk * grain_;
         const std::int64_t pair_end = std::min(pair_count(), pair + grain_);

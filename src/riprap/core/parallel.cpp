@@ -54,8 +54,9 @@ class FirstFailure {
 };
 
 #if defined(RIPRAP_OPENMP)
-/// Chunks shared out so that a thread meets the same part of the data in loop after loop, where its own cache may still
-/// hold what it wrote: each thread has a contiguous share and, once through with it, helps with those that follow.
+/// For uneven loops: chunks shared out so that a thread meets the same part of the data in loop after loop, where its
+/// own cache may still hold what it wrote: each thread has a contiguous share and, once through with it, helps with
+/// those that follow.
 class Shares {
  public:
     Shares(std::int64_t chunk_count, int team) : shares_(static_cast<std::size_t>(team)) {

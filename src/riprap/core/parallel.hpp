@@ -59,7 +59,8 @@ void for_each(std::int64_t n, const F& f) {
     });
 }
 
-/// f(i) for i in [0, n) with uneven cost: threads take `grain` entries at a time.
+/// f(i) for i in [0, n) with uneven cost, `grain` entries at a time: each thread begins with the same contiguous share
+/// in loop after loop, which its cache may still hold, and once through with it helps with the others.
 template <class F>
 void for_each_uneven(std::int64_t n, std::int64_t grain, const F& f) {
     detail::for_chunks(n, grain, true, [&f](std::int64_t begin, std::int64_t end) {

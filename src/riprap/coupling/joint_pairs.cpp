@@ -2,7 +2,6 @@
 #include "riprap/coupling/joint_pairs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"

@@ -26,7 +26,7 @@ struct JointMember {
     std::int32_t sample;
     std::int32_t solid;  ///< number of the body, or still_solid
     bool is_loose;
-    double volume, depth;  ///< of the sample
+    double volume, depth;  ///< of the sample [m^D], [m]
     Vec3 place, normal;    ///< world
 };
 inline constexpr std::int32_t still_solid = -1;

@@ -77,7 +77,7 @@ GradientCorrection correction_of(const SphSettings& settings, const Symmetric& m
                                         : GradientCorrection{unit_tensor, 0};
 }
 
-/// What leaves the energy of compression as density is updated [J].
+/// What leaves the energy of compression as density is updated, by diffusion and tearing and by shifting [J].
 struct Losses {
     double diffusion{0}, shifting{0};
 };

@@ -6,7 +6,7 @@
 namespace riprap::fluid {
 
 double density_by_tearing(double bareness, double density, double rest_density) {
-    return bareness * std::max(0.0, (1 - largest_stretch) * rest_density - density);
+    return bareness > 0 ? std::max(0.0, (1 - largest_stretch / bareness) * rest_density - density) : 0;
 }
 
 }  // namespace riprap::fluid
