@@ -31,7 +31,7 @@ JointLink JointKernel::closed(const JointMember& i, const JointMember& j, const 
         return link;
     }
     const Vec3 across = i.normal - j.normal, n = across / norm(across);
-    const double gap = -dot(link.apart, n) - (i.depth + j.depth);
+    const double gap = -dot(link.apart, n) - (i.depth + j.depth);  // between the faces; s of it: see JointPressure
     const double shift = std::clamp(std::min(gap, 2 * spacing_ - gap), 0.0, spacing_);
     if (shift == 0) {
         return link;

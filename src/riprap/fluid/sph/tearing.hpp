@@ -4,7 +4,7 @@
 namespace riprap::fluid {
 
 /// Share of its density at rest that water at a surface may lack: the 1 % by which density varies in a weakly
-/// compressible fluid whose sound is ten times as fast as its flow [Monaghan1994]. As a tension that is 0.01 rho_0
+/// compressible fluid whose sound is ten times as fast as its flow [Monaghan1994]. That is a tension of 0.01 rho_0
 /// c_0^2.
 inline constexpr double largest_stretch = 0.01;
 
@@ -14,8 +14,7 @@ inline constexpr double largest_stretch = 0.01;
 ///
 /// Water in air holds no tension, but continuity makes one of c_0^2 (rho - rho_0) where particles fly apart: 2 % of the
 /// density stop them at v = 0.02 c_0, and 7 % pay for two that fall together, where the kernel has no slope left to
-/// part them. It takes energy of compression away and gives none
-/// (docs/theory/sph.md, 4).
+/// part them. It takes energy of compression away and gives none (docs/theory/sph.md, 4).
 ///
 /// @param bareness      b: 1 at the surface, 0 inside [-]
 /// @param density       rho [kg/m^3]
