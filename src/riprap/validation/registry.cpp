@@ -70,6 +70,8 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "dam_break_front", "Front of a dam break on a dry floor", false,
                        water::dam_break_front},
         ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
+        ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
+        ValidationCase{"water", "jet_on_plate", "A steady jet on a plate", false, water::jet_on_plate},
         ValidationCase{"water", "wall_impact", "Pressure of a dam break on a wall", false, water::wall_impact},
         ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
                        water::dam_break_obstacle},

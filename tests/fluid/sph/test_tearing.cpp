@@ -49,12 +49,20 @@ double closest_pair(const Water& water) {
 }
 
 TEST(Tearing, limits_the_tension_of_a_surface_and_of_nothing_else) {
-    EXPECT_EQ(density_by_tearing(1, 991, 1000), 0);
-    EXPECT_EQ(density_by_tearing(1, 1020, 1000), 0);
-    EXPECT_EQ(density_by_tearing(0, 900, 1000), 0);
-    EXPECT_DOUBLE_EQ(density_by_tearing(1, 900, 1000), 90);
-    EXPECT_DOUBLE_EQ(density_by_tearing(0.5, 900, 1000), 80);
-    EXPECT_EQ(density_by_tearing(0.1, 901, 1000), 0);
+    EXPECT_EQ(density_by_tearing(1, false, 991, 1000), 0);
+    EXPECT_EQ(density_by_tearing(1, false, 1020, 1000), 0);
+    EXPECT_EQ(density_by_tearing(0, false, 900, 1000), 0);
+    EXPECT_DOUBLE_EQ(density_by_tearing(1, false, 900, 1000), 90);
+    EXPECT_DOUBLE_EQ(density_by_tearing(0.5, false, 900, 1000), 80);
+    EXPECT_EQ(density_by_tearing(0.1, false, 901, 1000), 0);
+}
+
+TEST(Tearing, leaves_no_tension_where_water_may_leave_a_wall) {
+    EXPECT_DOUBLE_EQ(density_by_tearing(0.5, true, 999, 1000), 1);
+    EXPECT_EQ(density_by_tearing(0.5, true, 1001, 1000), 0);
+    EXPECT_TRUE(may_leave_walls(0.2, 1, 0.8));
+    EXPECT_FALSE(may_leave_walls(0, 1, 1.0)) << "deep down no air can come between water and wall";
+    EXPECT_FALSE(may_leave_walls(1, 1, 0.6)) << "the surface of a jet has no wall to leave";
 }
 
 TEST(Tearing, lets_a_drop_fly_apart_that_is_faster_than_its_tension) {
@@ -76,6 +84,25 @@ TEST(Tearing, holds_a_drop_together_that_is_slower_than_its_tension) {
     water.run_until(0.05);
     EXPECT_LT(kinetic_energy(water), 0.1 * at_first);
     EXPECT_LT(closest_pair(water), 1.3 * spacing);
+}
+
+/// A sheet, four spacings thick, slides at 1 m/s along a slippery ledge y < 0 that ends at x = 0.
+Water sheet_on_ledge() {
+    Water water;
+    water.settings = settings_2d(spacing, 10);
+    for_lattice(spacing, 0.4, 0.04, [&](double x, double y) { water.add_particle({x - 0.4, y, 0}, {1, 0, 0}); });
+    for_lattice(spacing, 1, 0.04, [&](double x, double y) { water.add_wall_particle({x - 1, y - 0.04, 0}, true); });
+    return water;
+}
+
+TEST(Tearing, lets_a_sheet_fly_straight_on_from_the_end_of_a_ledge) {
+    Water water = sheet_on_ledge();
+    water.run_until(0.8);
+    EXPECT_EQ(water.report.problem, "");
+    for (const Vec3& v : water.state.velocity) {
+        EXPECT_NEAR(v.x, 1, 0.02);
+        EXPECT_NEAR(v.y, 0, 0.05);
+    }
 }
 
 TEST(Tearing, leaves_water_at_rest_alone) {

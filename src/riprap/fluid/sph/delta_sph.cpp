@@ -82,7 +82,21 @@ struct Losses {
     double diffusion{0}, shifting{0};
 };
 
-/// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor.
+double trace(int dimension, const Symmetric& tensor) {
+    return tensor[0] + tensor[1] + (dimension == 3 ? tensor[3] : 0);
+}
+
+/// b from the moments summed so far.
+void find_bareness(int dimension, SphScratchData& s) {
+    s.bareness.resize(s.correction.size());
+    parallel::for_each(static_cast<std::int64_t>(s.correction.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.bareness[i] = bareness_of_particle(dimension, trace(dimension, s.correction[i]));
+    });
+}
+
+/// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor; into
+/// s.bareness that of the water alone.
 void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, SphScratchData& s) {
     make_zero(s.diffusion, state.density.size());
@@ -100,6 +114,7 @@ void sum_continuity(const SphSettings& settings, const ParticleState& state, con
         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
         {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)},
         s.fluid_fluid);
+    find_bareness(settings.domain.dimension, s);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
@@ -111,7 +126,6 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
     find_pressure(settings, state, s);
     sum_continuity(settings, state, walls, gravity, s);
-    s.bareness.resize(state.density.size());
     s.correction_share.resize(state.density.size());
     const int dimension = settings.domain.dimension;
     const double h = settings.smoothing_length();
@@ -119,7 +133,9 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Symmetric moments = s.correction[i];
-        s.bareness[i] = bareness_of_particle(dimension, moments[0] + moments[1] + (dimension == 3 ? moments[3] : 0));
+        const double divergence = trace(dimension, moments), bareness_alone = s.bareness[i];
+        s.bareness[i] = bareness_of_particle(dimension, divergence);
+        const bool leaves_wall = may_leave_walls(s.bareness[i], bareness_alone, divergence / dimension);
         const GradientCorrection correction = correction_of(settings, moments);
         s.correction[i] = correction.tensor;
         s.correction_share[i] = correction.share;
@@ -127,7 +143,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
         const double flown =
             diluted + dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]) + spread;
-        const double torn = density_by_tearing(s.bareness[i], flown, settings.rest_density);
+        const double torn = density_by_tearing(s.bareness[i], leaves_wall, flown, settings.rest_density);
         const double after = flown + torn;
         const double mean = 0.5 * (before + after);
         state.density[i] = after;

@@ -22,7 +22,8 @@ struct SphScratchData {
     std::vector<Symmetric> correction;                                   ///< its moments M; then B [-]
     std::vector<Symmetric> pressure_tensor;                              ///< its sums G [1/s]; then p B [Pa]
     std::vector<double> correction_share;                                ///< share of it [-]
-    std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-]
+    std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-];
+                                                                         ///< first that without walls
     std::vector<Vec3> force, concentration_gradient, surface_direction;  ///< sums of Momentum
     std::vector<double> heat, wall_heat;
     std::vector<Vec3> wall_hold;          ///< part of the force that is due to p_w, and

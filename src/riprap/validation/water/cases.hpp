@@ -16,6 +16,8 @@ void standing_wave(const CaseSetting& setting, CaseReport& report);
 void dam_break_front(const CaseSetting& setting, CaseReport& report);
 void wall_impact(const CaseSetting& setting, CaseReport& report);
 void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
+void elliptic_drop(const CaseSetting& setting, CaseReport& report);
+void jet_on_plate(const CaseSetting& setting, CaseReport& report);
 void submerged_cube(const CaseSetting& setting, CaseReport& report);
 void poiseuille(const CaseSetting& setting, CaseReport& report);
 void couette(const CaseSetting& setting, CaseReport& report);
