@@ -51,14 +51,6 @@ double semi_axis(const WaterTrial& trial, bool upright) {
     return 2 * std::sqrt(sum / static_cast<double>(trial.state().fluid.position.size()));
 }
 
-double water_area(const WaterTrial& trial) {
-    double area = 0;
-    for (const double density : trial.state().fluid.density) {
-        area += trial.sph().particle_mass / density;
-    }
-    return area;
-}
-
 }  // namespace
 
 void elliptic_drop(const CaseSetting& setting, CaseReport& report) {

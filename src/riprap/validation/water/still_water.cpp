@@ -15,15 +15,6 @@ namespace {
 
 constexpr double gravity = 9.81, rest_density = 1000;
 
-/// Area that the water takes at its density, sum m/rho [m^2].
-double water_area(const WaterTrial& trial) {
-    double area = 0;
-    for (const double density : trial.state().fluid.density) {
-        area += trial.sph().particle_mass / density;
-    }
-    return area;
-}
-
 /// rms over particles of p - rho_0 g (level - y), over rho_0 g level [-].
 double pressure_error(const WaterTrial& trial, double level) {
     const fluid::ParticleState& water = trial.state().fluid;

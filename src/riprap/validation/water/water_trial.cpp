@@ -80,6 +80,14 @@ void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string
                        trial.column("energy_residual").back() / trial.column("energy_turnover").back(), 0.01);
 }
 
+double water_area(const WaterTrial& trial) {
+    double area = 0;
+    for (const double density : trial.state().fluid.density) {
+        area += trial.sph().particle_mass / density;
+    }
+    return area;
+}
+
 double interpolated(std::span<const double> x, std::span<const double> y, double at) {
     const auto next = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), at) - x.begin());
     if (next == 0) {

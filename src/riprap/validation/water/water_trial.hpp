@@ -68,6 +68,9 @@ class WaterTrial {
 /// energy_turnover. `run` names one of several runs.
 void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string& run = "");
 
+/// Area (in 3D volume) that the water takes at its density, sum m/rho [m^D].
+double water_area(const WaterTrial& trial);
+
 /// Integral of y over x from `start` to `end` by trapezia between the points; ends are interpolated.
 double integral(std::span<const double> x, std::span<const double> y, double start, double end);
 /// y at x on straight lines between the points; the end values beyond.
