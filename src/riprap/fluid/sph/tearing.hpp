@@ -12,8 +12,7 @@ inline constexpr double largest_stretch = 0.01;
 ///
 ///     b_f > b    and    tr M/D < 0.95.
 ///
-/// Deeper down water stays at its walls: there a wave of sound would open voids that no air could fill
-/// (docs/theory/sph.md, 4).
+/// Deeper down no air can come between, and what falls below rho_0 there is sound (docs/theory/sph.md, 4).
 ///
 /// @param bareness        b, with walls among the neighbours [-]
 /// @param bareness_alone  b_f, without walls [-]

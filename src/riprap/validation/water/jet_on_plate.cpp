@@ -16,7 +16,7 @@ namespace {
 
 constexpr double density = 1000, speed = 1, half = 0.1;  ///< [kg/m^3], [m/s], half the thickness [m]
 constexpr double head = 0.5 * density * speed * speed;   ///< [Pa]
-constexpr double settled = 2;                            ///< sound of the first impact has died down [s]
+constexpr double settled = 3;                            ///< what the first impact stirred up is gone [s]
 
 /// Half of a jet on half of a plate, whose edge turns it by an angle beta: a quarter turn where the plate has no end.
 ///
