@@ -60,20 +60,38 @@ Stream at_edge(double edge) {
     return {low};
 }
 
+struct Gauge {
+    const char* name;
+    double place;  ///< from the middle of the plate [m]
+};
+constexpr std::array gauges{Gauge{"middle", 0}, Gauge{"p_100", 0.1}, Gauge{"p_150", 0.15}, Gauge{"p_200", 0.2}};
+
 void judge_stream(CaseReport& report, const WaterTrial& trial, const Stream& exact, const std::string& plate) {
     const double end = trial.now();
     report.judge({fmt::format("{}: force on half of it", plate), "N/m", {}, exact.force(), "rho U^2 b (1 - cos beta)"},
                  trial.mean("plate.fluid_pressure_force.x", settled, end), Relative{0.02});
-    struct Gauge {
-        const char* name;
-        double place;
-    };
-    for (const Gauge& gauge : {Gauge{"middle", 0}, Gauge{"p_100", 0.1}, Gauge{"p_150", 0.15}, Gauge{"p_200", 0.2}}) {
+    for (const Gauge& gauge : gauges) {
         const double pressure = exact.pressure(gauge.place);
         report.judge({fmt::format("{}: pressure at {:.1f} b", plate, gauge.place / half), "Pa", {}, pressure, {}},
                      trial.mean(gauge.name, settled, end), pressure - 0.03 * head, pressure + 0.03 * head);
     }
     judge_ledger(report, trial, plate);
+}
+
+/// Pressure along the plate, as theory has it and as the gauges read it.
+void add_curves(const WaterTrial& trial, const Stream& exact, double edge, const std::string& plate, int color,
+                Plot& plot) {
+    std::vector<double> along, theory, places, ours;
+    for (int i = 0; i <= 60; ++i) {
+        along.push_back(edge * i / 60);
+        theory.push_back(exact.pressure(along.back()));
+    }
+    for (const Gauge& gauge : gauges) {
+        places.push_back(gauge.place);
+        ours.push_back(trial.mean(gauge.name, settled, trial.now()));
+    }
+    plot.curves.push_back({plate + ", theory", along, theory, CurveStyle::line, color});
+    plot.curves.push_back({plate + ", ours", places, ours, CurveStyle::markers, color});
 }
 
 }  // namespace
@@ -85,12 +103,23 @@ void jet_on_plate(const CaseSetting& setting, CaseReport& report) {
     }
     WaterTrial endless(setting, finer);
     endless.run();
-    judge_stream(report, endless, Stream{0.5 * M_PI}, "long plate");
+    Plot plot{"A steady jet on a plate",
+              "half thickness 0.1 m, 1 m/s",
+              {"from the middle of the plate [m]", false},
+              {"pressure [Pa]", false},
+              {},
+              false};
+    const Stream quarter_turn{0.5 * M_PI};
+    judge_stream(report, endless, quarter_turn, "long plate");
+    add_curves(endless, quarter_turn, 3 * half, "long plate", 0, plot);
 
     finer.insert(finer.end(), {"body.plate.shape={box=[0.3,0.2]}", "body.plate.position=[0.15,0.1]"});
     WaterTrial edged(setting, finer);
     edged.run();
-    judge_stream(report, edged, at_edge(2 * half), "plate 4 b wide");
+    const Stream turned = at_edge(2 * half);
+    judge_stream(report, edged, turned, "plate 4 b wide");
+    add_curves(edged, turned, 2 * half, "plate 4 b wide", 1, plot);
+    write_plot(setting, "jet_on_plate", plot);
 }
 
 }  // namespace riprap::validation::water
