@@ -2,7 +2,6 @@
 // A drop that stretches freely, the free surface without walls or weight [Monaghan1994].
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
