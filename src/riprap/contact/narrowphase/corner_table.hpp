@@ -44,19 +44,20 @@ class CornerTable {
         loops_ = work.loops.data();
         gaps_ = work.gaps.data();
         for (Index g = 0; g < groups(); ++g) {
-            weights_[g] = side.potential == Potential::distance ? broadcast(1 / side.field.inscribed_radius)
-                                                                : load(side.field.fdem_weight + std::ptrdiff_t{8} * g);
+            weights_[g] = side.potential == Potential::distance
+                              ? Lanes(1 / side.field.inscribed_radius)
+                              : Lanes::load(side.field.fdem_weight + std::ptrdiff_t{8} * g);
         }
     }
 
     Index groups() const { return Groups > 0 ? Groups : groups_count_; }
     Index corner_count() const { return corner_count_; }  ///< of the surface itself
     Lanes* row(Index i) const { return rows_ + std::ptrdiff_t{i} * stride(); }
-    Lanes arm(Index i) const { return row(i)[groups()]; }
+    Arm arm(Index i) const { return Arm::load(arm_place(i)); }
     /// w_j h_j of corner i above face j.
     double value(Index i, Index face) const { return reinterpret_cast<const double*>(row(i))[face]; }
     double weight(Index face) const { return reinterpret_cast<const double*>(weights_)[face]; }
-    double coordinate(Index i, Index axis) const { return reinterpret_cast<const double*>(row(i) + groups())[axis]; }
+    double coordinate(Index i, Index axis) const { return arm_place(i)[axis]; }
     Vec3 position(Index i) const { return {coordinate(i, 0), coordinate(i, 1), coordinate(i, 2)}; }
 
     /// Corners made after `count` are forgotten.
@@ -69,13 +70,15 @@ class CornerTable {
         const geometry::ConvexView& field = side_.field;
         Lanes* r = row(i);
         for (Index g = 0; g < groups(); ++g) {
-            const Lanes h =
-                load(field.offset + std::ptrdiff_t{8} * g) - load(field.normal_x + std::ptrdiff_t{8} * g) * x.x -
-                load(field.normal_y + std::ptrdiff_t{8} * g) * x.y - load(field.normal_z + std::ptrdiff_t{8} * g) * x.z;
-            r[g] = weights_[g] * snap(h, broadcast(side_.tolerance));
+            const Lanes h = Lanes::load(field.offset + std::ptrdiff_t{8} * g) -
+                            Lanes::load(field.normal_x + std::ptrdiff_t{8} * g) * x.x -
+                            Lanes::load(field.normal_y + std::ptrdiff_t{8} * g) * x.y -
+                            Lanes::load(field.normal_z + std::ptrdiff_t{8} * g) * x.z;
+            r[g] = weights_[g] * snap(h, Lanes(side_.tolerance));
         }
         const Vec3 from_reference = x - side_.reference;
-        r[groups()] = Lanes{from_reference.x, from_reference.y, from_reference.z, 0, 0, 0, 0, 0};
+        const double four[]{from_reference.x, from_reference.y, from_reference.z, 0};
+        Arm::load(four).store(arm_place(i));
     }
 
     /// Takes the signed distances of a loop's corners from a plane, for cut().
@@ -121,18 +124,19 @@ class CornerTable {
         }
     }
     Index stride() const { return groups() + 1; }
+    double* arm_place(Index i) const { return reinterpret_cast<double*>(row(i) + groups()); }
 
     Index interpolate(Index i, Index k, double t, Index face) {
-        constexpr Lanes lane_number{0, 1, 2, 3, 4, 5, 6, 7};
+        static constexpr double lane_numbers[]{0, 1, 2, 3, 4, 5, 6, 7};
         const Index made = row_count_++;
         const Lanes *a = row(i), *b = row(k);
         Lanes* r = row(made);
         for (Index g = 0; g < groups(); ++g) {
             const Lanes p = snap(a[g] + t * (b[g] - a[g]), side_.tolerance * weights_[g]);
             // Whole vectors only: a scalar store here would hold up the next vector load.
-            r[g] = lane_number == broadcast(face - 8 * g) ? broadcast(0) : p;
+            r[g] = select(Lanes::load(lane_numbers) == Lanes(face - 8 * g), Lanes(0), p);
         }
-        r[groups()] = a[groups()] + t * (b[groups()] - a[groups()]);
+        (arm(i) + t * (arm(k) - arm(i))).store(arm_place(made));
         return made;
     }
 

@@ -11,14 +11,12 @@ constexpr int attempt_limit = 12;
 
 /// Largest d . x over the vertices, d in the body frame.
 double reach(const geometry::ConvexView& view, const Vec3& d) {
-    Lanes best = load(view.vertex_x) * d.x + load(view.vertex_y) * d.y + load(view.vertex_z) * d.z;
+    Lanes best = Lanes::load(view.vertex_x) * d.x + Lanes::load(view.vertex_y) * d.y + Lanes::load(view.vertex_z) * d.z;
     for (int i = geometry::shape_lanes; i < view.vertex_count; i += geometry::shape_lanes) {
-        best = max(best, load(view.vertex_x + i) * d.x + load(view.vertex_y + i) * d.y + load(view.vertex_z + i) * d.z);
+        best = max(best, Lanes::load(view.vertex_x + i) * d.x + Lanes::load(view.vertex_y + i) * d.y +
+                             Lanes::load(view.vertex_z + i) * d.z);
     }
-    const double a = best[0] > best[4] ? best[0] : best[4], b = best[1] > best[5] ? best[1] : best[5];
-    const double c = best[2] > best[6] ? best[2] : best[6], e = best[3] > best[7] ? best[3] : best[7];
-    const double ac = a > c ? a : c, be = b > e ? b : e;
-    return ac > be ? ac : be;
+    return largest(best);
 }
 
 /// Vertex farthest along d (world), in the world.

@@ -53,7 +53,7 @@ class SurfacePass {
         fields_ = work.fields.data();
         lows_ = fields_ + groups;
         for (Index g = 0; g < groups; ++g) {
-            fields_[g] = broadcast(-infinity);
+            fields_[g] = Lanes(-infinity);
         }
         field_count_ = faces;
         for (Index j = 0; j < faces; ++j) {
@@ -89,7 +89,7 @@ class SurfacePass {
             for (Index i = 1; i < corners_.corner_count(); ++i) {
                 top = max(top, corners_.row(i)[g]);
             }
-            if (const unsigned outside = bits_not_above(top, broadcast(0)); outside != 0) {
+            if (const unsigned outside = bits_not_above(top, Lanes(0)); outside != 0) {
                 return {8 * g + __builtin_ctz(outside)};
             }
         }
@@ -115,7 +115,7 @@ class SurfacePass {
         is_internal_ = s.is_internal[f] != 0;
         patch_area_ = 0;
         patch_sum_ = 0;
-        patch_first_ = broadcast(0);
+        patch_first_ = Arm(0);
         choose_plane();
         offset_ = dot(normal_, corners_.position(patch.corner[0]));
         const Index kept = keep_cells(patch);
@@ -151,12 +151,12 @@ class SurfacePass {
                 low = min(low, corners_.row(patch.corner[i])[g]);
                 high = max(high, corners_.row(patch.corner[i])[g]);
             }
-            unsigned flat = bits_not_above(high, broadcast(0));
+            unsigned flat = bits_not_above(high, Lanes(0));
             if (flat != 0) {
                 if (8 * g + 8 > field_.face_count) {
                     flat &= (1U << (field_.face_count - 8 * g)) - 1U;
                 }
-                if ((flat & bits_below(low, broadcast(0))) != 0) {
+                if ((flat & bits_below(low, Lanes(0))) != 0) {
                     return false;
                 }
                 // The whole polygon lies in face planes of the field body.
@@ -169,7 +169,7 @@ class SurfacePass {
                 }
                 share = 0.5;
             }
-            unsigned crossing = bits_below(low, broadcast(0));
+            unsigned crossing = bits_below(low, Lanes(0));
             if (8 * g + 8 > field_.face_count) {
                 crossing &= (1U << (field_.face_count - 8 * g)) - 1U;
             }
@@ -233,7 +233,7 @@ class SurfacePass {
         }
         Index kept = 0;
         for (Index g = 0; g < corners_.groups(); ++g) {
-            for_each_bit(bits_not_above(lows_[g], broadcast(ceiling)), [&](int lane) {
+            for_each_bit(bits_not_above(lows_[g], Lanes(ceiling)), [&](int lane) {
                 if (8 * g + lane < field_.face_count) {
                     side_.work.kept[at(kept++)] = 8 * g + lane;
                 }
@@ -255,8 +255,8 @@ class SurfacePass {
 
     /// See plain::integrate for the formulas; areas are taken in the coordinate plane that the face is steepest on.
     void integrate(const Loop& loop, Index j) {
-        const Lanes x0 = corners_.arm(loop.corner[0]);
-        Lanes x1 = corners_.arm(loop.corner[1]);
+        const Arm x0 = corners_.arm(loop.corner[0]);
+        Arm x1 = corners_.arm(loop.corner[1]);
         const double p0 = corners_.value(loop.corner[0], j);
         double p1 = corners_.value(loop.corner[1], j);
         const double u0 = corners_.coordinate(loop.corner[0], axis_u_),
@@ -264,10 +264,10 @@ class SurfacePass {
         double u1 = corners_.coordinate(loop.corner[1], axis_u_) - u0,
                v1 = corners_.coordinate(loop.corner[1], axis_v_) - v0;
         double largest = std::max(p0, p1), shadow = 0, six_sum = 0;
-        Lanes first = broadcast(0);
+        Arm first(0);
         for (Index i = 2; i < loop.size; ++i) {
             const Index corner = loop.corner[i];
-            const Lanes x2 = corners_.arm(corner);
+            const Arm x2 = corners_.arm(corner);
             const double p2 = corners_.value(corner, j), u2 = corners_.coordinate(corner, axis_u_) - u0,
                          v2 = corners_.coordinate(corner, axis_v_) - v0;
             const double twice = u1 * v2 - u2 * v1;
@@ -315,7 +315,7 @@ class SurfacePass {
     Lanes *fields_{nullptr}, *lows_{nullptr};
     bool is_internal_{false};
     Vec3 normal_{};
-    Lanes patch_first_{};
+    Arm patch_first_{};
     Index axis_u_{0}, axis_v_{1};
     double stretch_{1}, offset_{0}, patch_area_{0}, patch_sum_{0};
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
@@ -69,8 +70,8 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
         }
     });
     Block nobody;
-    nobody.centre.fill(FloatVector{});
-    nobody.half.fill(FloatVector{} - 1e30F);  // near nothing
+    nobody.centre.fill(Lanes(0));
+    nobody.half.fill(Lanes(-std::numeric_limits<float>::infinity()));  // near nothing, a box without end included
     for (std::size_t height = 0;; ++height) {
         const std::int64_t blocks = (count + branches - 1) / branches;
         levels_.resize(std::max(levels_.size(), height + 1));
@@ -86,8 +87,8 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
                     const auto k = static_cast<std::size_t>(axis);
                     const double centre = grown.base[axis] + 0.5 * (grown.low[axis] + grown.high[axis]);
                     const double width = grown.high[axis] - grown.low[axis];
-                    block.centre[k][b % branches] = static_cast<float>(centre);
-                    block.half[k][b % branches] = static_cast<float>(0.5 * width);
+                    block.centre[k].set(b % branches, static_cast<float>(centre));
+                    block.half[k].set(b % branches, static_cast<float>(0.5 * width));
                     largest_here = std::max({largest_here, std::abs(centre), width});
                 }
             }
@@ -156,7 +157,7 @@ void BoxTree::visit(std::size_t level, std::int64_t block, const Box& box, float
 std::uint32_t BoxTree::near(const Block& block, const Box& box, float distance) const {
     Lanes square(0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Lanes d = Lanes(block.centre[axis]) - Lanes(box.centre[axis]);
+        const Lanes d = block.centre[axis] - Lanes(box.centre[axis]);
         Lanes apart = max(d, -d);
         if (period_[axis] > 0) {
             // centres lie in the period or half a box outside, so less than two periods apart
@@ -165,10 +166,10 @@ std::uint32_t BoxTree::near(const Block& block, const Box& box, float distance) 
                 apart = min(apart, max(other, -other));
             }
         }
-        const Lanes gap = max(apart - Lanes(block.half[axis]) - Lanes(box.half[axis]), Lanes(0));
+        const Lanes gap = max(apart - block.half[axis] - Lanes(box.half[axis]), Lanes(0));
         square += gap * gap;
     }
-    return bits_below(square, distance * distance);
+    return bits_below(square, Lanes(distance * distance));
 }
 
 std::size_t BoxTree::bytes() const { return bytes_of(levels_); }

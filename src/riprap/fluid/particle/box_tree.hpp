@@ -23,7 +23,7 @@ class BoxTree {
     };
     /// Sixteen boxes side by side, per axis.
     struct Block {
-        std::array<FloatVector, 3> centre, half;
+        std::array<Lanes, 3> centre, half;
     };
 
     void build(std::span<const Vec3> position, const Domain& domain);

@@ -9,7 +9,7 @@ namespace {
 
 /// The places of a target cluster in lanes.
 struct TargetPlaces {
-    std::array<IntVector, 3> places;
+    std::array<IntLanes, 3> places;
     std::array<Lanes, 3> quantum;
     int dimension;
 
@@ -29,7 +29,7 @@ struct TargetPlaces {
                             quantum[k];
             square += d * d;
         }
-        return bits_below(square, within * within) != 0;
+        return bits_below(square, Lanes(within * within)) != 0;
     }
 };
 
@@ -79,8 +79,8 @@ void ListSearch::find_around(std::int64_t target_block) {
         const BoxTree::Box box = candidates.box_of_block(blocks_[b]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const int lane = static_cast<int>(b % BoxTree::branches);
-            block_boxes_[b / BoxTree::branches].centre[axis][lane] = box.centre[axis];
-            block_boxes_[b / BoxTree::branches].half[axis][lane] = box.half[axis];
+            block_boxes_[b / BoxTree::branches].centre[axis].set(lane, box.centre[axis]);
+            block_boxes_[b / BoxTree::branches].half[axis].set(lane, box.half[axis]);
         }
     }
     near_blocks_.resize(blocks_.size() + BoxTree::branches);
@@ -90,10 +90,6 @@ void ListSearch::find_around(std::int64_t target_block) {
 void ListSearch::find(std::int64_t target, std::vector<std::int32_t>& found) {
     const BoxTree& candidates = question_.candidate_boxes;
     const BoxTree::Box box = question_.target_boxes.box_of_cluster(target);
-    IntVector steps;
-    for (int lane = 0; lane < lane_count; ++lane) {
-        steps[lane] = lane;
-    }
     int block_count = 0;
     for (std::size_t k = 0; k < block_boxes_.size(); ++k) {
         const std::size_t here = k * BoxTree::branches;
@@ -109,7 +105,7 @@ void ListSearch::find(std::int64_t target, std::vector<std::int32_t>& found) {
         const std::int32_t block = near_blocks_[static_cast<std::size_t>(k)];
         cluster_count +=
             write_selected(candidates.near(candidates.clusters_of(block), box, box_distance_),
-                           steps + block * BoxTree::branches, &near_clusters_[static_cast<std::size_t>(cluster_count)]);
+                           block * BoxTree::branches, &near_clusters_[static_cast<std::size_t>(cluster_count)]);
     }
     int first = 0;
     if (question_.is_each_once) {

@@ -17,11 +17,11 @@ constexpr std::size_t padded(std::size_t sums) { return sums % 4 == 3 ? sums + 1
 
 /// Adds the sums over targets of all numbers to a buffer: [number][candidate].
 template <std::size_t Sums, std::size_t First = 0>
-inline void add_sums_of_targets(const std::array<Lanes, Sums>& sum, float* buffer) {
+inline void add_sums_of_targets(const std::array<LanePart, Sums>& sum, float* buffer) {
     if constexpr (Sums == 0) {
         return;
     } else if constexpr (Sums - First >= 3) {
-        const Lanes last = First + 3 < Sums ? sum[First + 3 < Sums ? First + 3 : 0] : Lanes(0);
+        const LanePart last = First + 3 < Sums ? sum[First + 3 < Sums ? First + 3 : 0] : LanePart(0);
         add_to(buffer + First * cluster_size, sums_of_targets(sum[First], sum[First + 1], sum[First + 2], last));
         if constexpr (First + 4 < Sums) {
             add_sums_of_targets<Sums, First + 4>(sum, buffer);
@@ -38,9 +38,9 @@ template <class Pair>
 struct OneWay {
     static constexpr std::size_t back_sums = 0;
     template <int Dim>
-    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
-                    Lanes*) {
-        pair.template operator()<Dim, Lanes>(a, b, d, r2, r, sum);
+    static void act(const Pair& pair, const LanePart* a, const LanePart* b, const LanePart* d, LanePart r2, LanePart r,
+                    LanePart* sum, LanePart*) {
+        pair.template operator()<Dim, LanePart>(a, b, d, r2, r, sum);
     }
 };
 /// and what both do to each other.
@@ -48,9 +48,9 @@ template <class Pair>
 struct BothWays {
     static constexpr auto back_sums = static_cast<std::size_t>(Pair::back_sums);
     template <int Dim>
-    static void act(const Pair& pair, const Lanes* a, const Lanes* b, const Lanes* d, Lanes r2, Lanes r, Lanes* sum,
-                    Lanes* back) {
-        pair.template exchange<Dim, Lanes>(a, b, d, r2, r, sum, back);
+    static void act(const Pair& pair, const LanePart* a, const LanePart* b, const LanePart* d, LanePart r2, LanePart r,
+                    LanePart* sum, LanePart* back) {
+        pair.template exchange<Dim, LanePart>(a, b, d, r2, r, sum, back);
     }
 };
 
@@ -65,11 +65,16 @@ struct PatchSweep {
     static constexpr std::size_t back_record = padded(back_sums) * cluster_size;
 
     struct Target {
-        std::array<IntVector, Dim> place;
+        std::array<IntLanes, Dim> place;
         Lanes apart;  ///< added to squares of distances: not zero, where square roots need care; far for absent members
         std::array<Lanes, target_fields + 1> fields{};
     };
-    using Sums = std::array<Lanes, sum_count>;
+    using Sums = std::array<std::array<LanePart, sum_count>, Lanes::part_count>;
+
+    /// Number k of each target.
+    static Wide<float, 4> sum_of(const Sums& sums, std::size_t k) {
+        return sum_of_candidates(Lanes::each([&](std::size_t p) { return sums[p][k].part[0]; }));
+    }
 
     Pair pair;
     std::array<Lanes, Dim> quantum;
@@ -90,7 +95,7 @@ struct PatchSweep {
         Separation s;
         s.r2 = apart;
         for (std::size_t axis = 0; axis < Dim; ++axis) {
-            const IntVector there =
+            const IntLanes there =
                 candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
             s.d[axis] = difference(target.place[axis], there) * unit[axis];
             s.r2 += s.d[axis] * s.d[axis];
@@ -100,23 +105,41 @@ struct PatchSweep {
     }
 
     template <class ThisWay>
-    [[gnu::always_inline]] std::array<Lanes, ThisWay::back_sums> act(const Pair& physics, const Target& target,
-                                                                     const float* four, const Separation& s,
-                                                                     Sums& sum) const {
-        std::array<Lanes, candidate_fields + 1> candidate{};
-        for (std::size_t k = 0; k < candidate_fields; ++k) {
-            candidate[k] = candidates_in_lanes(four + (Dim + k) * cluster_size);
+    [[gnu::always_inline]] std::array<LanePart, ThisWay::back_sums> act(const Pair& physics, const Target& target,
+                                                                        const float* four, const Separation& s,
+                                                                        Sums& sum) const {
+        std::array<LanePart, ThisWay::back_sums> other;
+        other.fill(LanePart(0));
+        [&]<std::size_t... K>(std::index_sequence<K...>) {
+            (act_in_part<ThisWay, K>(physics, target, four, s, sum[K], other), ...);
         }
-        std::array<Lanes, ThisWay::back_sums> other;
-        other.fill(Lanes(0));
-        ThisWay::template act<Dim>(physics, target.fields.data(), candidate.data(), s.d.data(), s.r2, s.r, sum.data(),
-                                   other.data());
+        (Lanes::Parts{});
         return other;
+    }
+    template <class ThisWay, std::size_t K>
+    [[gnu::always_inline]] void act_in_part(const Pair& physics, const Target& target, const float* four,
+                                            const Separation& s, std::array<LanePart, sum_count>& sum,
+                                            std::array<LanePart, ThisWay::back_sums>& other) const {
+        std::array<LanePart, target_fields + 1> own{};
+        std::array<LanePart, candidate_fields + 1> candidate{};
+        std::array<LanePart, Dim> d;
+        for (std::size_t field = 0; field < target_fields; ++field) {
+            own[field] = part_of(target.fields[field], K);
+        }
+        for (std::size_t field = 0; field < candidate_fields; ++field) {
+            candidate[field] = part_of(candidates_in_lanes(four + (Dim + field) * cluster_size), K);
+        }
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            d[axis] = part_of(s.d[axis], K);
+        }
+        ThisWay::template act<Dim>(physics, own.data(), candidate.data(), d.data(), part_of(s.r2, K), part_of(s.r, K),
+                                   sum.data(), other.data());
     }
 
     /// Adds what the candidates do to the target, and back.
     /// @param is_first_itself  the first candidates are the targets, of which every pair is there both ways
-    void add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself, Sums& sums_out) const {
+    [[gnu::flatten]] void add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself,
+                              Sums& sums_out) const {
         // Distances come first, for many clusters at once, and are kept: pairs of clusters that do not meet, which the
         // skin brings along, then cost a third, and two short chains of dependent instructions overlap better with
         // those of the next pairs than one long one does.
@@ -146,7 +169,7 @@ struct PatchSweep {
                 const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
                 separations[met_count] = s;
                 met[met_count] = entries[n];
-                met_count += bits_below(s.r2, reach_squared) != 0 ? 1 : 0;
+                met_count += bits_below(s.r2, Lanes(reach_squared)) != 0 ? 1 : 0;
             }
             if (met_count > 0 && met[met_count - 1] == partial) [[unlikely]] {
                 separations[met_count - 1] = separation(target, unit, record_of(partial), target.apart + beyond);

@@ -64,7 +64,7 @@ struct ClusterSweep {
             work.partial = static_cast<std::int32_t>(
                 (static_cast<std::int64_t>(patch.blocks.size()) - 1) * BoxTree::branches + last % BoxTree::branches);
             for (int lane = 0; lane < lane_count; ++lane) {
-                work.beyond.v[lane] = lane % cluster_size < members ? 0.0F : far;
+                work.beyond.set(lane, lane % cluster_size < members ? 0.0F : far);
             }
         }
         for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -93,17 +93,19 @@ struct ClusterSweep {
             is_each_once ? target_in(work.records + static_cast<std::size_t>(local) * Patches::record, count)
                          : target_of(t, count);
         typename Patches::Sums sum;
-        sum.fill(Lanes(0));
+        for (auto& part : sum) {
+            part.fill(LanePart(0));
+        }
         work.add(target, near, is_each_once && near.front() == local, sum);
         if (is_each_once) {
             for (std::size_t k = 0; k < sum_count; ++k) {
                 add_to(work.back + static_cast<std::size_t>(local) * Patches::back_record + k * cluster_size,
-                       sum_of_candidates(sum[k]));
+                       Patches::sum_of(sum, k));
             }
             return;
         }
         for (std::size_t k = 0; k < sum_count; ++k) {
-            const FloatFour total = sum_of_candidates(sum[k]);
+            const Wide<float, 4> total = Patches::sum_of(sum, k);
             for (int member = 0; member < count; ++member) {
                 sums[k][t * cluster_size + member] += static_cast<double>(total[member]);
             }
@@ -127,7 +129,7 @@ struct ClusterSweep {
         Lanes square(1e-30F);
         if (count < cluster_size) {
             for (int lane = 0; lane < lane_count; ++lane) {
-                square.v[lane] = lane / cluster_size < count ? 1e-30F : far;
+                square.set(lane, lane / cluster_size < count ? 1e-30F : far);
             }
         }
         return square;
