@@ -121,14 +121,17 @@ struct Wide {
     [[gnu::always_inline]] static Wide each(const F& f) {
         return each(f, Parts{});
     }
+    // part by part: GCC would copy the whole in shorter pieces, which hold up the loads of parts
     static Wide load(const T* from) {
-        Wide a;
-        __builtin_memcpy(&a, from, sizeof a);
-        return a;
+        return each([&](std::size_t k) {
+            Part p;
+            __builtin_memcpy(&p, from + k * part_size, sizeof p);
+            return p;
+        });
     }
-    void store(T* to) const { __builtin_memcpy(to, this, sizeof *this); }
-    T operator[](std::size_t lane) const { return part[lane / part_size][lane % part_size]; }
-    void set(std::size_t lane, T a) { part[lane / part_size][lane % part_size] = a; }
+    void store(T* to) const { store(to, Parts{}); }
+    T operator[](std::int64_t lane) const { return part[lane / width][lane % width]; }
+    void set(std::int64_t lane, T a) { part[lane / width][lane % width] = a; }
 
     Wide& operator+=(Wide b) { return *this = *this + b; }
     Wide& operator-=(Wide b) { return *this = *this - b; }
@@ -150,11 +153,16 @@ struct Wide {
     friend Wide operator*(Wide a, T b) { return a * Wide(b); }
 
  private:
+    static constexpr auto width = static_cast<std::int64_t>(part_size);
     template <class F, std::size_t... K>
     [[gnu::always_inline]] static Wide each(const F& f, std::index_sequence<K...>) {
         Wide a;
         ((a.part[K] = f(K)), ...);
         return a;
+    }
+    template <std::size_t... K>
+    [[gnu::always_inline]] void store(T* to, std::index_sequence<K...>) const {
+        (__builtin_memcpy(to + K * part_size, &part[K], sizeof(Part)), ...);
     }
 };
 

@@ -77,8 +77,11 @@ class CornerTable {
             r[g] = weights_[g] * snap(h, Lanes(side_.tolerance));
         }
         const Vec3 from_reference = x - side_.reference;
-        const double four[]{from_reference.x, from_reference.y, from_reference.z, 0};
-        Arm::load(four).store(arm_place(i));
+        double* const arm = arm_place(i);
+        arm[0] = from_reference.x;
+        arm[1] = from_reference.y;
+        arm[2] = from_reference.z;
+        arm[3] = 0;
     }
 
     /// Takes the signed distances of a loop's corners from a plane, for cut().
