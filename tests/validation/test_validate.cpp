@@ -107,6 +107,21 @@ TEST(Validate, tells_all_results_so_far_after_every_case) {
     EXPECT_EQ(nlohmann::json::parse(at_the_end)["results"].size(), 3U);
 }
 
+TEST(Validate, tells_how_far_a_long_simulation_is) {
+    const auto steps = [](const CaseSetting& setting, CaseReport& report) {
+        setting.after_step(0.25, 4);
+        passes(setting, report);
+    };
+    const std::array cases{ValidationCase{"s", "a", "slow", false, steps}};
+    ValidateOptions options = json_of();
+    std::ostringstream out, progress;
+    validate(options, cases, out, &progress);
+    EXPECT_EQ(progress.str(), "s/a: slow\n");
+    options.tell_every = 0;
+    validate(options, cases, out, &progress);
+    EXPECT_THAT(progress.str(), HasSubstr("s/a: slow\n  t = 0.25 s of at most 4 s after 0 min\n"));
+}
+
 TEST(Validate, a_selection_runs_a_suite_or_one_case_and_refuses_other_names) {
     const std::array cases{ValidationCase{"s", "a", "", false, passes}, ValidationCase{"s", "b", "", false, passes},
                            ValidationCase{"t", "c", "", false, passes}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "riprap/validation/case_trial.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 
 namespace riprap::validation::water {
@@ -22,6 +23,26 @@ TEST(WaterRecord, values_lie_on_the_line_between_rows_and_stay_beyond_the_ends) 
 TEST(WaterRecord, crossings_are_found_up_and_down) {
     EXPECT_EQ(crossings(x, y, 1), (std::vector<double>{0.5, 1.5}));
     EXPECT_TRUE(crossings(x, y, 3).empty());
+}
+
+TEST(WaterTrial, and_a_trial_of_blocks_tell_how_far_they_are_after_every_step) {
+    CaseSetting setting;
+    double told = 0;
+    setting.after_step = [&told](double time, double end) {
+        EXPECT_GT(time, told);
+        EXPECT_LE(time, end);
+        told = time;
+    };
+    setting.folder = "validation/zhao/incline";
+    Trial blocks = trial_of(setting);
+    blocks.step();
+    blocks.step();
+    EXPECT_EQ(told, blocks.time());
+    told = 0;
+    setting.folder = "validation/water/submerged_square";
+    WaterTrial water(setting, std::vector<std::string>{"end=0.002"});
+    water.run();
+    EXPECT_EQ(told, water.now());
 }
 
 }  // namespace

@@ -7,7 +7,9 @@ namespace riprap::validation {
 
 Trial trial_of(const CaseSetting& setting, std::span<const std::string> overrides) {
     scene::LoadedCase loaded = scene::read_case((setting.folder / "case.toml").string(), overrides);
-    return Trial(std::move(loaded.model), std::move(loaded.state));
+    Trial trial(std::move(loaded.model), std::move(loaded.state));
+    trial.tell(setting.after_step);
+    return trial;
 }
 
 }  // namespace riprap::validation

@@ -9,6 +9,7 @@
 
 #include "riprap/validation/plot_svg.hpp"
 #include "riprap/validation/result.hpp"
+#include "riprap/validation/scene_builder.hpp"
 
 namespace riprap::validation {
 
@@ -17,6 +18,7 @@ struct CaseSetting {
     std::filesystem::path folder;   ///< validation/<suite>/<case> with the case's files
     std::filesystem::path results;  ///< where plots go; empty = none are written
     bool is_full{false};            ///< the long version
+    AfterStep after_step{};         ///< is told how far a simulation is, where it is set
 };
 
 /// One published example or analytical solution. `run` fills the report; what it throws becomes a failed result.

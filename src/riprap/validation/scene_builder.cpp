@@ -71,6 +71,9 @@ const sim::StepReport& Trial::step() {
     if (!report_.status.ok()) {
         throw std::runtime_error(report_.status.text);
     }
+    if (after_step_) {
+        after_step_(state_.time, model_.time.end);
+    }
     return report_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "riprap/geometry/shapes.hpp"
@@ -42,6 +43,9 @@ class SceneBuilder {
     std::vector<Vec3> centroids_;  ///< of every shape in the frame it was given in [m]
 };
 
+/// Called with the time of a simulation and that of its end [s].
+using AfterStep = std::function<void(double time, double end)>;
+
 /// A scene being advanced. Steps are those of largest_time_step with the default factor, or with water those of
 /// choose_time_step, so no case tunes its own.
 class Trial {
@@ -62,6 +66,8 @@ class Trial {
     void run_until(double time) {
         run_until(time, [](const Trial&) {});
     }
+
+    void tell(AfterStep after_step) { after_step_ = std::move(after_step); }
 
     /// Cases that do not read energies save the time to work them out.
     void follow_energy(bool wanted) { measure_ = wanted ? sim::Measure::energy : sim::Measure::flow; }
@@ -91,6 +97,7 @@ class Trial {
     sim::StepReport report_;
     double dt_;
     sim::Measure measure_{sim::Measure::energy};
+    AfterStep after_step_;
 };
 
 /// Unit vectors and a rotation, for short: the turn by `angle` about `axis` (any length).

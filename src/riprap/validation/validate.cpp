@@ -60,12 +60,24 @@ std::vector<std::string> unknown_names(const ValidateOptions& options, std::span
     return unknown;
 }
 
-CaseReport run_one(const ValidationCase& one, const ValidateOptions& options) {
+/// Says now and then how far a case is.
+AfterStep teller(std::ostream& progress, double interval) {
+    return [&progress, interval, timer = Timer(), told = 0.0](double time, double end) mutable {
+        if (timer.seconds() - told >= interval) {
+            told = timer.seconds();
+            progress << fmt::format("  t = {:.4g} s of at most {:.4g} s after {:.0f} min\n", time, end, told / 60)
+                     << std::flush;
+        }
+    };
+}
+
+CaseReport run_one(const ValidationCase& one, const ValidateOptions& options, std::ostream* progress) {
     CaseReport report{std::string(one.name)};
     CaseSetting setting;
     setting.folder = case_folder(options) / one.suite / one.name;
     setting.results = options.results.empty() ? "" : std::filesystem::path(options.results) / one.suite;
     setting.is_full = options.is_full;
+    setting.after_step = progress != nullptr ? teller(*progress, options.tell_every) : AfterStep{};
     const Timer timer;
     try {
         one.run(setting, report);
@@ -120,7 +132,7 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
             if (progress != nullptr) {
                 *progress << fmt::format("{}: {}\n", full_name(one), one.title) << std::flush;
             }
-            const CaseReport report = run_one(one, options);
+            const CaseReport report = run_one(one, options, progress);
             for (Result result : report.results()) {
                 results.push_back(result);
                 result.name = names_suites ? fmt::format("{}/{}", suite, result.name) : result.name;

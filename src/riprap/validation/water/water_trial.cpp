@@ -10,7 +10,9 @@
 namespace riprap::validation::water {
 
 WaterTrial::WaterTrial(const CaseSetting& setting, std::span<const std::string> overrides)
-    : loaded_(scene::read_case((setting.folder / "case.toml").string(), overrides)), state_(loaded_.state) {
+    : loaded_(scene::read_case((setting.folder / "case.toml").string(), overrides)),
+      state_(loaded_.state),
+      after_step_(setting.after_step) {
     const sim::Model& model = loaded_.model;
     interval_ = model.output.probe_interval > 0 ? model.output.probe_interval : model.time.end / 1000;
     columns_ = sim::record_columns(model);
@@ -34,6 +36,9 @@ bool WaterTrial::step_to_row() {
             sim::advance(loaded_.model, state_, scratch_, next.dt, is_row ? sim::Measure::energy : sim::Measure::flow);
         if (!report_.status.ok()) {
             throw std::runtime_error(report_.status.text);
+        }
+        if (after_step_) {
+            after_step_(state_.time, loaded_.model.time.end);
         }
         if (is_row) {
             add_row();

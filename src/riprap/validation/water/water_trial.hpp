@@ -56,6 +56,7 @@ class WaterTrial {
 
     scene::LoadedCase loaded_;
     sim::State state_, initial_;
+    AfterStep after_step_;
     sim::Scratch scratch_;
     sim::StepReport report_;
     double interval_{0};
