@@ -39,10 +39,11 @@ target_link_libraries(riprap_flags INTERFACE Threads::Threads)
 # the processor waits for; with 16 registers, what is mixed is spilled to memory and a fifth slower.
 include(CheckCXXSourceCompiles)
 set(CMAKE_REQUIRED_FLAGS "-march=${RIPRAP_MARCH}")
-check_cxx_source_compiles("#ifndef __AVX512F__\n#error\n#endif\nint main() {}" RIPRAP_HAS_AVX512)
+string(MAKE_C_IDENTIFIER "RIPRAP_AVX512_WITH_${RIPRAP_MARCH}" has_avx512)  # the answer is kept per -march
+check_cxx_source_compiles("#ifndef __AVX512F__\n#error\n#endif\nint main() {}" ${has_avx512})
 unset(CMAKE_REQUIRED_FLAGS)
 set(RIPRAP_KERNEL_OPTIONS -ffp-contract=fast)
-if(RIPRAP_HAS_AVX512)
+if(${has_avx512})
   list(APPEND RIPRAP_KERNEL_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns>)
 endif()
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/core/wide.hpp"
-
 #include <gmock/gmock.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
+
+#include "riprap/core/wide_floats.hpp"
 
 namespace riprap {
 namespace {
@@ -26,7 +28,9 @@ TYPED_TEST_SUITE(wide, Numbers);
 // As text, so that NaN is equal to itself and zeros differ by their sign.
 template <class Number>
 std::string text(Number a) {
-    return std::isnan(a) ? "nan" : std::to_string(a) + (std::signbit(a) ? "-" : "+");
+    std::array<char, 40> digits{};
+    std::snprintf(digits.data(), digits.size(), "%a", static_cast<double>(a));
+    return std::isnan(a) ? "nan" : digits.data();
 }
 
 TYPED_TEST(wide, does_to_every_lane_what_the_scalar_operation_does) {
@@ -34,8 +38,8 @@ TYPED_TEST(wide, does_to_every_lane_what_the_scalar_operation_does) {
     const W a = W::load(this->ones.data()), b = W::load(this->others.data());
     const W sum = a + b, less = a - b, product = a * b, turned = -a, scaled = TypeParam(3) * a;
     const W least = min(a, b), most = max(a, b), chosen = select(a < b, a, b);
-    for (std::size_t l = 0; l < 16; ++l) {
-        const TypeParam x = this->ones[l], y = this->others[l];
+    for (int l = 0; l < 16; ++l) {
+        const TypeParam x = this->ones[static_cast<std::size_t>(l)], y = this->others[static_cast<std::size_t>(l)];
         EXPECT_EQ(text(sum[l]), text(x + y));
         EXPECT_EQ(text(less[l]), text(x - y));
         EXPECT_EQ(text(product[l]), text(x * y));
@@ -53,8 +57,8 @@ TYPED_TEST(wide, compares_every_lane) {
     const auto below = a<b, above = a> b, at_most = a <= b, at_least = a >= b, same = a == b;
     const auto either = below | same, both = below & same;
     const std::uint32_t bits = bits_below(a, b);
-    for (std::size_t l = 0; l < 16; ++l) {
-        const TypeParam x = this->ones[l], y = this->others[l];
+    for (int l = 0; l < 16; ++l) {
+        const TypeParam x = this->ones[static_cast<std::size_t>(l)], y = this->others[static_cast<std::size_t>(l)];
         EXPECT_EQ(below[l] != 0, x < y);
         EXPECT_EQ(above[l] != 0, x > y);
         EXPECT_EQ(at_most[l] != 0, x <= y);
@@ -73,10 +77,21 @@ TYPED_TEST(wide, keeps_numbers_in_their_lanes) {
     a.set(12, -5);
     std::array<TypeParam, 16> out;
     a.store(out.data());
-    for (std::size_t l = 0; l < 16; ++l) {
-        EXPECT_EQ(out[l], l == 3 ? 7 : l == 12 ? -5 : 1);
-        EXPECT_EQ(a[l], out[l]);
+    for (int l = 0; l < 16; ++l) {
+        EXPECT_EQ(out[static_cast<std::size_t>(l)], l == 3 ? 7 : l == 12 ? -5 : 1);
+        EXPECT_EQ(a[l], out[static_cast<std::size_t>(l)]);
     }
+}
+
+TEST(wide, is_as_long_as_its_numbers_whatever_the_machine_takes_at_once) {
+    EXPECT_EQ(sizeof(Wide<double, 4>), 32U);
+    EXPECT_EQ(sizeof(Wide<float, 4>), 16U);
+    const std::array<double, 4> numbers{1, -2, 3, 4};
+    const auto twice = 2.0 * Wide<double, 4>::load(numbers.data());
+    for (int l = 0; l < 4; ++l) {
+        EXPECT_EQ(twice[l], 2 * numbers[static_cast<std::size_t>(l)]);
+    }
+    EXPECT_EQ(bits_below(twice, Wide<double, 4>(3)), 0b0011U);
 }
 
 TEST(wide_floats, reciprocals_and_roots_are_right_to_two_units_in_the_last_place) {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "riprap/core/timer.hpp"
 #include "riprap/validation/validate.hpp"
 
 namespace riprap::validation {
@@ -109,7 +110,9 @@ TEST(Validate, tells_all_results_so_far_after_every_case) {
 
 TEST(Validate, tells_how_far_a_long_simulation_is) {
     const auto steps = [](const CaseSetting& setting, CaseReport& report) {
-        setting.after_step(0.25, 4);
+        AfterStep one = setting.after_step, another = setting.after_step;  // as two simulations of a case have it
+        one(0.25, 4);
+        another(0.5, 4);
         passes(setting, report);
     };
     const std::array cases{ValidationCase{"s", "a", "slow", false, steps}};
@@ -119,7 +122,21 @@ TEST(Validate, tells_how_far_a_long_simulation_is) {
     EXPECT_EQ(progress.str(), "s/a: slow\n");
     options.tell_every = 0;
     validate(options, cases, out, &progress);
-    EXPECT_THAT(progress.str(), HasSubstr("s/a: slow\n  t = 0.25 s of at most 4 s after 0 min\n"));
+    EXPECT_THAT(progress.str(), HasSubstr("s/a: slow\n  t = 0.25 s of at most 4 s after 0 min\n  t = 0.5 s of"));
+    options.tell_every = 0.05;
+    const std::array pauses{
+        ValidationCase{"s", "b", "pauses", false, [](const CaseSetting& setting, CaseReport& report) {
+                           const Timer timer;
+                           AfterStep one = setting.after_step, another = setting.after_step;
+                           while (timer.seconds() < 0.06) {
+                           }
+                           one(1, 4);
+                           another(2, 4);
+                           passes(setting, report);
+                       }}};
+    progress.str("");
+    validate(options, pauses, out, &progress);
+    EXPECT_EQ(progress.str(), "s/b: pauses\n  t = 1 s of at most 4 s after 0 min\n");
 }
 
 TEST(Validate, a_selection_runs_a_suite_or_one_case_and_refuses_other_names) {

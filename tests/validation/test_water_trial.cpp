@@ -25,24 +25,31 @@ TEST(WaterRecord, crossings_are_found_up_and_down) {
     EXPECT_TRUE(crossings(x, y, 3).empty());
 }
 
-TEST(WaterTrial, and_a_trial_of_blocks_tell_how_far_they_are_after_every_step) {
+TEST(WaterTrial, tells_how_far_it_is_after_every_step) {
     CaseSetting setting;
+    setting.folder = "validation/water/submerged_square";
     double told = 0;
     setting.after_step = [&told](double time, double end) {
         EXPECT_GT(time, told);
         EXPECT_LE(time, end);
         told = time;
     };
-    setting.folder = "validation/zhao/incline";
-    Trial blocks = trial_of(setting);
-    blocks.step();
-    blocks.step();
-    EXPECT_EQ(told, blocks.time());
-    told = 0;
-    setting.folder = "validation/water/submerged_square";
     WaterTrial water(setting, std::vector<std::string>{"end=0.002"});
     water.run();
     EXPECT_EQ(told, water.now());
+}
+
+TEST(Trial, of_a_case_file_tells_how_far_it_is_after_every_step) {
+    CaseSetting setting;
+    setting.folder = "validation/zhao/incline";
+    std::vector<double> told;
+    setting.after_step = [&told](double time, double) { told.push_back(time); };
+    Trial blocks = trial_of(setting);
+    blocks.step();
+    blocks.step();
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_LT(told[0], told[1]);
+    EXPECT_EQ(told[1], blocks.time());
 }
 
 }  // namespace

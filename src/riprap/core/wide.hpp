@@ -77,32 +77,12 @@ inline std::uint32_t bits_below(FloatSixteen a, FloatSixteen b) { return _mm512_
 inline std::uint32_t bits_below(DoubleEight a, DoubleEight b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 #endif
 
-/// 1/a and 1/sqrt(a) to at least 11 bits.
-template <class Part>
-inline Part estimate_reciprocal(Part a) {
-    return 1.0F / a;
-}
-template <class Part>
-inline Part estimate_reciprocal_sqrt(Part a) {
-    for (std::size_t lane = 0; lane < sizeof(a) / sizeof(a[0]); ++lane) {
-        a[lane] = 1.0F / __builtin_sqrtf(a[lane]);
-    }
-    return a;
-}
-#if defined(__AVX2__)
-inline FloatEight estimate_reciprocal(FloatEight a) { return _mm256_rcp_ps(a); }
-inline FloatEight estimate_reciprocal_sqrt(FloatEight a) { return _mm256_rsqrt_ps(a); }
-#endif
-#if defined(__AVX512F__)
-inline FloatSixteen estimate_reciprocal(FloatSixteen a) { return _mm512_maskz_rcp14_ps(0xFFFF, a); }
-inline FloatSixteen estimate_reciprocal_sqrt(FloatSixteen a) { return _mm512_maskz_rsqrt14_ps(0xFFFF, a); }
-#endif
-
 }  // namespace detail
 
 /// N numbers with element-wise arithmetic; N is a power of two.
 template <class T, std::size_t N>
 struct Wide {
+    static_assert(N > 1 && (N & (N - 1)) == 0, "numbers side by side come in powers of two");
     static constexpr std::size_t part_size = N < vector_bytes / sizeof(T) ? N : vector_bytes / sizeof(T);
     static constexpr std::size_t part_count = N / part_size;
     using Part = typename detail::VectorOf<T, part_size>::Type;
@@ -110,7 +90,7 @@ struct Wide {
 
     Part part[part_count];
 
-    Wide() = default;
+    Wide() = default;  ///< of no value, as a number; Wide{} is zero
     /// The same number in all lanes.
     template <class Number>
     requires std::is_arithmetic_v<Number>
@@ -130,6 +110,7 @@ struct Wide {
         });
     }
     void store(T* to) const { store(to, Parts{}); }
+    /// The number of one lane.
     T operator[](std::int64_t lane) const { return part[lane / width][lane % width]; }
     void set(std::int64_t lane, T a) { part[lane / width][lane % width] = a; }
 
@@ -215,44 +196,11 @@ inline Wide<T, N> max(Wide<T, N> a, Wide<T, N> b) {
 template <class T, std::size_t N>
 inline std::uint32_t bits_below(Wide<T, N> a, Wide<T, N> b) {
     using W = Wide<T, N>;
+    static_assert(N <= 32);
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
         return ((detail::bits_below(a.part[K], b.part[K]) << (K * W::part_size)) | ...);
     }
     (typename W::Parts{});
-}
-
-// Floats: the machine's estimate and one step of Newton's, which is 2 units in the last place off.
-
-/// 1/a
-template <std::size_t N>
-inline Wide<float, N> reciprocal(Wide<float, N> a) {
-    return Wide<float, N>::each([&](std::size_t k) {
-        const auto y = detail::estimate_reciprocal(a.part[k]);
-        return y + y * (1.0F - a.part[k] * y);
-    });
-}
-/// 1/sqrt(a)
-template <std::size_t N>
-inline Wide<float, N> reciprocal_sqrt(Wide<float, N> a) {
-    return Wide<float, N>::each([&](std::size_t k) {
-        const auto y = detail::estimate_reciprocal_sqrt(a.part[k]);
-        return y + y * (0.5F - 0.5F * a.part[k] * y * y);
-    });
-}
-/// sqrt(a) for a > 0.
-template <std::size_t N>
-inline Wide<float, N> distance(Wide<float, N> a) {
-    return Wide<float, N>::each([&](std::size_t k) {
-        const auto y = detail::estimate_reciprocal_sqrt(a.part[k]);
-        const auto root = a.part[k] * y;
-        return root + root * (0.5F - root * (0.5F * y));
-    });
-}
-/// sqrt(a) for a >= 0; 0 below 1e-30.
-template <std::size_t N>
-inline Wide<float, N> sqrt(Wide<float, N> a) {
-    const Wide<float, N> least(1e-30F);
-    return select(a > least, distance(max(a, least)), Wide<float, N>(0));
 }
 
 }  // namespace riprap

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/validation/after_step.hpp"
 #include "riprap/validation/plot_svg.hpp"
 #include "riprap/validation/result.hpp"
-#include "riprap/validation/scene_builder.hpp"
 
 namespace riprap::validation {
 

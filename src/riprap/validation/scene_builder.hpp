@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <string>
+#include <utility>
 
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/sim/advance.hpp"
+#include "riprap/validation/after_step.hpp"
 
 namespace riprap::validation {
 
@@ -43,9 +44,6 @@ class SceneBuilder {
     std::vector<Vec3> centroids_;  ///< of every shape in the frame it was given in [m]
 };
 
-/// Called with the time of a simulation and that of its end [s].
-using AfterStep = std::function<void(double time, double end)>;
-
 /// A scene being advanced. Steps are those of largest_time_step with the default factor, or with water those of
 /// choose_time_step, so no case tunes its own.
 class Trial {
@@ -67,6 +65,7 @@ class Trial {
         run_until(time, [](const Trial&) {});
     }
 
+    /// Who is told after every step from now on; nobody where empty.
     void tell(AfterStep after_step) { after_step_ = std::move(after_step); }
 
     /// Cases that do not read energies save the time to work them out.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <memory>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
@@ -62,10 +63,15 @@ std::vector<std::string> unknown_names(const ValidateOptions& options, std::span
 
 /// Says now and then how far a case is.
 AfterStep teller(std::ostream& progress, double interval) {
-    return [&progress, interval, timer = Timer(), told = 0.0](double time, double end) mutable {
-        if (timer.seconds() - told >= interval) {
-            told = timer.seconds();
-            progress << fmt::format("  t = {:.4g} s of at most {:.4g} s after {:.0f} min\n", time, end, told / 60)
+    struct Told {
+        Timer timer;
+        double last{0};
+    };
+    // shared by all simulations of the case
+    return [&progress, interval, told = std::make_shared<Told>()](double time, double end) {
+        if (told->timer.seconds() - told->last >= interval) {
+            told->last = told->timer.seconds();
+            progress << fmt::format("  t = {:.4g} s of at most {:.4g} s after {:.0f} min\n", time, end, told->last / 60)
                      << std::flush;
         }
     };

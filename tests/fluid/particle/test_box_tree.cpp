@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "fluid/particle/sample.hpp"
@@ -48,6 +49,19 @@ TEST(box_tree, finds_the_blocks_within_a_distance) {
         }
         ASSERT_EQ(found, expected);
     }
+}
+
+TEST(box_tree, finds_blocks_across_a_periodic_side) {
+    Sample sample = jittered_lattice(2, {8, 64, 1}, 1.5);  // eight blocks in a row along y
+    sample.domain.low = {-1, 0, 0};
+    sample.domain.high = {1, 64 * sample.spacing, 0};
+    const BoxTree::Box corner{{1.04F, 0, 0}, {0, 0, 0}};  // boxes are relative to the corner of the domain
+    std::vector<std::int32_t> open, periodic;
+    tree_of(sample).find_blocks(corner, 0.02F, open);
+    sample.domain.is_periodic[1] = true;
+    tree_of(sample).find_blocks(corner, 0.02F, periodic);
+    EXPECT_THAT(open, testing::ElementsAre(0));
+    EXPECT_THAT(periodic, testing::ElementsAre(0, 7));
 }
 
 }  // namespace

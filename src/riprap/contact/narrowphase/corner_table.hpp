@@ -77,11 +77,11 @@ class CornerTable {
             r[g] = weights_[g] * snap(h, Lanes(side_.tolerance));
         }
         const Vec3 from_reference = x - side_.reference;
-        double* const arm = arm_place(i);
-        arm[0] = from_reference.x;
-        arm[1] = from_reference.y;
-        arm[2] = from_reference.z;
-        arm[3] = 0;
+        Arm arm(0);
+        arm.set(0, from_reference.x);
+        arm.set(1, from_reference.y);
+        arm.set(2, from_reference.z);
+        arm.store(arm_place(i));
     }
 
     /// Takes the signed distances of a loop's corners from a plane, for cut().

@@ -17,13 +17,31 @@ static_assert(sizeof(Lanes) == geometry::shape_lanes * sizeof(double));
 /// Zero where |v| <= tolerance.
 inline Lanes snap(Lanes v, Lanes tolerance) { return select((v > tolerance) | (v < -tolerance), v, Lanes(0)); }
 
-/// The largest of the lanes.
-inline double largest(Lanes v) {
-    const auto better = [](double a, double b) { return a > b ? a : b; };
-    return better(better(better(v[0], v[4]), better(v[2], v[6])), better(better(v[1], v[5]), better(v[3], v[7])));
+namespace detail {
+
+template <class Part>
+inline double least_in(Part p) {
+    using riprap::detail::lesser;
+    if constexpr (sizeof(Part) == 8 * sizeof(double)) {
+        p = lesser(p, __builtin_shufflevector(p, p, 4, 5, 6, 7, 0, 1, 2, 3));
+        p = lesser(p, __builtin_shufflevector(p, p, 2, 3, 0, 1, 6, 7, 4, 5));
+    } else if constexpr (sizeof(Part) == 4 * sizeof(double)) {
+        p = lesser(p, __builtin_shufflevector(p, p, 2, 3, 0, 1));
+    }
+    return p[0] < p[1] ? p[0] : p[1];
 }
-/// The least of the lanes.
-inline double least(Lanes v) { return -largest(-v); }
+
+}  // namespace detail
+
+/// The least of the lanes, and the largest.
+inline double least(Lanes v) {
+    Lanes::Part p = v.part[0];
+    for (std::size_t k = 1; k < Lanes::part_count; ++k) {
+        p = riprap::detail::lesser(p, v.part[k]);
+    }
+    return detail::least_in(p);
+}
+inline double largest(Lanes v) { return -least(-v); }
 
 inline unsigned bits_not_above(Lanes a, Lanes b) { return ~bits_below(b, a) & 0xffU; }
 

@@ -71,7 +71,8 @@ void BoxTree::build(std::span<const Vec3> position, const Domain& domain) {
     });
     Block nobody;
     nobody.centre.fill(Lanes(0));
-    nobody.half.fill(Lanes(-std::numeric_limits<float>::infinity()));  // near nothing, a box without end included
+    nobody.half.fill(
+        Lanes(-std::numeric_limits<float>::infinity()));  // near nothing, also not a box without end (1e30)
     for (std::size_t height = 0;; ++height) {
         const std::int64_t blocks = (count + branches - 1) / branches;
         levels_.resize(std::max(levels_.size(), height + 1));

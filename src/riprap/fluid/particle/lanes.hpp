@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "riprap/core/wide.hpp"
+#include "riprap/core/wide_floats.hpp"
 
 namespace riprap::fluid {
 
@@ -24,10 +24,10 @@ inline LanePart part_of(Lanes a, std::size_t k) {
     return part;
 }
 
-using FloatFour [[gnu::vector_size(cluster_size * sizeof(float))]] = float;
-using IntFour [[gnu::vector_size(cluster_size * sizeof(std::int32_t))]] = std::int32_t;
-using DoubleFour [[gnu::vector_size(cluster_size * sizeof(double))]] = double;
-using FloatEight [[gnu::vector_size(2 * cluster_size * sizeof(float))]] = float;
+using FloatFour = riprap::detail::VectorOf<float, 4>::Type;
+using IntFour = riprap::detail::VectorOf<std::int32_t, 4>::Type;
+using DoubleFour = riprap::detail::VectorOf<double, 4>::Type;
+using FloatEight = riprap::detail::VectorOf<float, 8>::Type;
 
 namespace detail {
 
@@ -146,7 +146,7 @@ inline Lanes sums_of_targets(Part a, Part b, Part c, Part d) {
         sums.part[0] = __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27) +
                        __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
     } else {
-        const Wide<float, 8> x = sums_of_targets(a, b), y = sums_of_targets(c, d);
+        const auto x = sums_of_targets<Part>(a, b), y = sums_of_targets<Part>(c, d);
         constexpr std::size_t half = Lanes::part_count / 2;
         for (std::size_t k = 0; k < half; ++k) {
             sums.part[k] = x.part[k];
@@ -166,14 +166,14 @@ template <std::size_t N>
 inline void add_to(float* memory, Wide<float, N> values) {
     (Wide<float, N>::load(memory) + values).store(memory);
 }
-/// Writes first + l for every bit l that is set, ascending, and garbage up to 16 behind them.
+/// Writes first + l for every bit l that is set, ascending; may write anything up to 16 places behind `out`.
 /// @returns how many
 inline int write_selected(std::uint32_t bits, std::int32_t first, std::int32_t* out) {
     const int count = __builtin_popcount(bits);
 #if defined(__AVX512F__)
     const __m512i steps = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    _mm512_storeu_si512(out,
-                        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), steps + _mm512_set1_epi32(first)));
+    const __m512i numbers = _mm512_add_epi32(steps, _mm512_set1_epi32(first));
+    _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), numbers));
 #else
     for (; bits != 0; bits &= bits - 1) {
         *out++ = first + __builtin_ctz(bits);

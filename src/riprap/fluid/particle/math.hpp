@@ -2,7 +2,7 @@
 #pragma once
 
 // The functions that pair physics may use besides + - * and comparison. Here for double and float, on host and device;
-// lanes.hpp has the same for a vector of lanes. Call them without a namespace, from inside riprap::fluid.
+// core/wide.hpp has the same for numbers side by side. Call them without a namespace, from inside riprap::fluid.
 
 #include <cmath>
 

@@ -138,8 +138,9 @@ struct PatchSweep {
 
     /// Adds what the candidates do to the target, and back.
     /// @param is_first_itself  the first candidates are the targets, of which every pair is there both ways
-    [[gnu::flatten]] void add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself,
-                              Sums& sums_out) const {
+    [[gnu::flatten]]  // GCC leaves parts of the pair physics as calls, and their sums go through memory
+    void
+    add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself, Sums& sums_out) const {
         // Distances come first, for many clusters at once, and are kept: pairs of clusters that do not meet, which the
         // skin brings along, then cost a third, and two short chains of dependent instructions overlap better with
         // those of the next pairs than one long one does.
@@ -167,7 +168,10 @@ struct PatchSweep {
             std::size_t met_count = 0;
             for (std::size_t n = 0; n < count; ++n) {
                 const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
-                separations[met_count] = s;
+                // not the whole at once, which GCC copies by a slow string instruction
+                separations[met_count].d = s.d;
+                separations[met_count].r2 = s.r2;
+                separations[met_count].r = s.r;
                 met[met_count] = entries[n];
                 met_count += bits_below(s.r2, Lanes(reach_squared)) != 0 ? 1 : 0;
             }

@@ -170,6 +170,7 @@ void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report) {
     const std::array<int, 3> counts{7, 7, 15};
     Trial cubes = lattice(of_cubes, counts);
     Trial twin = tetrahedral_twin(cubes.model(), cubes.state());
+    twin.tell(setting.after_step);
     const PileRun ours = fall_to_rest(cubes, room * counts[0], setting, "cubes_in_box");
     const PileRun fdem = fall_to_rest(twin, room * counts[0], setting, "cubes_of_tetrahedra");
     report.judge({"735 cubes, mean height with FDEM over ours", "-", {}, 1.0, {}}, fdem.mean_height / ours.mean_height,
