@@ -122,6 +122,18 @@ void add_validate(CLI::App& app, Action& action) {
     });
 }
 
+/// What the file is called says what is written into it; other names would lie.
+void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
+    if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
+        return;
+    }
+    std::string names;
+    for (const char* extension : allowed) {
+        names += fmt::format("{}{}", names.empty() ? "" : " or ", extension);
+    }
+    throw CLI::ValidationError("--out", fmt::format("'{}' must end in {}", file.string(), names));
+}
+
 void add_view(CLI::App& app, Action& action) {
     auto options = std::make_shared<ViewOptions>();
     CLI::App* command = app.add_subcommand("view", "Write one page that shows a run in a browser, offline");
@@ -135,19 +147,10 @@ void add_view(CLI::App& app, Action& action) {
         ->needs(serve);
     command->add_option("--budget", options->budget_mb, "Size of the page [MB]; water is rounded to fit (default: 60)")
         ->check(CLI::Range(1.0, 2000.0));
-    command->callback([&action, options] { action = [options] { return view_run(*options); }; });
-}
-
-/// What the file is called says what is written into it; other names would lie.
-void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
-    if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
-        return;
-    }
-    std::string names;
-    for (const char* extension : allowed) {
-        names += fmt::format("{}{}", names.empty() ? "" : " or ", extension);
-    }
-    throw CLI::ValidationError("--out", fmt::format("'{}' must end in {}", file.string(), names));
+    command->callback([&action, options] {
+        require_extension(options->out, {".html"});
+        action = [options] { return view_run(*options); };
+    });
 }
 
 void read_size(const std::string& text, view::RenderOptions& options) {

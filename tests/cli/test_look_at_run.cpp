@@ -41,6 +41,15 @@ TEST_F(Looking, APlotIsNotWrittenUnderTheNameOfAnotherFormat) {
     EXPECT_FALSE(std::filesystem::exists(out("plot.pdf")));
 }
 
+TEST_F(Looking, APageIsNotWrittenOverACase) {
+    have_run();
+    write_file("mine.toml", "title = \"mine\"");
+    const Ending ending = run({"view", out("run"), "--out", out("mine.toml")});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, HasSubstr("must end in .html"));
+    EXPECT_EQ(text_of(out("mine.toml")), "title = \"mine\"");
+}
+
 TEST_F(Looking, APlotWithoutAColumnDrawsGaugesAndWithoutGaugesEnergies) {
     have_run();
     EXPECT_EQ(plot({}).code, 0);
@@ -49,7 +58,7 @@ TEST_F(Looking, APlotWithoutAColumnDrawsGaugesAndWithoutGaugesEnergies) {
     EXPECT_EQ(plot({}).code, 0);
     EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("kinetic_energy"));
     EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("change since the start [J]"));
-    EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("pair_count")));
+    EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("contact_count")));
 }
 
 TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
@@ -57,7 +66,7 @@ TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
     const Ending ending = plot({"--column", "kinetic_energie"});
     EXPECT_EQ(ending.code, 5);
     EXPECT_THAT(ending.err, HasSubstr("did you mean 'kinetic_energy'?"));
-    EXPECT_THAT(ending.err, Not(HasSubstr("pair_count")));
+    EXPECT_THAT(ending.err, Not(HasSubstr("contact_count")));
 }
 
 TEST_F(Looking, ATableThatCannotBeReadIsTold) {

@@ -232,7 +232,7 @@ class ShellFinder {
             }
             return wrong_count;
         }
-        const std::string remedy = "faces wound counter-clockwise seen from outside; turn them, or ask for it";
+        const std::string remedy = "faces wound counter-clockwise seen from outside; turn them, or repair = true does";
         if (wrong_count == patch.size()) {
             problems_.add(mesh_.place_of(patch.front()),
                           fmt::format("the shell of {} faces that begins with {} is inside out (volume {:.6g} m^3)",

@@ -71,7 +71,7 @@ void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_s
     log_ = std::make_unique<RunLog>(folder_);
     if (!restart.notice.empty()) {
         log_->add("notice", restart.notice);
-        say(restart.notice);
+        fmt::print(stderr, "riprap: {}\n", restart.notice);  // steps are lost: told under --quiet too
     }
     record_ = std::move(restart.record);
     record_.end = end.value_or(record_.end);

@@ -157,7 +157,6 @@ const std::array scene_table{
     Quantity{{"contact_count", "-", 1, false, "touching pairs of convex parts"},
              nullptr,
              reported<&StepReport::contact_count>},
-    Quantity{{"pair_count", "-", 1, false, "candidate pairs in the cache"}, nullptr, reported<&StepReport::pair_count>},
     Quantity{{"kinetic_energy", "J", 1, false, "of free bodies"}, nullptr, booked<&Ledger::kinetic>},
     Quantity{{"potential_energy", "J", 1, false, "of free bodies in gravity"}, nullptr, booked<&Ledger::potential>},
     Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, measured<&Ledger::elastic>},
