@@ -55,6 +55,14 @@ TEST(BadInput, a_wrong_unit_is_refused) {
         ElementsAre("case.toml:11:1: 'position' is given twice in [[body]]; once, with or without a unit in its name"));
 }
 
+TEST(BadInput, a_step_above_the_stability_limit_is_refused_where_it_stands) {
+    const std::string text = with(minimal_case, "end =", "time_step = 0.5\nend =");
+    EXPECT_THAT(problems_of(text),
+                ElementsAre(AllOf(StartsWith("case.toml:2:13: time_step = 0.5 s is above the stability limit "),
+                                  HasSubstr("use \"auto\", a smaller step, or force_time_step = true"))));
+    EXPECT_THAT(problems_of(with(text, "end =", "force_time_step = true\nend =")), IsEmpty());
+}
+
 TEST(BadInput, a_wrong_type_is_refused) {
     EXPECT_THAT(problems_of(with(minimal_case, "2500.0", "true")),
                 ElementsAre(HasSubstr("density of [material.NAME] is true or false; a density [kg/m^3]")));

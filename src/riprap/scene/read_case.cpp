@@ -14,6 +14,8 @@
 #include "riprap/scene/limits.hpp"
 #include "riprap/scene/shape_library.hpp"
 #include "riprap/scene/toml_reader.hpp"
+#include "riprap/sim/advance.hpp"
+#include "riprap/sim/time_step.hpp"
 
 namespace riprap::scene {
 
@@ -53,6 +55,23 @@ std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
         hasher.add(&input.hash, sizeof input.hash);
     }
     return hasher.value();
+}
+
+/// A fixed step above its limit is a problem of the place where it stands. @throws CaseError
+void check_time_step(const Value& root, const sim::Model& model, const sim::State& state) {
+    if (model.time.is_automatic()) {
+        return;
+    }
+    try {
+        sim::Scratch scratch;
+        sim::choose_time_step(model, state, scratch);
+    } catch (const CaseError& error) {
+        std::vector<Diagnostic> problems = error.problems();
+        for (Diagnostic& problem : problems) {
+            problem.place = get(root, "time_step").place;
+        }
+        throw CaseError(std::move(problems));
+    }
 }
 
 std::string read_case_file(const std::filesystem::path& path) {
@@ -118,6 +137,8 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
         check_overlaps(build);
     }
     throw_if_any(problems, build.has_all_bodies ? "the time step" : "the bodies of these problems and the time step");
+
+    check_time_step(resolved, loaded.model, loaded.state);
 
     loaded.model.shapes.shrink_to_fit();
     body::shrink_to_fit(loaded.model.bodies, loaded.state.bodies);
