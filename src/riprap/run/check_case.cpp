@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/io/fluid_frame.hpp"
@@ -26,6 +27,20 @@ constexpr double ledger_columns = 35;
 /// More steps than this take years: a slip in `end` or in a unit. Also below 2^53, so that steps still count exactly.
 constexpr std::int64_t plausible_steps = 1'000'000'000'000;
 
+/// Water as it will be: a lattice at rest is packed into much less than particles that have moved.
+fluid::ParticleState stirred(const fluid::SphSettings& settings, fluid::ParticleState water) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> share(-1, 1);
+    for (std::size_t i = 0; i < water.position.size(); ++i) {
+        for (int axis = 0; axis < settings.domain.dimension; ++axis) {
+            water.position[i][axis] += 0.2 * settings.spacing * share(random);
+            water.velocity[i][axis] = 0.1 * settings.sound_speed * share(random);
+        }
+        water.density[i] = settings.rest_density * (1 + 0.01 * share(random));
+    }
+    return water;
+}
+
 double predicted_frame_bytes(const sim::Model& model, const sim::State& initial, const sim::State& state,
                              const sim::Scratch& scratch) {
     if (!model.output.vtk) {
@@ -35,7 +50,8 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
     const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
     double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
     if (model.fluid) {
-        bytes += static_cast<double>(io::encode_vtp(io::draw_fluid(model.fluid->sph, state.fluid), 0).size());
+        bytes += static_cast<double>(
+            io::encode_vtp(io::draw_fluid(model.fluid->sph, stirred(model.fluid->sph, state.fluid)), 0).size());
     }
     if (model.output.contacts) {
         bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
