@@ -46,6 +46,12 @@ PenaltySettings guard_settings(const fluid::SphSettings& settings);
 /// noisy.
 class PenaltyWalls {
  public:
+    struct Push {
+        std::int32_t body;
+        Vec3 force;  ///< on the particle; the body takes the opposite [N]
+        Vec3 place;  ///< of the image of the particle that the body meets [m]
+    };
+
     /// @param motion  of all bodies at the places of the particles
     /// @param is_dry  per body, of those that push nothing; empty = none
     /// @param share   per body, factor on stiffness and damping, for bodies too light for them; empty = 1
@@ -55,14 +61,12 @@ class PenaltyWalls {
               std::span<const std::uint8_t> is_dry, const PenaltySettings& settings, std::span<const double> share,
               const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads);
 
+    /// The pushes of the last call, in the order of the particles, by blocks of them.
+    std::span<const std::vector<Push>> pushes() const { return blocks_; }
+
     std::size_t bytes() const { return bytes_of(count_, blocks_); }
 
  private:
-    struct Push {
-        std::int32_t body;
-        Vec3 force;  ///< on the particle
-        Vec3 place;  ///< of the image of the particle that the body meets [m]
-    };
     void gather(const body::BodySet& bodies, const BodyMotion& motion, std::int64_t particles, FluidLoads& loads) const;
 
     std::vector<std::int32_t> count_;        ///< pushes on each particle

@@ -68,6 +68,23 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     }
 }
 
+/// Notes the face that a transducer stands in.
+void find_wall(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
+    if (gauge.kind != fluid::GaugeKind::wall_pressure || !build.model.fluid || !build.has_all_bodies) {
+        return;
+    }
+    const sim::FluidModel& water = *build.model.fluid;
+    const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, water.is_dry,
+                                          gauge.point, water.sph.spacing);
+    if (!face) {
+        build.problem(get(table, "point").place, "no wet face within a spacing of a 'wall_pressure' gauge",
+                      "a point on a face of a body, or the kind 'pressure'");
+        return;
+    }
+    gauge.face = static_cast<std::int32_t>(build.model.output.faces.size());
+    build.model.output.faces.push_back(*face);
+}
+
 }  // namespace
 
 void build_gauges(CaseBuild& build, const Value& list) {
@@ -93,6 +110,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
+        find_wall(build, table, gauge);
         const auto& gauges = model.output.gauges;
         const auto& probes = model.output.probes;
         if (std::any_of(gauges.begin(), gauges.end(), [&](const auto& other) { return other.name == gauge.name; }) ||

@@ -39,8 +39,11 @@ const Table& gauge_table() {
         "An instrument in the water: columns of probes.csv, and a name for [[expect]]. A dry place reads 0.",
         {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
          {"kind",
-          {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume"})},
-          "pressure, velocity: at a point, on walls too. level: height of the water column above a point at the bed, "
+          {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"})},
+          "pressure, velocity: at a point in the water. wall_pressure: on the face of a body next to the point, force "
+          "over "
+          "area as a transducer in it reads it; it stays with the body. level: height of the water column above a "
+          "point at the bed, "
           "voids left out. surface: distance along the line from point to end at which water ends for the last time. "
           "run_up: likewise, for the first time; lay the line one spacing above the slope. flow: through the rectangle "
           "between point and end, positive along its axis. volume: of the water in the box between point and end.",

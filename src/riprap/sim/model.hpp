@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
@@ -97,6 +98,7 @@ struct OutputSettings {
     bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
     std::vector<fluid::Gauge> gauges;
+    std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 
 /// An expected answer: a case is also a test.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/quantity.hpp"
 
+#include <limits>
+
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/sim/quantity_table.hpp"
+#include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::sim {
 
@@ -46,6 +49,17 @@ std::string with_component(std::string_view name, const QuantityInfo& quantity, 
     return text;
 }
 
+/// Force over area of the last step; nothing before the first.
+double read_face_gauge(const Moment& moment, const coupling::FaceGauge& gauge) {
+    if (moment.scratch == nullptr || moment.scratch->data().water.motion.pose.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const WaterScratch& water = moment.scratch->data().water;
+    const fluid::SphSettings& sph = moment.model.fluid->sph;
+    return coupling::read_face(gauge, {moment.model.shapes, moment.model.bodies, water.motion, water.near, water.walls,
+                                       sph.domain, sph.spacing, sph.support_radius(), water.penalty.pushes()});
+}
+
 /// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.
 std::optional<Column> make_column(std::string_view text, BodyId body, const QuantityInfo* quantity, int component) {
     if (quantity == nullptr || (quantity->components > 1) != (component >= 0)) {
@@ -70,6 +84,9 @@ const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
 double evaluate(const Column& column, const Moment& moment) {
     if (column.gauge >= 0) {
         const fluid::Gauge& gauge = moment.model.output.gauges[static_cast<std::size_t>(column.gauge)];
+        if (gauge.face >= 0) {
+            return read_face_gauge(moment, moment.model.output.faces[static_cast<std::size_t>(gauge.face)]);
+        }
         return fluid::read_gauge(gauge, moment.model.fluid->sph,
                                  moment.state.fluid)[static_cast<std::size_t>(column.component)];
     }

@@ -147,7 +147,7 @@ TEST(Gauge, the_water_in_a_box_has_its_volume_and_a_dry_place_reads_nothing) {
 }
 
 TEST(Gauge, every_kind_is_found_by_its_name) {
-    for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume"}) {
+    for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"}) {
         const GaugeInfo* info = find_gauge_kind(name);
         ASSERT_NE(info, nullptr) << name;
         EXPECT_EQ(info_of(info->kind).name, name);

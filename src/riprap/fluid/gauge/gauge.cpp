@@ -12,13 +12,14 @@ namespace riprap::fluid {
 
 namespace {
 
-constexpr std::array<GaugeInfo, 7> infos{{{GaugeKind::pressure, "pressure", "Pa", 1},
+constexpr std::array<GaugeInfo, 8> infos{{{GaugeKind::pressure, "pressure", "Pa", 1},
                                           {GaugeKind::velocity, "velocity", "m/s", 3},
                                           {GaugeKind::level, "level", "m", 1},
                                           {GaugeKind::surface, "surface", "m", 1},
                                           {GaugeKind::run_up, "run_up", "m", 1},
                                           {GaugeKind::flow, "flow", "m^3/s", 1},
-                                          {GaugeKind::volume, "volume", "m^3", 1}}};
+                                          {GaugeKind::volume, "volume", "m^3", 1},
+                                          {GaugeKind::wall_pressure, "wall_pressure", "Pa", 1}}};
 
 /// A line is looked at in steps of this share of the spacing.
 constexpr double line_step = 0.25;
@@ -192,8 +193,10 @@ std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings
             return {flow(gauge, settings, state), 0, 0};
         case GaugeKind::volume:
             return {volume(gauge, settings, state), 0, 0};
+        case GaugeKind::wall_pressure:
+            break;  // the forces on a face are not here
     }
-    throw InternalError("a gauge of no kind");
+    throw InternalError("a gauge that the water alone cannot read");
 }
 
 }  // namespace riprap::fluid

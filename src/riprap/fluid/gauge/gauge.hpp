@@ -13,22 +13,24 @@ namespace riprap::fluid {
 
 /// What an instrument in the water reads.
 enum class GaugeKind : std::uint8_t {
-    pressure,  ///< at a point, on a wall too [Pa]
+    pressure,  ///< at a point in the water [Pa]
     velocity,  ///< at a point [m/s], 3 numbers
     level,     ///< height of the water column above a point at the bed [m]
     surface,   ///< along a line: distance from its start to the last crossing of the surface [m]
     run_up,  ///< along a line that lies just above a slope: distance from its start to where water from there ends [m]
     flow,    ///< through a rectangle, positive along its normal [m^3/s], in 2D [m^2/s]
     volume,  ///< of water in a box [m^3], in 2D [m^2]; behind a crest: overtopping
+    wall_pressure,  ///< of the water on a face, as a transducer in it reads it [Pa]; whoever couples solids reads it
 };
 
 /// One instrument: Model.
 struct Gauge {
     std::string name;
     GaugeKind kind{GaugeKind::pressure};
-    Vec3 point{};      ///< where; start of a line; lower corner of a box or rectangle [m]
-    Vec3 end{};        ///< end of a line; upper corner of a box or rectangle [m]
-    Vec3 up{0, 0, 1};  ///< unit vector against gravity, for `level` [-]
+    Vec3 point{};           ///< where; start of a line; lower corner of a box or rectangle [m]
+    Vec3 end{};             ///< end of a line; upper corner of a box or rectangle [m]
+    Vec3 up{0, 0, 1};       ///< unit vector against gravity, for `level` [-]
+    std::int32_t face{-1};  ///< of wall_pressure: number among the faces that the reader knows
 };
 
 /// How a kind is written in a case, its unit and how many numbers it gives.
@@ -41,10 +43,12 @@ const GaugeInfo& info_of(GaugeKind kind);
 /// nullptr when there is no such kind.
 const GaugeInfo* find_gauge_kind(std::string_view name);
 
-/// Reads one gauge from the particles, in the order of the State (same bits at any thread count). A dry place reads 0.
+/// Reads one gauge of any kind but wall_pressure from the particles, in the order of the State (same bits at any thread
+/// count). A dry place reads 0.
 ///
 /// pressure, velocity: moving least squares of first order with the kernel as weight, exact for linear fields also on a
-/// wall, where one half of the support is empty; where too few particles lie near, their weighted mean [Liu2006].
+/// wall, where one half of the support is empty; where too few particles lie near, their weighted mean [Liu2006]. Where
+/// water hits a wall in single particles, that mean is the pressure in one of them, not what the wall feels.
 /// level: integral of the water fraction along the vertical, sum_j V_j B(a_j) B(b_j) with a_j, b_j the horizontal
 /// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
 /// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/geometry/shape_set.hpp"
+
+namespace riprap::coupling {
+
+/// A pressure transducer in a face of a body, which it stays with as the body moves.
+struct FaceGauge {
+    BodyId body;
+    Vec3 anchor;  ///< on the face, body frame [m]
+    Vec3 normal;  ///< unit vector out of the body there, body frame [-]
+};
+
+/// The face nearest to a place among those of bodies that are not dry; nothing where none lies within `reach`.
+/// @param is_dry  per body: feels no water; empty = none
+std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
+                                   const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
+                                   const Vec3& place, double reach);
+
+/// Bodies with their boundary particles after a step: what the water pressed on, and how hard.
+struct LoadedFaces {
+    const geometry::ShapeSet& shapes;
+    const body::BodySet& bodies;
+    const BodyMotion& motion;                   ///< of all bodies, where the samples are
+    const SampleSet& samples;                   ///< the samples that the water may feel
+    const fluid::BoundaryParticles& particles;  ///< ... as the water met them; may be more than the samples
+    const fluid::Domain& domain;
+    double spacing;                                           ///< dp [m]
+    double reach;                                             ///< how deep the water looks into a solid [m]
+    std::span<const std::vector<PenaltyWalls::Push>> pushes;  ///< of faces on particles, besides
+};
+
+/// What a transducer reads: the force of the water on the face about it over the area that it is spread over [Pa],
+///
+///     p = -sum_s (f_s . n) w(a_s) w(b_s),    in two dimensions without w(b_s),
+///
+/// f_s the pressure force on boundary particle s behind the plane of the face or the push of a particle on it, a_s and
+/// b_s the distances from the gauge along the face and w a cubic B-spline that is one spacing wide and ends at two
+/// (spline_weight of the fluid's gauges). Integrated over the face p gives the normal force of the pressure on it, so
+/// the impulse of what hits is right however few particles it is, where an average over the particles near the gauge
+/// takes one of them for a layer (docs/theory/coupling.md, 8).
+///
+/// Where the face ends within reach of w, at an edge or at the foot of another body, what lies beyond is folded back:
+/// the boundary particles there, of whatever body, carry part of the force on the face. Bodies that lie flush go on as
+/// one face. A gauge reads 0 where it is dry or covered.
+///
+/// Water in joints, which no particle stands for, is not in it. Bodies thinner than `reach` feel the water of their
+/// other side too.
+double read_face(const FaceGauge& gauge, const LoadedFaces& loaded);
+
+}  // namespace riprap::coupling

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gauges in faces, in water that a step has moved.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "riprap/sim/quantity.hpp"
+#include "sim/basin.hpp"
+
+namespace riprap::sim {
+namespace {
+
+/// Puts a gauge into the face next to a place; its column.
+Column add_gauge(Basin& basin, const Vec3& place) {
+    OutputSettings& output = basin.model.output;
+    fluid::Gauge gauge;
+    gauge.name = "gauge" + std::to_string(output.gauges.size());
+    gauge.kind = fluid::GaugeKind::wall_pressure;
+    gauge.point = place;
+    gauge.face = static_cast<std::int32_t>(output.faces.size());
+    output.faces.push_back(
+        coupling::find_face(basin.model.shapes, basin.model.bodies, basin.state.bodies, {}, place, dp).value());
+    output.gauges.push_back(gauge);
+    return find_column(basin.model, gauge.name).value();
+}
+
+TEST(WallPressure, still_water_presses_with_its_depth_on_walls_floor_and_corner) {
+    Basin basin;
+    basin.fill_pool(1, 1);
+    const std::vector<Vec3> places{{1, 0.5, 0}, {1, 0.3, 0}, {0, 0.4, 0}, {0.5, 0, 0}, {0.32, 0, 0}};
+    const std::vector<Vec3> corner{{1, 0.025, 0}, {1, 0.05, 0}, {0.96, 0, 0}, {0.03, 0, 0}};
+    std::vector<Column> columns, corner_columns;
+    for (const Vec3& place : places) {
+        columns.push_back(add_gauge(basin, place));
+    }
+    for (const Vec3& place : corner) {
+        corner_columns.push_back(add_gauge(basin, place));
+    }
+    const State initial = basin.state;
+    EXPECT_TRUE(std::isnan(evaluate(columns[0], {basin.model, initial, basin.state, nullptr, nullptr})));
+    Scratch scratch;
+    const StepReport report = basin.steps(3, scratch);
+    ASSERT_TRUE(report.status.ok());
+    const Moment moment{basin.model, initial, basin.state, &scratch, &report};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double head = 9810 * (1 - places[i].y);
+        EXPECT_NEAR(evaluate(columns[i], moment), head, 0.01 * head) << i;
+    }
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        const double head = 9810 * (1 - corner[i].y);
+        EXPECT_NEAR(evaluate(corner_columns[i], moment), head, 0.03 * head) << i;
+    }
+}
+
+/// What a particle loses when it hits a wall at this speed, and the impulse that gauges along the wall read.
+struct Hit {
+    double lost, read;
+};
+Hit hit_wall(double speed, WallTreatment treatment) {
+    Basin basin;
+    basin.add_walls(1);
+    basin.fill({0.7, 0.5, 0}, {0.7 + dp, 0.5 + dp, 0}, {1, 1, 0}, 2, {});
+    basin.model.fluid->wall = treatment;
+    if (treatment == WallTreatment::penalty) {
+        basin.model.fluid->samples = {};
+    }
+    basin.model.fluid->sph.artificial_alpha = 0;  // gauges read pressure alone
+    basin.state.fluid.velocity[0] = {speed, 0, 0};
+    std::vector<Column> columns;
+    constexpr double pitch = 0.2 * dp;
+    for (double y = 0.525 - 5.1 * dp; y < 0.525 + 5 * dp; y += pitch) {
+        columns.push_back(add_gauge(basin, {1, y, 0}));
+    }
+    const State initial = basin.state;
+    Scratch scratch;
+    double impulse = 0;
+    while (basin.state.time * speed < 0.5) {
+        const double before = basin.state.time;
+        const StepReport report = basin.steps(1, scratch);
+        EXPECT_TRUE(report.status.ok());
+        const Moment moment{basin.model, initial, basin.state, &scratch, &report};
+        for (const Column& column : columns) {
+            impulse += pitch * evaluate(column, moment) * (basin.state.time - before);
+        }
+    }
+    return {1000 * dp * dp * (speed - basin.state.fluid.velocity[0].x), impulse};
+}
+
+TEST(WallPressure, a_single_particle_that_hits_a_wall_gives_it_the_impulse_it_loses_and_no_more) {
+    for (const WallTreatment treatment : {WallTreatment::boundary_particles, WallTreatment::penalty}) {
+        for (const double speed : {0.5, 2.0, 10.0}) {  // the last is pressed to the guard of the face
+            const Hit hit = hit_wall(speed, treatment);
+            ASSERT_GT(hit.lost, 0.9 * 1000 * dp * dp * speed);
+            EXPECT_NEAR(hit.read, hit.lost, 1e-3 * hit.lost) << speed;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace riprap::sim
