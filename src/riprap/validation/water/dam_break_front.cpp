@@ -67,7 +67,7 @@ void dam_break_front(const CaseSetting& setting, CaseReport& report) {
     const double width = 0.146, scale = std::sqrt(2 * 9.81 / width);
     std::vector<std::string> finer;
     if (setting.is_full) {
-        finer = {"fluid.spacing=0.00365"};
+        finer = {"fluid.spacing=0.001825"};
     }
     WaterTrial trial(setting, finer);
     trial.run();

@@ -52,12 +52,11 @@ void sloshing(const CaseSetting& setting, CaseReport& report) {
         finer = {"fluid.spacing=0.00505494505"};
     }
     WaterTrial trial(setting, finer);
+    trial.run();
     std::vector<double> pressure;  // [kPa], with the zero of the instrument
-    trial.run([&](const WaterTrial& now) {
-        fluid::Gauge probe;  // fixed to the tank, which turns about the origin
-        probe.point = rotate(now.state().bodies.orientation[0], Vec3{-0.46, 0.17, 0});
-        pressure.push_back(1e-3 * fluid::read_gauge(probe, now.sph(), now.state().fluid)[0] + zero_reading);
-    });
+    for (const double p : trial.column("end_wall")) {
+        pressure.push_back(1e-3 * p + zero_reading);
+    }
     double sum = 0;
     for (std::size_t i = 0; i < measured_time.size(); ++i) {
         sum += std::pow(interpolated(trial.time(), pressure, measured_time[i]) - measured_pressure[i], 2);
