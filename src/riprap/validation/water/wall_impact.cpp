@@ -39,15 +39,6 @@ std::vector<double> measured(std::size_t column) {
     return values;
 }
 
-/// Means over 1 ms about every row, as the source asks: rows are a tenth of that apart.
-std::vector<double> averaged(std::span<const double> time, std::span<const double> y, double width) {
-    std::vector<double> means;
-    for (const double t : time) {
-        means.push_back(integral(time, y, t - 0.5 * width, t + 0.5 * width) / width);
-    }
-    return means;
-}
-
 double first_above(std::span<const double> x, std::span<const double> y, double level) {
     const std::vector<double> found = crossings(x, y, level);
     return found.empty() ? std::nan("") : found.front();
@@ -68,7 +59,7 @@ void wall_impact(const CaseSetting& setting, CaseReport& report) {
         time.push_back(trial.time()[i] / unit);
         pressure.push_back(trial.column("pressure_15mm")[i] / pressure_unit);
     }
-    pressure = averaged(time, pressure, 1e-3 / unit);
+    pressure = running_mean(time, pressure, 1e-3 / unit);  // as the source asks; rows are a tenth of that apart
     const std::vector<double> t = measured(0), low = measured(1), median = measured(2), high = measured(3);
 
     // Half the hydrostatic pressure of the column marks the arrival on every curve.

@@ -117,6 +117,19 @@ double integral(std::span<const double> x, std::span<const double> y, double sta
     return sum + 0.5 * (last_y + interpolated(x, y, end)) * (end - last_x);
 }
 
+std::vector<double> running_mean(std::span<const double> x, std::span<const double> y, double width) {
+    std::vector<double> sum(x.size(), 0);  // the integral from the first x
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        sum[i] = sum[i - 1] + 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+    }
+    std::vector<double> means;
+    for (const double at : x) {
+        const double low = std::max(at - 0.5 * width, x.front()), high = std::min(at + 0.5 * width, x.back());
+        means.push_back((interpolated(x, sum, high) - interpolated(x, sum, low)) / width);
+    }
+    return means;
+}
+
 Crest crest_of(std::span<const double> time, std::span<const double> level, double until) {
     const auto last = std::upper_bound(time.begin(), time.end(), until) - time.begin();
     const auto top = static_cast<std::size_t>(std::max_element(level.begin(), level.begin() + last) - level.begin());
