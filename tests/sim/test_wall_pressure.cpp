@@ -45,11 +45,11 @@ TEST(WallPressure, still_water_presses_with_its_depth_on_walls_floor_and_corner)
     const Moment moment{basin.model, initial, basin.state, &scratch, &report};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double head = 9810 * (1 - places[i].y);
-        EXPECT_NEAR(evaluate(columns[i], moment), head, 0.01 * head) << i;
+        EXPECT_NEAR(evaluate(columns[i], moment), head, 0.005 * head) << i;
     }
     for (std::size_t i = 0; i < corner.size(); ++i) {
         const double head = 9810 * (1 - corner[i].y);
-        EXPECT_NEAR(evaluate(corner_columns[i], moment), head, 0.03 * head) << i;
+        EXPECT_NEAR(evaluate(corner_columns[i], moment), head, 0.02 * head) << i;
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/face_gauge.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,8 +14,11 @@ namespace riprap::coupling {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double spline_end = 2;  ///< of the spline's width
+constexpr double spline_end = 2;    ///< of the spline's width
+constexpr double height = 0.05;     ///< of a spacing: "just" above and below a face
+constexpr double slack = 1e-6;      ///< of a spacing, for what lies on an edge or in a corner itself
+constexpr double same_side = -0.5;  ///< cosine: faces that look away from each other more than that are opposite
+constexpr double steepest = 0.3;    ///< a cover flatter than this has no front along the face: sine of its slope
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -23,18 +26,19 @@ Pose pose_of(const body::Part& part, const Pose& body) {
     return {to_world(body, part.local.position), body.orientation * part.local.orientation};
 }
 
-/// The face of a part that is nearest to a place in its frame, of those that carry a field.
+/// The face of a part that is nearest to a place in its frame, of those that carry a field and, in the plane, stand on
+/// it.
 struct NearFace {
-    double distance{infinity};
+    double distance{std::numeric_limits<double>::infinity()};
     Vec3 point{}, normal{};
 };
-NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x) {
+NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x, bool is_planar) {
     NearFace nearest;
     for (std::int32_t j = 0; j < shape.face_count; ++j) {
-        if (shape.is_internal[j] != 0) {
+        const Vec3 n = shape.normal(j);
+        if (shape.is_internal[j] != 0 || (is_planar && std::abs(n.z) > 0.5)) {
             continue;
         }
-        const Vec3 n = shape.normal(j);
         const Vec3 point =
             shape.vertex_count == 0 ? x + (shape.offset[j] - dot(n, x)) * n : nearest_on_face(shape, j, x);
         if (norm(x - point) < nearest.distance) {
@@ -44,19 +48,31 @@ NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x) {
     return nearest;
 }
 
-/// Convex parts near a place, with their poses.
+/// Wet convex parts near a place, with their poses, across periodic sides too.
 class Solids {
  public:
     Solids(const LoadedFaces& loaded, const Vec3& place, double reach) {
+        const fluid::PeriodicImages images(loaded.domain);
         for (const body::Part& part : loaded.bodies.parts) {
+            const std::size_t b = at(part.body.value);
+            if (!loaded.is_dry.empty() && loaded.is_dry[b] != 0) {
+                continue;
+            }
             const geometry::ConvexView view = loaded.shapes.view(part.shape);
-            const Pose pose = pose_of(part, loaded.motion.pose[at(part.body.value)]);
-            if (!(norm(pose.position - place) > view.circumradius + reach)) {
+            const Pose pose = pose_of(part, loaded.motion.pose[b]);
+            if (!std::isfinite(view.circumradius)) {
                 parts_.push_back({view, pose, part.body});
+                continue;
+            }
+            const Vec3 nearest = images.nearest(pose.position, place);
+            for (const Vec3& shift : images.shifts()) {
+                if (norm(nearest + shift - place) < view.circumradius + reach) {
+                    parts_.push_back({view, {nearest + shift, pose.orientation}, part.body});
+                }
             }
         }
     }
-    /// Whether some body, or this one alone where it is valid, contains x or lies within `margin` of it [m].
+    /// Whether a body, or this one alone where it is valid, contains x or lies within `margin` of it [m].
     bool contain(const Vec3& x, double margin, BodyId body = {}) const {
         for (const auto& [view, pose, owner] : parts_) {
             if ((!body.is_valid() || owner == body) && geometry::contains(view, to_body(pose, x), margin)) {
@@ -64,6 +80,28 @@ class Solids {
             }
         }
         return false;
+    }
+    /// The shortest way out of the part that contains x along the plane with the normal n; nothing where no part does
+    /// or all of its faces are nearly in the plane.
+    std::optional<Vec3> way_out(const Vec3& x, const Vec3& n) const {
+        for (const auto& [view, pose, owner] : parts_) {
+            const Vec3 local = to_body(pose, x), local_normal = rotate_back(pose.orientation, n);
+            if (!geometry::contains(view, local)) {
+                continue;
+            }
+            Vec3 way{};
+            double least = std::numeric_limits<double>::infinity();
+            for (std::int32_t j = 0; j < view.face_count; ++j) {
+                const Vec3 out = view.normal(j), along = out - dot(out, local_normal) * local_normal;
+                const double length = (view.offset[j] - dot(out, local)) / norm(along);
+                if (norm(along) > steepest && length < least) {
+                    least = length;
+                    way = length / norm(along) * along;
+                }
+            }
+            return std::isfinite(least) ? std::optional<Vec3>(rotate(pose.orientation, way)) : std::nullopt;
+        }
+        return std::nullopt;
     }
 
  private:
@@ -75,65 +113,123 @@ class Solids {
     std::vector<Placed> parts_;
 };
 
-/// A face about the point x with the outward normal n, looked at from just above and below.
-struct OpenFace {
+/// The plane of a face about the point x with the outward normal n.
+struct FacePlane {
     const Solids& solids;
     Vec3 x, n;
     double spacing;
 
-    double height() const { return 0.05 * spacing; }
-    double slack() const { return 1e-6 * spacing; }
-    /// Whether water can be at x + d, d along the face: some body below it, flush with this one, and none above. At an
-    /// edge or in a corner itself it can.
-    bool is_open(const Vec3& d) const {
-        return !solids.contain(x + d + height() * n, -slack()) && solids.contain(x + d - height() * n, slack());
+    Vec3 above(const Vec3& d) const { return x + d + height * spacing * n; }
+    Vec3 below(const Vec3& d) const { return x + d - height * spacing * n; }
+    /// Whether x + d, d along the plane, is on the open face of a body: that body just below it and none just above. On
+    /// an edge or in a corner itself it is.
+    bool is_open(const Vec3& d, BodyId body) const {
+        return !solids.contain(above(d), -slack * spacing) && solids.contain(below(d), slack * spacing, body);
     }
-    /// Whether x + d lies behind that part of the open face which belongs to this body.
-    bool is_behind(const Vec3& d, BodyId body) const {
-        const Vec3 foot = d - dot(d, n) * n;
-        return is_open(foot) && solids.contain(x + foot - height() * n, slack(), body);
-    }
-    /// How far the face stays open from x along the unit vector t; infinity where farther than `far` [m].
-    double length(const Vec3& t, double far) const {
-        const double step = 0.125 * spacing;
-        for (double s = step; s <= far; s += step) {
-            if (is_open(s * t)) {
-                continue;
+    /// Where the force on a buried particle with its foot at x + d belongs: as far in front of the bodies that cover
+    /// the foot as that is behind. Nothing where there is no such place.
+    std::optional<Vec3> uncovered(Vec3 d) const {
+        for (int cover = 0; cover < 3; ++cover) {
+            if (!solids.contain(above(d), -slack * spacing)) {
+                return d;
             }
-            double low = s - step, high = s;
-            for (int halving = 0; halving < 20; ++halving) {
-                const double middle = 0.5 * (low + high);
-                (is_open(middle * t) ? low : high) = middle;
+            const std::optional<Vec3> out = solids.way_out(above(d), n);
+            if (!out) {
+                return std::nullopt;
             }
-            return high;
+            d += 2.0 * *out;
         }
-        return infinity;
+        return std::nullopt;
     }
 };
 
-/// The open face along one axis through the gauge, from -low to high: positive, infinite where it does not end nearby
-/// [m].
-struct Extent {
-    double low, high;
+/// A unit vector along a face, the same whatever way the body is turned; in two dimensions in the plane.
+Vec3 tangent(const Vec3& normal, bool is_planar) {
+    return normalized(cross(normal, is_planar || std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+}
 
-    /// Weight of a place at distance s: what falls beyond an end is folded back.
-    double weight(double s, double width) const {
-        double sum = fluid::spline_weight(s, width);
-        if (std::isfinite(low) && std::isfinite(high)) {
-            const double period = 2 * (low + high);
-            const int turns = static_cast<int>(std::ceil(4 * spline_end * width / period)) + 1;
-            sum = 0;
-            for (int k = -turns; k <= turns; ++k) {
-                sum += fluid::spline_weight(s + k * period, width) +
-                       fluid::spline_weight(2 * high - s + k * period, width);
-            }
-        } else if (std::isfinite(low)) {
-            sum += fluid::spline_weight(-2 * low - s, width);
-        } else if (std::isfinite(high)) {
-            sum += fluid::spline_weight(2 * high - s, width);
+/// One face with what presses on it.
+class FaceReading {
+ public:
+    FaceReading(const FaceGauge& gauge, const LoadedFaces& loaded)
+        : loaded_(loaded),
+          images_(loaded.domain),
+          pose_(loaded.motion.pose[at(gauge.body.value)]),
+          x_(to_world(pose_, gauge.anchor)),
+          n_(rotate(pose_.orientation, gauge.normal)),
+          is_planar_(loaded.domain.dimension == 2),
+          first_(rotate(pose_.orientation, tangent(gauge.normal, is_planar_))),
+          second_(cross(n_, first_)),
+          far_(spline_end * loaded.spacing + loaded.reach),
+          solids_(loaded, x_, 2 * far_),
+          plane_{solids_, x_, n_, loaded.spacing},
+          is_open_(plane_.is_open({}, gauge.body)) {}
+
+    bool is_open() const { return is_open_; }
+    double pressure() {
+        for (std::size_t i = 0; i < loaded_.samples.body.size() && i < loaded_.particles.pressure_force.size(); ++i) {
+            add_sample(i);
         }
-        return sum;
+        for (const std::vector<PenaltyWalls::Push>& block : loaded_.pushes) {
+            for (const PenaltyWalls::Push& push : block) {
+                add_push(push);
+            }
+        }
+        return area_ > 0 ? force_ / area_ : force_;  // walls that push have no particles: w of the whole plane is 1
     }
+
+ private:
+    Vec3 offset(const Vec3& place) const { return images_.nearest(place, x_) - x_; }
+    double weight(const Vec3& d) const {
+        const double along = fluid::spline_weight(dot(d, first_), loaded_.spacing);
+        return is_planar_ ? along : along * fluid::spline_weight(dot(d, second_), loaded_.spacing);
+    }
+    void add_sample(std::size_t i) {
+        const Vec3 d = offset(loaded_.particles.position[i]);
+        const double depth = -dot(d, n_);
+        if (norm_squared(d) > 4 * far_ * far_ || depth < 0 || depth > loaded_.reach + loaded_.spacing) {
+            return;
+        }
+        const BodyId body = loaded_.samples.body[i];
+        const Vec3 normal = rotate(loaded_.motion.pose[at(body.value)].orientation, loaded_.samples.normal[i]);
+        if (dot(normal, n_) < same_side) {
+            return;
+        }
+        Vec3 foot = d + depth * n_;
+        if (plane_.is_open(foot, body)) {
+            const double share = weight(foot);
+            // The first layer of a face lies half of its thickness deep, at most 2/3 of a spacing.
+            const double middle = std::max(depth, loaded_.samples.depth[i]);
+            area_ += middle < 0.7 * loaded_.spacing ? share * loaded_.particles.volume[i] / (2 * middle) : 0.0;
+            force_ -= share * dot(loaded_.particles.pressure_force[i], n_);
+            return;
+        }
+        const Vec3 surface = x_ + d + (loaded_.samples.depth[i] + height * loaded_.spacing) * normal;
+        if (solids_.contain(surface, -slack * loaded_.spacing)) {  // buried
+            if (const std::optional<Vec3> place = plane_.uncovered(foot)) {
+                force_ -= weight(*place) * dot(loaded_.particles.pressure_force[i], n_);
+            }
+        }
+    }
+    void add_push(const PenaltyWalls::Push& push) {
+        const Vec3 d = offset(push.place);
+        const double gap = dot(d, n_), force = dot(push.force, n_);
+        if (std::abs(gap) < loaded_.spacing && force > 0 && plane_.is_open(d - gap * n_, BodyId{push.body})) {
+            force_ += force * weight(d);
+        }
+    }
+
+    const LoadedFaces& loaded_;
+    fluid::PeriodicImages images_;
+    Pose pose_;
+    Vec3 x_, n_;
+    bool is_planar_;
+    Vec3 first_, second_;  ///< along the face
+    double far_;           ///< a particle moves forces by its reach at most [m]
+    Solids solids_;
+    FacePlane plane_;
+    bool is_open_;
+    double force_{0}, area_{0};  ///< weighted sums
 };
 
 }  // namespace
@@ -148,9 +244,8 @@ std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body:
         if (!is_dry.empty() && is_dry[b] != 0) {
             continue;
         }
-        const Pose body{initial.position[b], initial.orientation[b]};
-        const Pose pose = pose_of(part, body);
-        const NearFace face = nearest_face(shapes.view(part.shape), to_body(pose, place));
+        const Pose pose = pose_of(part, {initial.position[b], initial.orientation[b]});
+        const NearFace face = nearest_face(shapes.view(part.shape), to_body(pose, place), bodies.is_planar);
         if (face.distance < least || (face.distance == least && !found)) {
             least = face.distance;
             found = {part.body, to_world(part.local, face.point), rotate(part.local.orientation, face.normal)};
@@ -160,53 +255,10 @@ std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body:
 }
 
 double read_face(const FaceGauge& gauge, const LoadedFaces& loaded) {
-    const bool is_planar = loaded.domain.dimension == 2;
-    const Pose& pose = loaded.motion.pose[at(gauge.body.value)];
-    const Vec3 x = to_world(pose, gauge.anchor), n = rotate(pose.orientation, gauge.normal);
-    // In two dimensions z is across, so that the other direction is in the plane; in three any two will do.
-    const Vec3 first = normalized(cross(n, is_planar || std::abs(n.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
-    const std::array<Vec3, 2> along{first, cross(n, first)};
-    const int axes = is_planar ? 1 : 2;
-    const double far = spline_end * loaded.spacing + loaded.reach;  // a particle moves forces by its reach at most
-    const Solids solids(loaded, x, 2 * far);
-    const OpenFace open{solids, x, n, loaded.spacing};
-    if (!open.is_open({})) {
-        return 0;  // something lies on the gauge
-    }
-    std::array<Extent, 2> face{};
-    for (int a = 0; a < axes; ++a) {
-        face[at(a)] = {open.length(-along[at(a)], far), open.length(along[at(a)], far)};
-    }
-    const fluid::PeriodicImages images(loaded.domain);
-    const auto weight_at = [&](const Vec3& d) {
-        double weight = 1;
-        for (int a = 0; a < axes; ++a) {
-            weight *= face[at(a)].weight(dot(d, along[at(a)]), loaded.spacing);
-        }
-        return weight;
-    };
-    double pressure = 0;
-    for (std::size_t i = 0; i < loaded.samples.body.size() && i < loaded.particles.pressure_force.size(); ++i) {
-        const BodyId body = loaded.samples.body[i];
-        const Vec3 d = images.nearest(loaded.particles.position[i], x) - x;
-        const double depth = -dot(d, n);
-        if (depth < 0 || depth > loaded.reach + loaded.spacing || norm_squared(d) > 4 * far * far ||
-            dot(rotate(loaded.motion.pose[at(body.value)].orientation, loaded.samples.normal[i]), n) < -0.5 ||
-            (body != gauge.body && open.is_behind(d, gauge.body))) {
-            continue;
-        }
-        pressure -= dot(loaded.particles.pressure_force[i], n) * weight_at(d);
-    }
-    for (const std::vector<PenaltyWalls::Push>& block : loaded.pushes) {
-        for (const PenaltyWalls::Push& push : block) {
-            const Vec3 d = images.nearest(push.place, x) - x;
-            const double along_normal = dot(push.force, n);
-            if (std::abs(dot(d, n)) < loaded.spacing && along_normal > 0.99 * norm(push.force)) {
-                pressure += along_normal * weight_at(d);
-            }
-        }
-    }
-    return pressure;
+    FaceReading reading(gauge, loaded);
+    return reading.is_open() ? reading.pressure() : 0;
 }
+
+bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded) { return FaceReading(gauge, loaded).is_open(); }
 
 }  // namespace riprap::coupling

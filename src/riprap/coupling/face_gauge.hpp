@@ -18,7 +18,8 @@ struct FaceGauge {
     Vec3 normal;  ///< unit vector out of the body there, body frame [-]
 };
 
-/// The face nearest to a place among those of bodies that are not dry; nothing where none lies within `reach`.
+/// The face nearest to a place among those of bodies that are not dry; nothing where none lies within `reach`. Of faces
+/// equally near, as in a corner, the first.
 /// @param is_dry  per body: feels no water; empty = none
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
                                    const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
@@ -28,6 +29,7 @@ std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body:
 struct LoadedFaces {
     const geometry::ShapeSet& shapes;
     const body::BodySet& bodies;
+    std::span<const std::uint8_t> is_dry;       ///< per body: not there for the water; empty = none
     const BodyMotion& motion;                   ///< of all bodies, where the samples are
     const SampleSet& samples;                   ///< the samples that the water may feel
     const fluid::BoundaryParticles& particles;  ///< ... as the water met them; may be more than the samples
@@ -37,22 +39,26 @@ struct LoadedFaces {
     std::span<const std::vector<PenaltyWalls::Push>> pushes;  ///< of faces on particles, besides
 };
 
-/// What a transducer reads: the force of the water on the face about it over the area that it is spread over [Pa],
+/// What a transducer reads: the force of the water on the face about it over the area of the face there [Pa],
 ///
-///     p = -sum_s (f_s . n) w(a_s) w(b_s),    in two dimensions without w(b_s),
+///     p = -sum_s (f_s . n) w(x_s) / sum_s A_s w(x_s),     w(x) = B(a) B(b), in two dimensions B(a),
 ///
-/// f_s the pressure force on boundary particle s behind the plane of the face or the push of a particle on it, a_s and
-/// b_s the distances from the gauge along the face and w a cubic B-spline that is one spacing wide and ends at two
-/// (spline_weight of the fluid's gauges). Integrated over the face p gives the normal force of the pressure on it, so
+/// f_s the pressure force on boundary particle s behind the plane of the face, or the push of a particle on it, x_s its
+/// foot on the plane, a and b distances from the gauge along the face, B a cubic B-spline that is one spacing wide and
+/// ends at two (spline_weight of the fluid's gauges) and A_s the area that a particle of the first layer stands for. So
 /// the impulse of what hits is right however few particles it is, where an average over the particles near the gauge
 /// takes one of them for a layer (docs/theory/coupling.md, 8).
 ///
-/// Where the face ends within reach of w, at an edge or at the foot of another body, what lies beyond is folded back:
-/// the boundary particles there, of whatever body, carry part of the force on the face. Bodies that lie flush go on as
-/// one face. A gauge reads 0 where it is dry or covered.
+/// A particle counts where its foot lies on the open face of its own body: that body just below, none just above.
+/// Bodies that lie flush go on as one face. Boundary particles that are buried, where bodies overlap in a corner, have
+/// no face of their own; they count for the place in front of the body that covers their foot. A gauge reads 0 where it
+/// is dry or covered.
 ///
-/// Water in joints, which no particle stands for, is not in it. Bodies thinner than `reach` feel the water of their
-/// other side too.
+/// It is the force of the last step, not a mean since the last reading. Viscous forces and water in joints, which no
+/// particle stands for, are not in it. Bodies thinner than `reach` feel the water of their other side too.
 double read_face(const FaceGauge& gauge, const LoadedFaces& loaded);
+
+/// Whether water can be at the gauge: nothing that is wet lies on it.
+bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded);
 
 }  // namespace riprap::coupling

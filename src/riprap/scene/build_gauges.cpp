@@ -81,6 +81,24 @@ void find_wall(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
                       "a point on a face of a body, or the kind 'pressure'");
         return;
     }
+    coupling::BodyMotion motion;
+    for (std::size_t i = 0; i < build.state.bodies.position.size(); ++i) {
+        motion.pose.push_back({build.state.bodies.position[i], build.state.bodies.orientation[i]});
+    }
+    const fluid::SphSettings& sph = water.sph;
+    if (!coupling::is_open(*face, {build.model.shapes,
+                                   build.model.bodies,
+                                   water.is_dry,
+                                   motion,
+                                   {},
+                                   {},
+                                   sph.domain,
+                                   sph.spacing,
+                                   sph.support_radius(),
+                                   {}})) {
+        build.warnings.push_back(
+            fmt::format("the gauge '{}' is covered at the start and reads 0 as long as it is", gauge.name));
+    }
     gauge.face = static_cast<std::int32_t>(build.model.output.faces.size());
     build.model.output.faces.push_back(*face);
 }

@@ -40,13 +40,13 @@ const Table& gauge_table() {
         {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
          {"kind",
           {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"})},
-          "pressure, velocity: at a point in the water. wall_pressure: on the face of a body next to the point, force "
-          "over "
-          "area as a transducer in it reads it; it stays with the body. level: height of the water column above a "
-          "point at the bed, "
-          "voids left out. surface: distance along the line from point to end at which water ends for the last time. "
-          "run_up: likewise, for the first time; lay the line one spacing above the slope. flow: through the rectangle "
-          "between point and end, positive along its axis. volume: of the water in the box between point and end.",
+          "pressure, velocity: at a point in the water. wall_pressure: on the face of a body nearest to the point, a "
+          "spacing away at most: force over area in the last step, as a transducer in it reads it; it stays with the "
+          "body, reads 0 while covered and nothing before the first step. level: height of the water column above a "
+          "point at the bed, voids left out. surface: distance along the line from point to end at which water ends "
+          "for the last time. run_up: likewise, for the first time; lay the line one spacing above the slope. flow: "
+          "through the rectangle between point and end, positive along its axis. volume: of the water in the box "
+          "between point and end.",
           {},
           true},
          {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
