@@ -140,6 +140,14 @@ class Stepping(unittest.TestCase):
         simulation.step()
         self.assertFalse(np.isnan(simulation.value("momentum")).any())
 
+    def test_so_is_the_pressure_on_a_face(self):
+        gauge = '[[output.gauge]]\nname = "p"\nkind = "wall_pressure"\npoint = [1.0, 0.2]\n'
+        simulation = riprap.Simulation(riprap.loads(POOL + gauge))
+        with self.assertRaisesRegex(RuntimeError, r"step\(\) first"):
+            simulation.value("p")
+        simulation.step(3)
+        self.assertAlmostEqual(simulation.value("p"), 9810 * 0.3, delta=0.02 * 9810 * 0.3)
+
     def test_a_time_beyond_the_end_is_no_time_to_run_to(self):
         simulation = riprap.Simulation(falling_block())
         with self.assertRaisesRegex(ValueError, "until = 2.0 s lies beyond the end of the case, 0.3 s"):
