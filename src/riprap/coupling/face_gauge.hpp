@@ -54,6 +54,8 @@ struct LoadedFaces {
 /// no face of their own; they count for the place in front of the body that covers their foot. A gauge reads 0 where it
 /// is dry or covered.
 ///
+/// Within two spacings of an edge that stands out into the water it reads up to a third too little.
+///
 /// It is the force of the last step, not a mean since the last reading. Viscous forces and water in joints, which no
 /// particle stands for, are not in it. Bodies thinner than `reach` feel the water of their other side too.
 double read_face(const FaceGauge& gauge, const LoadedFaces& loaded);
