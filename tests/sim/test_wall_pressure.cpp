@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "riprap/core/parallel.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "sim/basin.hpp"
 
@@ -51,6 +52,38 @@ TEST(WallPressure, still_water_presses_with_its_depth_on_walls_floor_and_corner)
         const double head = 9810 * (1 - corner[i].y);
         EXPECT_NEAR(evaluate(corner_columns[i], moment), head, 0.02 * head) << i;
     }
+}
+
+TEST(WallPressure, a_run_taken_up_again_reads_the_same_bits_at_any_thread_count) {
+    Basin basin;
+    basin.add_square(0.3, 700, {0.4, 0.8, 0});
+    basin.fill_pool(1, 1);
+    const Column wall = add_gauge(basin, {1, 0.5, 0}), block = add_gauge(basin, {0.4, 0.65, 0});
+    const State initial = basin.state;
+    Scratch scratch;
+    ASSERT_TRUE(basin.steps(20, scratch).status.ok());
+    const State middle = basin.state;
+    const int before = parallel::thread_count();
+    std::vector<double> readings;
+    for (const int threads : {1, 2, 4}) {
+        parallel::set_thread_count(threads);
+        basin.state = middle;
+        Scratch fresh;
+        const StepReport report = basin.steps(7, fresh);
+        const Moment moment{basin.model, initial, basin.state, &fresh, &report};
+        readings.push_back(evaluate(wall, moment));
+        readings.push_back(evaluate(block, moment));
+    }
+    parallel::set_thread_count(before);
+    basin.state = middle;
+    const StepReport report = basin.steps(7, scratch);
+    const Moment moment{basin.model, initial, basin.state, &scratch, &report};
+    for (std::size_t i = 0; i < readings.size(); i += 2) {
+        EXPECT_EQ(readings[i], evaluate(wall, moment));
+        EXPECT_EQ(readings[i + 1], evaluate(block, moment));
+    }
+    EXPECT_GT(readings[0], 1000);
+    EXPECT_GT(readings[1], 1000);
 }
 
 /// What a particle loses when it hits a wall at this speed, and the impulse that gauges along the wall read.
