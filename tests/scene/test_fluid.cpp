@@ -200,7 +200,7 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
     EXPECT_THAT(problems("kind = \"volume\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n"),
                 ElementsAre(HasSubstr("without volume")));
     EXPECT_THAT(problems("kind = \"wall_pressure\"\npoint = [0.5, 0.25]\n"),
-                ElementsAre(HasSubstr("no wet face within a spacing")));
+                ElementsAre(HasSubstr("no wet face within a spacing, 0.02 m, of the gauge 'g'")));
     for (const char* kind : {"pressure", "velocity", "level"}) {
         EXPECT_THAT(problems(fmt::format("kind = \"{}\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n", kind)),
                     ElementsAre(HasSubstr(fmt::format("'end' does nothing for a '{}' gauge", kind))));

@@ -77,8 +77,10 @@ void find_wall(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
     const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, water.is_dry,
                                           gauge.point, water.sph.spacing);
     if (!face) {
-        build.problem(get(table, "point").place, "no wet face within a spacing of a 'wall_pressure' gauge",
-                      "a point on a face of a body, or the kind 'pressure'");
+        build.problem(
+            get(table, "point").place,
+            fmt::format("no wet face within a spacing, {:.4g} m, of the gauge '{}'", water.sph.spacing, gauge.name),
+            "a point on a face of a body that is not wet = false, or the kind 'pressure'");
         return;
     }
     coupling::BodyMotion motion;
