@@ -187,7 +187,8 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     }
     build.warnings.emplace_back(
         "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients nor "
-        "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing");
+        "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing; its "
+        "energies do not add up, and the ledger ends the run unless output.ledger_tolerance is 1");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
         build.warnings.push_back(fmt::format(
