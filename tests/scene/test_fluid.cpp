@@ -207,6 +207,19 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
     }
 }
 
+TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
+    const auto warnings = [](const char* point) {
+        const auto all =
+            test::read(tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"wall_pressure\"\npoint = " + point).warnings;
+        return std::count_if(all.begin(), all.end(),
+                             [](const std::string& text) { return text.find("'g' is covered") != std::string::npos; });
+    };
+    EXPECT_EQ(warnings("[0.3, 0.0]\n"), 0);
+    EXPECT_EQ(warnings("[0.3, 0.0]\n[[body]]\nname = \"slab\"\nshape = { box = [0.2, 0.1] }\nposition = [0.3, 0.05]\n"
+                       "material = \"wood\"\nfixed = true\n"),
+              1);
+}
+
 /// A channel between x = 0 and 0.8 m.
 const std::string channel = test::with(test::with(tank, ", periodic = [true, false] }", " }"), "level = \"50 cm\"",
                                        "box = { low = [0.2, 0.0], high = [0.8, 0.3] }") +

@@ -14,11 +14,12 @@ namespace riprap::coupling {
 
 namespace {
 
-constexpr double spline_end = 2;    ///< of the spline's width
-constexpr double height = 0.05;     ///< of a spacing: "just" above and below a face
-constexpr double slack = 1e-6;      ///< of a spacing, for what lies on an edge or in a corner itself
-constexpr double same_side = -0.5;  ///< cosine: faces that look away from each other more than that are opposite
-constexpr double steepest = 0.3;    ///< a cover flatter than this has no front along the face: sine of its slope
+constexpr double spline_end = 2;     ///< of the spline's width
+constexpr double height = 0.05;      ///< of a spacing: "just" above and below a face
+constexpr double slack = 1e-6;       ///< of a spacing, for what lies on an edge or in a corner itself
+constexpr double same_side = -0.5;   ///< cosine: faces that look away from each other more than that are opposite
+constexpr double least_slope = 0.3;  ///< sine: a cover flatter than this has no front along the face
+constexpr double least_area = 0.1;   ///< of the open face, over that of a plane: less is taken for so much
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -94,7 +95,7 @@ class Solids {
             for (std::int32_t j = 0; j < view.face_count; ++j) {
                 const Vec3 out = view.normal(j), along = out - dot(out, local_normal) * local_normal;
                 const double length = (view.offset[j] - dot(out, local)) / norm(along);
-                if (norm(along) > steepest && length < least) {
+                if (norm(along) > least_slope && length < least) {
                     least = length;
                     way = length / norm(along) * along;
                 }
@@ -175,7 +176,8 @@ class FaceReading {
                 add_push(push);
             }
         }
-        return area_ > 0 ? force_ / area_ : force_;  // walls that push have no particles: w of the whole plane is 1
+        return area_ > 0 ? force_ / std::max(area_, least_area)
+                         : force_;  // walls that push have no particles: w of the whole plane is 1
     }
 
  private:

@@ -74,7 +74,7 @@ double water_area(const WaterTrial& trial);
 
 /// Integral of y over x from `start` to `end` by trapezia between the points; ends are interpolated.
 double integral(std::span<const double> x, std::span<const double> y, double start, double end);
-/// Means of y over `width` about every x.
+/// Means of y over `width` about every x; between two points y counts with the mean of both, beyond the ends as 0.
 std::vector<double> running_mean(std::span<const double> x, std::span<const double> y, double width);
 /// y at x on straight lines between the points; the end values beyond.
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
