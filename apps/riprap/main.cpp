@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
 
 #include <cstdio>
@@ -26,6 +29,14 @@ void prefer_passive_waiting(char** arguments) {
         const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
         execv(program.c_str(), arguments);  // comes back only where it cannot: then the run is merely slower
     }
+}
+
+/// Arrays of a MiB and more go back to the system when they are freed. Left alone, the allocator comes to keep free
+/// ones of up to 32 MiB: a twenty-fifth of what a run of a million particles takes.
+void return_freed_arrays() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
 }
 
 int fail(riprap::ExitCode code, const char* message) {
@@ -87,5 +98,6 @@ int after_flush(int code) {
 int main(int argument_count, char** arguments) {
     prefer_passive_waiting(arguments);
     riprap::run::ignore_write_signals();
+    return_freed_arrays();
     return after_flush(guarded_command_line(argument_count, arguments));
 }

@@ -42,35 +42,53 @@ void PolyData::add_field_array(std::string_view name, std::span<const double> va
     field_arrays += vtk_field_array(name, values, components);
 }
 
-std::string encode_vtp(const PolyData& data, double time) {
+namespace {
+
+/// Calls put(text) with the pieces of a frame in their order, so that the whole of it need not be in memory at once.
+template <class Put>
+void encode_pieces(const PolyData& data, double time, const Put& put) {
     const std::size_t point_count = data.points.size();
-    std::string text = fmt::format(file_head, "PolyData");
-    text += "  <PolyData>\n    <FieldData>\n";
-    text += fmt::format(
+    put(fmt::format(file_head, "PolyData"));
+    put("  <PolyData>\n    <FieldData>\n");
+    put(fmt::format(
         "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
-        time);
-    text += data.field_arrays + "    </FieldData>\n";
-    text += fmt::format(
-        "    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
-        " NumberOfPolys=\"{}\">\n",
-        point_count, data.is_point_cloud ? point_count : 0, data.offsets.size());
-    text += "      <Points>\n" + vtk_array("Points", data.points) + "      </Points>\n";
+        time));
+    put(data.field_arrays);
+    put("    </FieldData>\n");
+    put(
+        fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
+                    " NumberOfPolys=\"{}\">\n",
+                    point_count, data.is_point_cloud ? point_count : 0, data.offsets.size()));
+    put("      <Points>\n");
+    put(vtk_array("Points", data.points));
+    put("      </Points>\n");
     if (data.is_point_cloud) {
         std::vector<std::int32_t> own(point_count), ends(point_count);
         std::iota(own.begin(), own.end(), 0);
         std::iota(ends.begin(), ends.end(), 1);
-        text += cells("Verts", own, ends);
+        put(cells("Verts", own, ends));
     } else {
-        text += cells("Polys", data.connectivity, data.offsets);
+        put(cells("Polys", data.connectivity, data.offsets));
     }
-    text += "      <PointData>\n" + data.point_arrays + "      </PointData>\n";
-    text += "      <CellData>\n" + data.cell_arrays + "      </CellData>\n";
-    text += "    </Piece>\n  </PolyData>\n</VTKFile>\n";
+    put("      <PointData>\n");
+    put(data.point_arrays);
+    put("      </PointData>\n      <CellData>\n");
+    put(data.cell_arrays);
+    put("      </CellData>\n    </Piece>\n  </PolyData>\n</VTKFile>\n");
+}
+
+}  // namespace
+
+std::string encode_vtp(const PolyData& data, double time) {
+    std::string text;
+    encode_pieces(data, time, [&text](std::string_view piece) { text += piece; });
     return text;
 }
 
 void write_vtp(const std::filesystem::path& path, const PolyData& data, double time) {
-    write_file(path, encode_vtp(data, time), Durability::later);
+    AtomicFile file(path);
+    encode_pieces(data, time, [&file](std::string_view piece) { file.write(piece); });
+    file.commit(Durability::later);
 }
 
 void write_pvd(const std::filesystem::path& path, std::span<const PvdFrame> frames) {

@@ -30,6 +30,7 @@ void find_near_slopes(const Model& model, WaterScratch& scratch) {
     }
     if (joints.near_slopes.size() != scratch.near_numbers.size()) {
         joints.near_slopes.clear();
+        joints.near_slopes.reserve(scratch.near_numbers.size());
         for (const std::int32_t number : scratch.near_numbers) {
             joints.near_slopes.push_back(joints.slopes[at(number)]);
         }

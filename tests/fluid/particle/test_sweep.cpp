@@ -189,6 +189,16 @@ TEST(sweep, gives_the_same_bits_on_any_number_of_threads) {
     parallel::set_thread_count(1);
 }
 
+TEST(sweep, gives_the_same_bits_however_many_patches_are_added_up_at_a_time) {
+    const Sample s = in_order(jittered_lattice(2, {600, 500, 1}, 1.2));  // 147 patches
+    ASSERT_LT(detail::patches_at_a_time(147), 147);
+    const Rates in_two_rounds = fast_rates(s);
+    parallel::set_thread_count(16);
+    ASSERT_EQ(detail::patches_at_a_time(147), 147);
+    EXPECT_TRUE(fast_rates(s) == in_two_rounds);
+    parallel::set_thread_count(1);
+}
+
 /// Water and a wall that lies mostly outside of the domain; neither fills its last cluster.
 struct WaterAndWall {
     Sample water = in_order(jittered_lattice(3, {11, 10, 9}, 1.3));
@@ -229,6 +239,21 @@ TEST(sweep, an_exchange_between_two_sets_is_both_sweeps_at_once) {
         expect_close(fast_a, plain_a, "a");
         expect_close(fast_b, plain_b, "b");
     }
+}
+
+TEST(sweep, of_different_sets_may_share_buffers) {
+    const WaterAndWall both;
+    SweepScratch within, apart, sharing_within, sharing_apart = SweepScratch::sharing_buffers(sharing_within);
+    const auto rates = [&](SweepScratch& first, SweepScratch& second) {
+        Rates water = fast_rates(both.water, first), wall(both.wall.size());
+        exchange(bench::AccelerationPair{both.water.constants}, both.water.reach(), both.water.force_side(),
+                 both.wall.force_side(), water.force_sinks(), wall.force_sinks(), second);
+        return water;
+    };
+    for (int turn = 0; turn < 2; ++turn) {
+        EXPECT_TRUE(rates(within, apart) == rates(sharing_within, sharing_apart));
+    }
+    EXPECT_LT(sharing_within.bytes() + sharing_apart.bytes(), within.bytes() + apart.bytes());
 }
 
 TEST(sweep, one_way_over_one_set_is_what_the_exchange_gives) {

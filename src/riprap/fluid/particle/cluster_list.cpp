@@ -140,6 +140,15 @@ void ClusterList::collect_mentions() {
     }
 }
 
+std::span<const ClusterList::Mention> ClusterList::mentions_in(std::int64_t candidate_block, std::int64_t first_patch,
+                                                               std::int64_t end_patch) const {
+    const auto block = static_cast<std::size_t>(candidate_block);
+    const auto begin = mentions_.begin() + mention_start_[block], end = mentions_.begin() + mention_start_[block + 1];
+    const auto is_before = [](const Mention& mention, std::int64_t patch) { return mention.patch < patch; };
+    const auto first = std::lower_bound(begin, end, first_patch, is_before);
+    return {first, std::lower_bound(first, end, end_patch, is_before)};
+}
+
 std::int64_t ClusterList::cluster_pairs() const {
     std::int64_t pairs = 0;
     for (const Patch& patch : patches_) {

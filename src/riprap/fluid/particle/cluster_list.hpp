@@ -53,11 +53,9 @@ class ClusterList {
         std::int32_t patch;
         std::int32_t place;  ///< in Patch::blocks
     };
-    std::span<const Mention> mentions(std::int64_t candidate_block) const {
-        const std::int32_t first = mention_start_[static_cast<std::size_t>(candidate_block)];
-        const std::int32_t last = mention_start_[static_cast<std::size_t>(candidate_block) + 1];
-        return std::span(mentions_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
-    }
+    /// Those from `first_patch` up to `end_patch` that name a block.
+    std::span<const Mention> mentions_in(std::int64_t candidate_block, std::int64_t first_patch,
+                                         std::int64_t end_patch) const;
 
     /// For the record: how often lists were made, how many pairs of clusters they hold.
     std::int64_t builds() const { return builds_; }

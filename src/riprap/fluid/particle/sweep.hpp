@@ -67,6 +67,9 @@ class SweepScratch {
     ~SweepScratch();
     SweepScratch(SweepScratch&&) noexcept;
     SweepScratch& operator=(SweepScratch&&) noexcept;
+    /// One for another pair of sets, whose sweeps never run at the same time as those of `other`: what both need only
+    /// while they run is there once.
+    static SweepScratch sharing_buffers(SweepScratch& other);
     SweepScratchData& data() { return *data_; }
     std::size_t bytes() const;
 

@@ -9,7 +9,8 @@
 // lane, so what else is in a list changes no bit.
 //
 // Work is cut into patches of targets. A patch copies its candidates next to each other, and where pairs act both ways
-// it sums what its targets do to them in a buffer of its own; the buffers are then added up in the order of patches.
+// it sums what its targets do to them in a buffer of its own; the buffers are then added up in the order of patches,
+// some patches at a time, so that few buffers are enough and are still in the cache.
 
 #include <cstring>
 
@@ -50,12 +51,13 @@ struct ClusterSweep {
     const std::array<FieldSink, sum_count>& sums;
     SweepScratchData& scratch;
     bool is_each_once;
-    float far;  ///< square of a distance without effect [m^2]
+    float far;                    ///< square of a distance without effect [m^2]
+    std::int64_t first_patch{0};  ///< that of the first of the buffers
 
     void sweep_patch(std::int64_t p) const {
         const ClusterList& list = scratch.list;
         const Patch& patch = list.patches()[static_cast<std::size_t>(p)];
-        std::unique_ptr<BufferPool::Buffer> records = scratch.records.take();
+        std::unique_ptr<BufferPool::Buffer> records = scratch.buffers->records.take();
         copy_records(patch, *records);
         Patches work{pair, {}, records->data(), nullptr, -1, far * 0.0625F * 1.00001F, Lanes(0)};
         const std::int64_t members = list.candidates().size() % cluster_size,
@@ -71,7 +73,7 @@ struct ClusterSweep {
             work.quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
         }
         if constexpr (Way::back_sums > 0) {
-            std::vector<float>& back = scratch.patch_sums[static_cast<std::size_t>(p)];
+            std::vector<float>& back = scratch.buffers->patch_sums[static_cast<std::size_t>(p - first_patch)];
             back.assign(patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
             work.back = back.data();
         }
@@ -82,7 +84,7 @@ struct ClusterSweep {
                 sweep_cluster(t, t - first, near, work);
             }
         }
-        scratch.records.give(std::move(records));
+        scratch.buffers->records.give(std::move(records));
     }
 
     void sweep_cluster(std::int64_t t, std::int64_t local, std::span<const std::int32_t> near,
@@ -161,56 +163,114 @@ struct ClusterSweep {
             const std::int64_t end = std::min(places.cluster_count(), first + BoxTree::branches);
             for (std::int64_t c = first; c < end; ++c, out += Patches::record) {
                 std::memcpy(out, places.cluster(c), Dim * cluster_size * sizeof(float));
-                std::memcpy(out + Dim * cluster_size,
-                            scratch.fields.data() + static_cast<std::size_t>(c) * candidate_fields * cluster_size,
-                            candidate_fields * cluster_size * sizeof(float));
+                std::memcpy(
+                    out + Dim * cluster_size,
+                    scratch.buffers->fields.data() + static_cast<std::size_t>(c) * candidate_fields * cluster_size,
+                    candidate_fields * cluster_size * sizeof(float));
             }
         }
     }
 };
 
-/// Adds up what patches have done to candidates.
+/// `count` sums from `first` on, filled up with zeros.
+inline DoubleFour four_of(const FieldSink& sums, std::int64_t first, std::int64_t count) {
+    if (count == cluster_size) {
+        return DoubleFour{sums[first], sums[first + 1], sums[first + 2], sums[first + 3]};
+    }
+    DoubleFour four{};
+    for (std::int64_t member = 0; member < count; ++member) {
+        four[member] = sums[first + member];
+    }
+    return four;
+}
+
+/// Adds what patches from `first_patch` up to `end_patch` have done to candidates to their sums, one patch after the
+/// other: which of them come at a time changes no bit.
 template <std::size_t SumCount>
-void add_patch_sums(const SweepScratchData& scratch, const std::array<FieldSink, SumCount>& sums) {
+void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, std::int64_t end_patch,
+                    const std::array<FieldSink, SumCount>& sums) {
     constexpr std::size_t stride = padded(SumCount) * cluster_size;
     const std::int64_t size = scratch.list.candidates().size();
     parallel::for_each_uneven(scratch.list.candidates().block_count(), 16, [&](std::int64_t block) {
-        const auto mentions = scratch.list.mentions(block);
+        const auto mentions = scratch.list.mentions_in(block, first_patch, end_patch);
+        if (mentions.empty()) {
+            return;
+        }
         const std::int64_t first = block * BoxTree::branches;
         const std::int64_t end = std::min(scratch.list.candidates().cluster_count(), first + BoxTree::branches);
         for (std::int64_t c = first; c < end; ++c) {
-            std::array<DoubleFour, SumCount> total{};
+            const std::int64_t count = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
+            std::array<DoubleFour, SumCount> total;
+            for (std::size_t k = 0; k < SumCount; ++k) {
+                total[k] = four_of(sums[k], c * cluster_size, count);
+            }
             for (const ClusterList::Mention& mention : mentions) {
-                const float* const part = &scratch.patch_sums[static_cast<std::size_t>(
-                    mention.patch)][static_cast<std::size_t>(mention.place * BoxTree::branches + c - first) * stride];
+                const float* const part =
+                    &scratch.buffers
+                         ->patch_sums[static_cast<std::size_t>(mention.patch - first_patch)]
+                                     [static_cast<std::size_t>(mention.place * BoxTree::branches + c - first) * stride];
                 for (std::size_t k = 0; k < SumCount; ++k) {
                     FloatFour four;
                     __builtin_memcpy(&four, part + k * cluster_size, sizeof four);
                     total[k] += __builtin_convertvector(four, DoubleFour);
                 }
             }
-            const std::int64_t count = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
             for (std::size_t k = 0; k < SumCount; ++k) {
                 for (int member = 0; member < count; ++member) {
-                    sums[k][c * cluster_size + member] += total[k][member];
+                    sums[k][c * cluster_size + member] = total[k][member];
                 }
             }
         }
     });
 }
 
-template <int Dim, template <class> class Way, class Pair>
-void sweep_patches(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
-                   const SweepSide<Pair::candidate_fields>& candidates,
-                   const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, bool is_each_once,
-                   SweepScratchData& scratch) {
+/// How many patches are swept before what they do to candidates is added up: even shares of all, with enough for every
+/// thread that none waits long for another. Their buffers, some 0.3 MB each, are then a small part of what millions of
+/// particles take.
+inline std::int64_t patches_at_a_time(std::int64_t patches) {
+    const std::int64_t most = std::max(128, 32 * parallel::thread_count());
+    const std::int64_t rounds = (patches + most - 1) / most;
+    return (patches + rounds - 1) / rounds;
+}
+
+/// Lists and fields as they are now, and the sweep over them.
+template <int Dim, class Way, class Pair>
+ClusterSweep<Dim, Pair, Way> prepare_sweep(const Pair& pair, const SweepReach& reach,
+                                           const SweepSide<Pair::target_fields>& targets,
+                                           const SweepSide<Pair::candidate_fields>& candidates,
+                                           const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
+                                           bool is_each_once, SweepScratchData& scratch) {
     scratch.list.update(reach, targets.position, candidates.position, is_each_once);
-    pack_fields(candidates.fields, static_cast<std::int64_t>(candidates.position.size()), scratch.fields);
-    const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
-    scratch.patch_sums.resize(static_cast<std::size_t>(patches));
+    pack_fields(candidates.fields, static_cast<std::int64_t>(candidates.position.size()), scratch.buffers->fields);
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
-    const ClusterSweep<Dim, Pair, Way<Pair>> sweep{pair, targets.fields, sums, scratch, is_each_once, far};
-    parallel::for_each_uneven(patches, 1, [&](std::int64_t p) { sweep.sweep_patch(p); });
+    return {pair, targets.fields, sums, scratch, is_each_once, far};
+}
+
+template <int Dim, class Pair>
+void sweep_one_way(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
+                   const SweepSide<Pair::candidate_fields>& candidates,
+                   const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratchData& scratch) {
+    const auto sweep = prepare_sweep<Dim, OneWay<Pair>>(pair, reach, targets, candidates, sums, false, scratch);
+    parallel::for_each_uneven(static_cast<std::int64_t>(scratch.list.patches().size()), 1,
+                              [&](std::int64_t p) { sweep.sweep_patch(p); });
+}
+
+template <int Dim, class Pair>
+void sweep_both_ways(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& a,
+                     const SweepSide<Pair::candidate_fields>& b,
+                     const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums_a,
+                     const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>& sums_b, bool is_each_once,
+                     SweepScratchData& scratch) {
+    auto sweep = prepare_sweep<Dim, BothWays<Pair>>(pair, reach, a, b, sums_a, is_each_once, scratch);
+    const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
+    const std::int64_t step = patches_at_a_time(patches);
+    scratch.buffers->patch_sums.resize(static_cast<std::size_t>(step));
+    for (std::int64_t first = 0; first < patches; first += step) {
+        const std::int64_t end = std::min(patches, first + step);
+        sweep.first_patch = first;
+        parallel::for_each_uneven(end - first, 1, [&](std::int64_t p) { sweep.sweep_patch(first + p); });
+        add_patch_sums(scratch, first, end, sums_b);
+    }
 }
 
 }  // namespace detail
@@ -223,9 +283,9 @@ void sweep(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::targ
         return;
     }
     if (reach.domain.dimension == 2) {
-        detail::sweep_patches<2, detail::OneWay>(pair, reach, targets, candidates, sums, false, scratch.data());
+        detail::sweep_one_way<2>(pair, reach, targets, candidates, sums, scratch.data());
     } else {
-        detail::sweep_patches<3, detail::OneWay>(pair, reach, targets, candidates, sums, false, scratch.data());
+        detail::sweep_one_way<3>(pair, reach, targets, candidates, sums, scratch.data());
     }
 }
 
@@ -238,11 +298,10 @@ void exchange(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::t
         return;
     }
     if (reach.domain.dimension == 2) {
-        detail::sweep_patches<2, detail::BothWays>(pair, reach, a, b, sums_a, false, scratch.data());
+        detail::sweep_both_ways<2>(pair, reach, a, b, sums_a, sums_b, false, scratch.data());
     } else {
-        detail::sweep_patches<3, detail::BothWays>(pair, reach, a, b, sums_a, false, scratch.data());
+        detail::sweep_both_ways<3>(pair, reach, a, b, sums_a, sums_b, false, scratch.data());
     }
-    detail::add_patch_sums(scratch.data(), sums_b);
 }
 
 template <MutualPhysics Pair>
@@ -253,11 +312,10 @@ void exchange_within(const Pair& pair, const SweepReach& reach, const SweepSide<
         return;
     }
     if (reach.domain.dimension == 2) {
-        detail::sweep_patches<2, detail::BothWays>(pair, reach, particles, particles, sums, true, scratch.data());
+        detail::sweep_both_ways<2>(pair, reach, particles, particles, sums, sums, true, scratch.data());
     } else {
-        detail::sweep_patches<3, detail::BothWays>(pair, reach, particles, particles, sums, true, scratch.data());
+        detail::sweep_both_ways<3>(pair, reach, particles, particles, sums, sums, true, scratch.data());
     }
-    detail::add_patch_sums(scratch.data(), sums);
 }
 
 }  // namespace riprap::fluid

@@ -10,8 +10,18 @@ SweepScratch::~SweepScratch() = default;
 SweepScratch::SweepScratch(SweepScratch&&) noexcept = default;
 SweepScratch& SweepScratch::operator=(SweepScratch&&) noexcept = default;
 
+SweepScratch SweepScratch::sharing_buffers(SweepScratch& other) {
+    SweepScratch scratch;
+    scratch.data_->buffers = other.data_->buffers;
+    scratch.data_->owns_buffers = false;
+    return scratch;
+}
+
 std::size_t SweepScratch::bytes() const {
-    return data_->list.bytes() + bytes_of(data_->fields, data_->patch_sums) + data_->records.bytes();
+    const SweepBuffers& buffers = *data_->buffers;
+    const std::size_t own =
+        data_->owns_buffers ? bytes_of(buffers.fields, buffers.patch_sums) + buffers.records.bytes() : 0;
+    return data_->list.bytes() + own;
 }
 
 std::size_t BufferPool::bytes() const {

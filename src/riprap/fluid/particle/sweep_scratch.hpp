@@ -23,11 +23,17 @@ class BufferPool {
     std::vector<std::unique_ptr<Buffer>> free_;
 };
 
+/// What a sweep needs only while it runs, so that sweeps which follow each other may share it.
+struct SweepBuffers {
+    std::vector<float> fields;                   ///< of the candidates: [cluster][field][member]
+    std::vector<std::vector<float>> patch_sums;  ///< of some patches' candidates: [place][sum][member]
+    BufferPool records;
+};
+
 struct SweepScratchData {
     ClusterList list;
-    std::vector<float> fields;                   ///< of the candidates: [cluster][field][member]
-    std::vector<std::vector<float>> patch_sums;  ///< of each patch's candidates: [place][sum][member]
-    BufferPool records;
+    std::shared_ptr<SweepBuffers> buffers{std::make_shared<SweepBuffers>()};
+    bool owns_buffers{true};  ///< and counts their bytes
 };
 
 }  // namespace riprap::fluid

@@ -35,7 +35,9 @@ struct SphScratchData {
     std::vector<Vec3> mirrored_velocity;      ///< u_w [m/s]
     std::vector<double> grip;                 ///< 0 on slippery walls, else 1
 
-    SweepScratch fluid_fluid, fluid_walls, walls_fluid;
+    SweepScratch fluid_fluid;
+    SweepScratch fluid_walls{SweepScratch::sharing_buffers(fluid_fluid)};
+    SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
 
     std::size_t bytes() const {
         return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction,
