@@ -198,7 +198,8 @@ void add_plot(CLI::App& app, Action& action) {
     command
         ->add_option(
             "--column", options->columns,
-            "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x (default: gauges and bodies, else energies)")
+            "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x; once for each (default: gauges and bodies, "
+            "else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");

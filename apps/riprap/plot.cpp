@@ -50,6 +50,7 @@ std::string remedy(const view::RecordedRun& run, const std::string& wanted) {
     return meant.empty() ? "it has:" + list : fmt::format("did you mean '{}'?", meant);
 }
 
+/// The columns named; nothing, with the reason on standard error, where there is no such column.
 std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::string>& wanted) {
     std::vector<Source> chosen;
     for (const std::string& name : wanted) {
@@ -63,7 +64,8 @@ std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::
             }
         }
         if (chosen.size() == before) {
-            throw FileError(fmt::format("the run has no column '{}'; {}", name, remedy(run, name)));
+            fmt::print(stderr, "riprap: the run has no column '{}'; {}\n", name, remedy(run, name));
+            return {};
         }
     }
     return chosen;
@@ -144,11 +146,15 @@ int plot_run(const PlotOptions& options) {
     }
     const bool is_asked = !options.columns.empty();
     const std::vector<Source> sources = is_asked ? choose(run, options.columns) : usual(run);
+    if (sources.empty()) {
+        return static_cast<int>(ExitCode::usage);
+    }
     const bool is_change = !is_asked && sources.front().table == &run.ledger;
     const std::string svg = validation::to_svg(plot_of(run, sources, is_change));
     const std::filesystem::path out = options.out.empty() ? options.folder / "plot.svg" : options.out;
     io::write_file(out, out.extension() == ".png" ? png_of(svg) : svg);
-    fmt::print("{}{}\n", out.string(), is_asked ? "" : "; --column NAME draws another column, or several");
+    fmt::print("{}{}\n", out.string(),
+               is_asked ? "" : "; --column NAME draws another column, more of them where it is repeated");
     return 0;
 }
 

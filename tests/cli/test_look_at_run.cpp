@@ -64,7 +64,7 @@ TEST_F(Looking, APlotWithoutAColumnDrawsGaugesAndWithoutGaugesEnergies) {
 TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
     have_run();
     const Ending ending = plot({"--column", "kinetic_energie"});
-    EXPECT_EQ(ending.code, 5);
+    EXPECT_EQ(ending.code, 2);
     EXPECT_THAT(ending.err, HasSubstr("did you mean 'kinetic_energy'?"));
     EXPECT_THAT(ending.err, Not(HasSubstr("contact_count")));
 }
