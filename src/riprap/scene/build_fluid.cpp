@@ -57,6 +57,7 @@ fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
     sph.kinematic_viscosity = get_number(table, "kinematic_viscosity");
     sph.smagorinsky = get_number(table, "smagorinsky");
     sph.density_diffusion = get_number(table, "density_diffusion");
+    sph.acoustic_damping = get_number(table, "acoustic_damping");
     sph.gradient_correction = get_boolean(table, "gradient_correction");
     sph.shifting = get_number(table, "shifting");
     sph.courant = get_number(table, "courant");

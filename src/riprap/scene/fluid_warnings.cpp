@@ -186,9 +186,12 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
         return;
     }
     build.warnings.emplace_back(
-        "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients nor "
-        "shifting: state_equation, tait_exponent, density_diffusion, gradient_correction and shifting do nothing; its "
-        "energies do not add up, and the ledger ends the run unless output.ledger_tolerance is 1");
+        "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients, "
+        "damping "
+        "of sound nor shifting: state_equation, tait_exponent, density_diffusion, acoustic_damping, "
+        "gradient_correction "
+        "and shifting do nothing; its energies do not add up, and the ledger ends the run unless "
+        "output.ledger_tolerance is 1");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
         build.warnings.push_back(fmt::format(

@@ -176,6 +176,11 @@ const Table& fluid_table() {
           {number(dimension::plain, between(0, 1))},
           "Strength of the diffusion of density.",
           Value::of(defaults.density_diffusion)},
+         {"acoustic_damping",
+          {number(dimension::plain, between(0, 1))},
+          "Strength of the bulk viscosity that damps sound inside the water; 0 = off. None without "
+          "gradient_correction.",
+          Value::of(defaults.acoustic_damping)},
          {"gradient_correction",
           {boolean()},
           "Inside the water density follows the divergence of velocity, not the arrangement of particles; false for "
@@ -187,7 +192,9 @@ const Table& fluid_table() {
           Value::of(defaults.shifting)},
          {"courant",
           {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the time that sound needs through a smoothing length that a step may last.",
+          "Share of the time that sound needs through a smoothing length that a step may last. A lattice is unstable "
+          "from "
+          "0.96 with acoustic_damping = 1, from 1.5 with none.",
           Value::of(defaults.courant)},
          {"sort_interval",
           {integer(1, 1e6)},

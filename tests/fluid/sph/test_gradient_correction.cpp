@@ -135,7 +135,7 @@ Water shaken(int dimension, int side) {
     return water;
 }
 
-TEST(GradientCorrection, leaves_the_pressure_force_the_adjoint_of_the_rate_of_density) {
+TEST(GradientCorrection, leaves_the_pressure_force_the_adjoint_of_the_rate_of_density) {  // with heat of damped sound
     for (const int dimension : {2, 3}) {
         Water water = shaken(dimension, dimension == 2 ? 14 : 10);
         const double dt = 1e-6;  // forces see volumes this much later
@@ -152,8 +152,10 @@ TEST(GradientCorrection, leaves_the_pressure_force_the_adjoint_of_the_rate_of_de
             compression += stored;
             size += std::abs(stored);
         }
-        EXPECT_NEAR(force + compression + water.report.wall_exchange / dt, 0, 1e-4 * size) << dimension;
+        const double heat = water.report.dissipated_viscous / dt;
+        EXPECT_NEAR(force + compression + heat + water.report.wall_exchange / dt, 0, 1e-4 * size) << dimension;
         EXPECT_GT(std::abs(force), 1e-2 * size) << dimension;
+        EXPECT_GT(heat, 1e-2 * size) << dimension;
     }
 }
 

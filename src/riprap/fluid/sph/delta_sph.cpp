@@ -72,6 +72,21 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
     });
 }
 
+/// Adds the bulk viscosity to the pressure that forces see, -a s h rho_0 c_0 div v, and notes its heat [Sun2023].
+void damp_sound(const SphSettings& settings, SphScratchData& s) {
+    const double strength =
+        settings.acoustic_damping * settings.smoothing_length() * settings.rest_density * settings.sound_speed;
+    if (strength == 0) {
+        return;
+    }
+    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const double resistance = strength * s.damped_share[i] * s.squeeze[i];
+        s.pressure[i] += resistance;
+        s.wall_heat[i] = resistance * s.squeeze[i];
+    });
+}
+
 GradientCorrection correction_of(const SphSettings& settings, const Symmetric& moments) {
     return settings.gradient_correction ? gradient_correction(settings.domain.dimension, moments)
                                         : GradientCorrection{unit_tensor, 0};
@@ -86,17 +101,20 @@ double trace(int dimension, const Symmetric& tensor) {
     return tensor[0] + tensor[1] + (dimension == 3 ? tensor[3] : 0);
 }
 
-/// b from the moments summed so far.
-void find_bareness(int dimension, SphScratchData& s) {
+/// From moments of the water alone: b_f, and how much of a particle is inside it, away from surfaces and walls.
+void look_around(int dimension, SphScratchData& s) {
     s.bareness.resize(s.correction.size());
+    s.damped_share.resize(s.correction.size());
     parallel::for_each(static_cast<std::int64_t>(s.correction.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.bareness[i] = bareness_of_particle(dimension, trace(dimension, s.correction[i]));
+        const double moments = trace(dimension, s.correction[i]);
+        s.bareness[i] = bareness_of_particle(dimension, moments);
+        s.damped_share[i] = interior_share(moments / dimension);
     });
 }
 
 /// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor; into
-/// s.bareness that of the water alone.
+/// s.bareness and s.damped_share what look_around finds.
 void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, SphScratchData& s) {
     make_zero(s.diffusion, state.density.size());
@@ -114,7 +132,7 @@ void sum_continuity(const SphSettings& settings, const ParticleState& state, con
         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
         {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)},
         s.fluid_fluid);
-    find_bareness(settings.domain.dimension, s);
+    look_around(settings.domain.dimension, s);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
@@ -127,6 +145,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     find_pressure(settings, state, s);
     sum_continuity(settings, state, walls, gravity, s);
     s.correction_share.resize(state.density.size());
+    s.squeeze.resize(state.density.size());
     const int dimension = settings.domain.dimension;
     const double h = settings.smoothing_length();
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
@@ -139,10 +158,11 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const GradientCorrection correction = correction_of(settings, moments);
         s.correction[i] = correction.tensor;
         s.correction_share[i] = correction.share;
+        s.damped_share[i] *= correction.share;
         const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
-        const double flown =
-            diluted + dt * diluted * contract(dimension, s.correction[i], s.pressure_tensor[i]) + spread;
+        s.squeeze[i] = contract(dimension, s.correction[i], s.pressure_tensor[i]);
+        const double flown = diluted + dt * diluted * s.squeeze[i] + spread;
         const double torn = density_by_tearing(s.bareness[i], leaves_wall, flown, settings.rest_density);
         const double after = flown + torn;
         const double mean = 0.5 * (before + after);
@@ -162,8 +182,9 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
                   SphScratchData& s) {
     find_pressure(settings, state, s);
     find_viscosity(settings, s);
-    find_pressure_tensors(s);
     clear_forces(state.position.size(), s);
+    damp_sound(settings, s);
+    find_pressure_tensors(s);
     average_at_walls(settings, state, walls, s);
     find_pressure_on_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });

@@ -8,17 +8,13 @@
 #include "riprap/fluid/sph/sph_scratch.hpp"
 
 namespace riprap::fluid {
-namespace {
 
-/// c, of tr M/D
-double share_of_trace(double trace) {
+double interior_share(double trace) {
     // Behind a flat surface at h/dp = 1.5 the rows of a square (cubic) lattice have 0.62 (0.67), 0.91 (0.94), 1.00
     // (1.00); flowing water has 0.98 to 1.05 inside, and particles that are squeezed into a corner more than 1.15.
     constexpr double cut = 0.95, whole = 1.00, crowding = 1.05, crowded = 1.15;
     return std::clamp(std::min((trace - cut) / (whole - cut), (crowded - trace) / (crowded - crowding)), 0.0, 1.0);
 }
-
-}  // namespace
 
 GradientCorrection gradient_correction(int dimension, const Symmetric& moments) {
     Symmetric m = moments;
@@ -37,7 +33,7 @@ GradientCorrection gradient_correction(int dimension, const Symmetric& moments) 
     const double bound = std::max(determinant, size);
     GradientCorrection correction{unit_tensor, 0};
     if (bound > 0) {
-        const double c = share_of_trace(trace / dimension);
+        const double c = interior_share(trace / dimension);
         correction.share = c * std::max(determinant, 0.0) / bound;  // round-off may leave less than nothing
         for (std::size_t k = 0; k < excess.size(); ++k) {
             correction.tensor[k] += c / bound * excess[k];

@@ -20,10 +20,14 @@ struct GradientCorrection {
     double share;      ///< s, from 0, where B = I, to 1, where velocities linear in space have their exact divergence
 };
 
+/// c, how much of a particle is inside what its moments were summed over: 0 where tr M/D <= 0.95 or >= 1.15, 1 from
+/// 1.00 to 1.05, linear between.
+/// @param trace  tr M/D
+double interior_share(double trace);
+
 /// The correction of gradients [RandlesLibersky1996], [BonetLok1999] inside the water and its absence at the rim:
 ///
-///     B = I + s (M^-1 - I),    s = c min(1, 1/|M^-1 - I|),
-///     c = 0 where tr M/D <= 0.95 or >= 1.15, 1 from 1.00 to 1.05, linear between,
+///     B = I + s (M^-1 - I),    s = c min(1, 1/|M^-1 - I|),    c = interior_share(tr M/D),
 ///
 /// M the moments of Continuity [-], D the dimension, |.| the Frobenius norm (docs/theory/sph.md, 4); s = 0 where M is
 /// singular, and B - I has its limit there.

@@ -19,6 +19,7 @@ struct SphScratchData {
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
 
     std::vector<double> diffusion, strain;                               ///< sums of Continuity
+    std::vector<double> squeeze, damped_share;                           ///< -div v [1/s]; s of damp_sound [-]
     std::vector<Symmetric> correction;                                   ///< its moments M; then B [-]
     std::vector<Symmetric> pressure_tensor;                              ///< its sums G [1/s]; then p B [Pa]
     std::vector<double> correction_share;                                ///< share of it [-]
@@ -40,10 +41,10 @@ struct SphScratchData {
     SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, correction,
-                        pressure_tensor, correction_share, bareness, force, concentration_gradient, surface_direction,
-                        heat, wall_heat, wall_hold, wall_hold_power, wall_weight, wall_pressure, wall_moment,
-                        wall_velocity, wall_slope, wall_push, mirrored_velocity, grip) +
+        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, squeeze, damped_share,
+                        correction, pressure_tensor, correction_share, bareness, force, concentration_gradient,
+                        surface_direction, heat, wall_heat, wall_hold, wall_hold_power, wall_weight, wall_pressure,
+                        wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity, grip) +
                fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };

@@ -27,9 +27,10 @@ struct SphSettings {
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double smagorinsky{0.12};          ///< C_s of the SPS model [-]
     double density_diffusion{0.1};     ///< delta [-]
+    double acoustic_damping{1};        ///< a of the bulk viscosity that damps sound [-]; 0 = off
     double shifting{10};               ///< A of the particle shifting [-]; 0 = off
     bool gradient_correction{true};    ///< density follows the divergence inside the water
-    double courant{0.8};               ///< share of h/(c + v) that a step may last [-]; unstable beyond 1.5
+    double courant{0.8};               ///< share of h/(c + v) that a step may last [-]; unstable beyond 0.96
     bool is_plain{false};              ///< pair sums in double, one pair at a time: the oracle of the fast ones
     std::int64_t sort_interval{50};    ///< steps between sorts of the State by place
     Domain domain;

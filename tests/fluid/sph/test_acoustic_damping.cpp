@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "fluid/sph/water.hpp"
+#include "riprap/fluid/sph/sph_scratch.hpp"
+
+namespace riprap::fluid::testing {
+namespace {
+
+constexpr double wave = 2 * std::numbers::pi;  // one wave in a periodic square of 1 m [1/m]
+
+/// Water without walls that swings to and fro in a standing wave of sound, or not at all.
+Water periodic_water(double spacing, double speed, double sound_speed, double damping) {
+    Water water;
+    water.settings = settings_2d(spacing, sound_speed);
+    water.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
+    water.settings.artificial_alpha = 0;
+    water.settings.density_diffusion = 0;
+    water.settings.shifting = 0;
+    water.settings.acoustic_damping = damping;
+    water.settings.is_plain = true;
+    for_lattice(spacing, 1, 1, [&](double x, double y) {
+        water.add_particle({x, y, 0}, {speed * std::sin(wave * x), 0, 0});
+    });
+    return water;
+}
+
+/// Energy that is left after two periods, over that at the start, and what the ledger misses of the rest.
+struct Rest {
+    double left, missed;
+};
+Rest after_two_periods(Water& water) {
+    water.step();
+    const double start = water.report.kinetic + water.report.internal, closure = water.closure();
+    const double from = water.time;
+    water.run_until(from + 2 / water.settings.sound_speed);  // a period is 1 m/c
+    EXPECT_EQ(water.report.problem, "");
+    return {(water.report.kinetic + water.report.internal) / start, (water.closure() - closure) / start};
+}
+
+TEST(AcousticDamping, sound_decays_as_bulk_viscosity_says) {
+    const double spacing = 1.0 / 40, c = 20;
+    for (const double damping : {0.25, 1.0}) {
+        Water water = periodic_water(spacing, 0.02, c, damping);
+        const Rest rest = after_two_periods(water);
+        const double bulk_viscosity = damping * water.scratch.data().damped_share[0] * c *
+                                      water.settings.smoothing_length();  // over rho_0 [m^2/s]
+        const double expected = -bulk_viscosity * wave * wave * 2 / c;
+        EXPECT_NEAR(std::log(rest.left), expected, 0.03 * std::abs(expected)) << damping;
+        EXPECT_NEAR(rest.missed, 0, 0.02) << damping;  // heat is that of the velocity before the kick
+    }
+    Water undamped = periodic_water(spacing, 0.02, c, 0);
+    EXPECT_NEAR(after_two_periods(undamped).left, 1, 0.01);
+}
+
+TEST(AcousticDamping, what_the_ledger_misses_falls_with_the_time_step) {
+    Water coarse = periodic_water(1.0 / 40, 0.02, 20, 1), fine = periodic_water(1.0 / 40, 0.02, 20, 1);
+    fine.settings.courant = 0.125 * coarse.settings.courant;
+    const double missed = std::abs(after_two_periods(coarse).missed);
+    EXPECT_LT(std::abs(after_two_periods(fine).missed), 0.35 * missed);
+}
+
+TEST(AcousticDamping, flow_without_divergence_does_not_feel_it) {
+    const auto sheared = [](double damping) {
+        Water water = periodic_water(1.0 / 40, 0, 20, damping);
+        for (std::size_t i = 0; i < water.state.position.size(); ++i) {
+            water.state.velocity[i].y = 0.5 * std::sin(wave * water.state.position[i].x);
+        }
+        water.step();
+        const double start = water.report.kinetic;
+        water.run_until(0.1);
+        EXPECT_EQ(water.report.problem, "");
+        return water.report.kinetic / start;
+    };
+    EXPECT_NEAR(sheared(1), 1, 1e-3);
+    EXPECT_NEAR(sheared(1), sheared(0), 1e-3);
+}
+
+/// Velocities and forces on walls after a step of water that draws together, in the air or in a box it fills.
+struct Feeling {
+    std::vector<Vec3> velocity, force;
+};
+Feeling after_a_step(double side, bool has_box, double damping) {
+    constexpr double spacing = 0.1;
+    Water water;
+    water.settings = settings_2d(spacing, 20);
+    water.settings.acoustic_damping = damping;
+    for_lattice(spacing, side, side, [&](double x, double y) {
+        water.add_particle({x, y, 0}, {-0.1 * (x - 0.5 * side), -0.1 * (y - 0.5 * side), 0});
+    });
+    if (has_box) {
+        for_lattice(spacing, side + 6 * spacing, side + 6 * spacing, [&](double x, double y) {
+            const Vec3 place{x - 3 * spacing, y - 3 * spacing, 0};
+            if (place.x < 0 || place.x > side || place.y < 0 || place.y > side) {
+                water.add_wall_particle(place, true);
+            }
+        });
+    }
+    water.step();
+    return {water.state.velocity, water.walls.pressure_force};
+}
+
+TEST(AcousticDamping, at_a_surface_there_is_none) {
+    // all 16 particles see the air, of 49 those in the middle do not
+    EXPECT_EQ(after_a_step(0.4, false, 1).velocity, after_a_step(0.4, false, 0).velocity);
+    EXPECT_NE(after_a_step(0.7, false, 1).velocity, after_a_step(0.7, false, 0).velocity);
+}
+
+TEST(AcousticDamping, walls_feel_it_only_through_the_water) {
+    // else a light body would be shaken to pieces: a force in proportion to its velocity and to the water beside it
+    const Feeling damped = after_a_step(1.2, true, 1), undamped = after_a_step(1.2, true, 0);
+    EXPECT_NE(damped.velocity, undamped.velocity);
+    for (std::size_t w = 0; w < damped.force.size(); ++w) {
+        EXPECT_LT(norm(damped.force[w] - undamped.force[w]), 1e-6 + 1e-6 * norm(undamped.force[w])) << w;
+    }
+}
+
+}  // namespace
+}  // namespace riprap::fluid::testing
