@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A sweep over one patch of targets after the other. For sweep_kernel.hpp.
+
+#include <cstring>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/patch_sweep.hpp"
+#include "riprap/fluid/particle/sweep_scratch.hpp"
+
+namespace riprap::fluid::detail {
+
+/// Fields as floats: [cluster][field][member], zero where the last cluster is not full.
+template <std::size_t FieldCount>
+void pack_fields(const std::array<FieldView, FieldCount>& fields, std::int64_t size, std::vector<float>& packed) {
+    const std::int64_t clusters = (size + cluster_size - 1) / cluster_size;
+    packed.resize(static_cast<std::size_t>(clusters * cluster_size) * FieldCount);
+    parallel::for_each(clusters, [&](std::int64_t c) {
+        for (std::size_t k = 0; k < FieldCount; ++k) {
+            float* four = &packed[(static_cast<std::size_t>(c) * FieldCount + k) * cluster_size];
+            for (std::int64_t member = 0; member < cluster_size; ++member) {
+                const std::int64_t i = c * cluster_size + member;
+                four[member] = i < size ? static_cast<float>(fields[k][i]) : 0.0F;
+            }
+        }
+    });
+}
+
+/// A sweep over all patches.
+template <int Dim, class Pair, class Way>
+struct ClusterSweep {
+    using Patches = PatchSweep<Dim, Pair, Way>;
+    static constexpr std::size_t target_fields = Patches::target_fields;
+    static constexpr std::size_t candidate_fields = Patches::candidate_fields;
+    static constexpr std::size_t sum_count = Patches::sum_count;
+
+    Pair pair;
+    const std::array<FieldView, target_fields>& targets;
+    const std::array<FieldSink, sum_count>& sums;
+    SweepScratchData& scratch;
+    bool is_each_once;
+    float far;                    ///< square of a distance without effect [m^2]
+    std::int64_t first_patch{0};  ///< that of the first of the buffers
+
+    void sweep_patch(std::int64_t p) const {
+        const ClusterList& list = scratch.list;
+        const Patch& patch = list.patches()[static_cast<std::size_t>(p)];
+        std::unique_ptr<BufferPool::Buffer> records = scratch.buffers->records.take();
+        copy_records(patch, *records);
+        Patches work{pair, {}, records->data(), nullptr, -1, far * 0.0625F * 1.00001F, Lanes(0)};
+        const std::int64_t members = list.candidates().size() % cluster_size,
+                           last = list.candidates().cluster_count() - 1;
+        if (members != 0 && !patch.blocks.empty() && patch.blocks.back() == last / BoxTree::branches) {
+            work.partial = static_cast<std::int32_t>(
+                (static_cast<std::int64_t>(patch.blocks.size()) - 1) * BoxTree::branches + last % BoxTree::branches);
+            for (int lane = 0; lane < lane_count; ++lane) {
+                work.beyond.set(lane, lane % cluster_size < members ? 0.0F : far);
+            }
+        }
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            work.quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
+        }
+        if constexpr (Way::back_sums > 0) {
+            std::vector<float>& back = scratch.buffers->patch_sums[static_cast<std::size_t>(p - first_patch)];
+            back.assign(patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
+            work.back = back.data();
+        }
+        const std::int64_t first = list.first_cluster(p), end = list.first_cluster(p + 1);
+        for (std::int64_t t = first; t < end; ++t) {
+            std::span<const std::int32_t> near = patch.near(t - first);
+            if (!near.empty()) {
+                sweep_cluster(t, t - first, near, work);
+            }
+        }
+        scratch.buffers->records.give(std::move(records));
+    }
+
+    void sweep_cluster(std::int64_t t, std::int64_t local, std::span<const std::int32_t> near,
+                       const Patches& work) const {
+        const ClusterList& list = scratch.list;
+        const std::int64_t count = std::min<std::int64_t>(cluster_size, list.targets().size() - t * cluster_size);
+        const typename Patches::Target target =
+            is_each_once ? target_in(work.records + static_cast<std::size_t>(local) * Patches::record, count)
+                         : target_of(t, count);
+        typename Patches::Sums sum;
+        for (auto& part : sum) {
+            part.fill(LanePart(0));
+        }
+        work.add(target, near, is_each_once && near.front() == local, sum);
+        if (is_each_once) {
+            for (std::size_t k = 0; k < sum_count; ++k) {
+                add_to(work.back + static_cast<std::size_t>(local) * Patches::back_record + k * cluster_size,
+                       Patches::sum_of(sum, k));
+            }
+            return;
+        }
+        for (std::size_t k = 0; k < sum_count; ++k) {
+            const Wide<float, 4> total = Patches::sum_of(sum, k);
+            for (int member = 0; member < count; ++member) {
+                sums[k][t * cluster_size + member] += static_cast<double>(total[member]);
+            }
+        }
+    }
+
+    typename Patches::Target target_in(const float* four, std::int64_t count) const {
+        typename Patches::Target target;
+        target.apart = apart(count);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            target.place[axis] = targets_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
+        }
+        if constexpr (target_fields == candidate_fields) {
+            for (std::size_t k = 0; k < target_fields; ++k) {
+                target.fields[k] = targets_in_lanes(four + (Dim + k) * cluster_size);
+            }
+        }
+        return target;
+    }
+    Lanes apart(std::int64_t count) const {
+        Lanes square(1e-30F);
+        if (count < cluster_size) {
+            for (int lane = 0; lane < lane_count; ++lane) {
+                square.set(lane, lane / cluster_size < count ? 1e-30F : far);
+            }
+        }
+        return square;
+    }
+    typename Patches::Target target_of(std::int64_t t, std::int64_t count) const {
+        typename Patches::Target target;
+        target.apart = apart(count);
+        for (std::size_t axis = 0; axis < Dim; ++axis) {
+            target.place[axis] = targets_in_lanes(scratch.list.targets().cluster(t) + axis * cluster_size);
+        }
+        for (std::size_t k = 0; k < target_fields; ++k) {
+            std::array<float, cluster_size> four;
+            for (std::int64_t member = 0; member < cluster_size; ++member) {
+                four[static_cast<std::size_t>(member)] =
+                    static_cast<float>(targets[k][t * cluster_size + std::min(member, count - 1)]);
+            }
+            target.fields[k] = targets_in_lanes(four.data());
+        }
+        return target;
+    }
+
+    /// Places and fields of the patch's candidates, cluster by cluster.
+    void copy_records(const Patch& patch, std::vector<float>& records) const {
+        const ClusterPlaces& places = scratch.list.candidates();
+        records.resize(patch.blocks.size() * BoxTree::branches * Patches::record);
+        float* out = records.data();
+        for (const std::int32_t block : patch.blocks) {
+            const std::int64_t first = std::int64_t{block} * BoxTree::branches;
+            const std::int64_t end = std::min(places.cluster_count(), first + BoxTree::branches);
+            for (std::int64_t c = first; c < end; ++c, out += Patches::record) {
+                std::memcpy(out, places.cluster(c), Dim * cluster_size * sizeof(float));
+                std::memcpy(
+                    out + Dim * cluster_size,
+                    scratch.buffers->fields.data() + static_cast<std::size_t>(c) * candidate_fields * cluster_size,
+                    candidate_fields * cluster_size * sizeof(float));
+            }
+        }
+    }
+};
+
+}  // namespace riprap::fluid::detail
