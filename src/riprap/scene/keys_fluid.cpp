@@ -15,7 +15,7 @@ const Table& fluid_domain_table() {
         "fluid.domain",
         "domain = { ... }",
         "The box that water may be in. A particle that leaves it through a side that is not periodic ends the run: "
-        "give it room above walls that water may splash over.",
+        "give it room above walls that water may splash over, or an outflow there.",
         {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
          {"high", {vector(dimension::length)}, "High corner.", {}, true},
          {"periodic",
