@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
@@ -50,7 +51,13 @@ std::string remedy(const view::RecordedRun& run, const std::string& wanted) {
     return meant.empty() ? "it has:" + list : fmt::format("did you mean '{}'?", meant);
 }
 
-/// The columns named; nothing, with the reason on standard error, where there is no such column.
+/// What was asked for cannot be drawn: a bad command line.
+class BadRequest : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The columns named. @throws BadRequest where there is no such column
 std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::string>& wanted) {
     std::vector<Source> chosen;
     for (const std::string& name : wanted) {
@@ -64,8 +71,7 @@ std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::
             }
         }
         if (chosen.size() == before) {
-            fmt::print(stderr, "riprap: the run has no column '{}'; {}\n", name, remedy(run, name));
-            return {};
+            throw BadRequest(fmt::format("the run has no column '{}'; {}", name, remedy(run, name)));
         }
     }
     return chosen;
@@ -107,9 +113,9 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
     for (const Source& source : sources) {
         const std::string& unit = source.heading().unit;
         if (unit != sources.front().heading().unit) {
-            throw FileError(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
-                                        sources.front().heading().name, sources.front().heading().unit,
-                                        source.heading().name, unit));
+            throw BadRequest(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
+                                         sources.front().heading().name, sources.front().heading().unit,
+                                         source.heading().name, unit));
         }
         validation::Curve curve;
         curve.label = source.heading().name;
@@ -137,18 +143,13 @@ std::string png_of(const std::string& svg) {
     return browser.picture();
 }
 
-}  // namespace
-
-int plot_run(const PlotOptions& options) {
+int draw(const PlotOptions& options) {
     const view::RecordedRun run = view::read_run(options.folder);
     for (const std::string& notice : run.notices) {
         fmt::print(stderr, "riprap: {}\n", notice);
     }
     const bool is_asked = !options.columns.empty();
     const std::vector<Source> sources = is_asked ? choose(run, options.columns) : usual(run);
-    if (sources.empty()) {
-        return static_cast<int>(ExitCode::usage);
-    }
     const bool is_change = !is_asked && sources.front().table == &run.ledger;
     const std::string svg = validation::to_svg(plot_of(run, sources, is_change));
     const std::filesystem::path out = options.out.empty() ? options.folder / "plot.svg" : options.out;
@@ -156,6 +157,17 @@ int plot_run(const PlotOptions& options) {
     fmt::print("{}{}\n", out.string(),
                is_asked ? "" : "; --column NAME draws another column, more of them where it is repeated");
     return 0;
+}
+
+}  // namespace
+
+int plot_run(const PlotOptions& options) {
+    try {
+        return draw(options);
+    } catch (const BadRequest& problem) {
+        fmt::print(stderr, "riprap: {}\n", problem.what());
+        return static_cast<int>(ExitCode::usage);
+    }
 }
 
 }  // namespace riprap

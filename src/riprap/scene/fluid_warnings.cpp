@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/fluid_warnings.hpp"
+#include "riprap/fluid/sph/courant_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -180,6 +181,20 @@ void warn_of_smoothing_ratio(CaseBuild& build, const fluid::SphSettings& sph) {
     }
 }
 
+/// Steps at which sound grows on a lattice (docs/theory/sph.md, 8).
+void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
+    if (sph.scheme != fluid::SphScheme::delta_sph) {
+        return;
+    }
+    const double bound = courant_bound(sph);
+    if (sph.courant > bound) {
+        build.warnings.push_back(fmt::format(
+            "courant = {:.3g}: with density_diffusion = {:.3g} and acoustic_damping = {:.3g} short waves of "
+            "sound grow on a lattice from {:.2f} on",
+            sph.courant, sph.density_diffusion, sph.acoustic_damping, bound));
+    }
+}
+
 /// What Müller's scheme leaves out, and where it is known to fail (docs/theory/sph.md, 9).
 void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.scheme != fluid::SphScheme::muller) {
@@ -187,10 +202,8 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     }
     build.warnings.emplace_back(
         "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients, "
-        "damping "
-        "of sound nor shifting: state_equation, tait_exponent, density_diffusion, acoustic_damping, "
-        "gradient_correction "
-        "and shifting do nothing; its energies do not add up, and the ledger ends the run unless "
+        "damping of sound nor shifting: state_equation, tait_exponent, density_diffusion, acoustic_damping, "
+        "gradient_correction and shifting do nothing; its energies do not add up, and the ledger ends the run unless "
         "output.ledger_tolerance is 1");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
@@ -235,6 +248,7 @@ void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const c
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
     warn_of_smoothing_ratio(build, sph);
+    warn_of_courant(build, sph);
 }
 
 }  // namespace riprap::scene

@@ -192,9 +192,8 @@ const Table& fluid_table() {
           Value::of(defaults.shifting)},
          {"courant",
           {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the time that sound needs through a smoothing length that a step may last. A lattice is unstable "
-          "from "
-          "0.96 with acoustic_damping = 1, from 1.5 with none.",
+          "Share of the time that sound needs through a smoothing length that a step may last; a warning tells where a "
+          "lattice would be unstable.",
           Value::of(defaults.courant)},
          {"sort_interval",
           {integer(1, 1e6)},

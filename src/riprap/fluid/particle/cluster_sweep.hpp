@@ -3,7 +3,12 @@
 
 // A sweep over one patch of targets after the other. For sweep_kernel.hpp.
 
+#include <array>
+#include <cstdint>
 #include <cstring>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/patch_sweep.hpp"

@@ -77,7 +77,7 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
 /// particles take.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
     const std::int64_t most = std::max(128, 32 * parallel::thread_count());
-    const std::int64_t rounds = (patches + most - 1) / most;
+    const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);
     return (patches + rounds - 1) / rounds;
 }
 
@@ -112,7 +112,8 @@ void sweep_both_ways(const Pair& pair, const SweepReach& reach, const SweepSide<
     auto sweep = prepare_sweep<Dim, BothWays<Pair>>(pair, reach, a, b, sums_a, is_each_once, scratch);
     const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
     const std::int64_t step = patches_at_a_time(patches);
-    scratch.buffers->patch_sums.resize(static_cast<std::size_t>(step));
+    auto& buffers = scratch.buffers->patch_sums;
+    buffers.resize(std::max(buffers.size(), static_cast<std::size_t>(step)));
     for (std::int64_t first = 0; first < patches; first += step) {
         const std::int64_t end = std::min(patches, first + step);
         sweep.first_patch = first;

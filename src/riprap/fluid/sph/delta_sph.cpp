@@ -83,7 +83,7 @@ void damp_sound(const SphSettings& settings, SphScratchData& s) {
         const auto i = static_cast<std::size_t>(entry);
         const double resistance = strength * s.damped_share[i] * s.squeeze[i];
         s.pressure[i] += resistance;
-        s.wall_heat[i] = resistance * s.squeeze[i];
+        s.wall_heat[i] += resistance * s.squeeze[i];
     });
 }
 

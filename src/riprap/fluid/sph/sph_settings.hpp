@@ -30,7 +30,7 @@ struct SphSettings {
     double acoustic_damping{1};        ///< a of the bulk viscosity that damps sound [-]; 0 = off
     double shifting{10};               ///< A of the particle shifting [-]; 0 = off
     bool gradient_correction{true};    ///< density follows the divergence inside the water
-    double courant{0.8};               ///< share of h/(c + v) that a step may last [-]; unstable beyond 0.96
+    double courant{0.8};               ///< share of h/(c + v) that a step may last [-]; see courant_bound
     bool is_plain{false};              ///< pair sums in double, one pair at a time: the oracle of the fast ones
     std::int64_t sort_interval{50};    ///< steps between sorts of the State by place
     Domain domain;
