@@ -69,6 +69,13 @@ TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
     EXPECT_THAT(ending.err, Not(HasSubstr("contact_count")));
 }
 
+TEST_F(Looking, ColumnsOfUnlikeUnitsAreABadCommandLine) {
+    have_run();
+    const Ending ending = plot({"--column", "kinetic_energy", "--column", "max_speed"});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, HasSubstr("'kinetic_energy' is in J and 'max_speed' in m/s: one plot has one unit"));
+}
+
 TEST_F(Looking, ATableThatCannotBeReadIsTold) {
     have_run();
     write_file("run/ledger.csv", "garbage\n");

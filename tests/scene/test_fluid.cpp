@@ -207,6 +207,18 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
     }
 }
 
+TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
+    const auto about_courant = [](const std::vector<std::string>& settings) {
+        const auto all = test::read(tank, settings).warnings;
+        return std::count_if(all.begin(), all.end(),
+                             [](const std::string& text) { return text.find("short waves of sound") < text.size(); });
+    };
+    EXPECT_EQ(about_courant({}), 0);
+    EXPECT_EQ(about_courant({"fluid.density_diffusion=0.5"}), 1);
+    EXPECT_EQ(about_courant({"fluid.density_diffusion=0.5", "fluid.courant=0.4"}), 0);
+    EXPECT_EQ(about_courant({"fluid.scheme=muller", "fluid.density_diffusion=0.5"}), 0);
+}
+
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
     const auto warnings = [](const char* point) {
         const auto all =

@@ -274,8 +274,7 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
         !model().fluid ? "a smaller time_step, a stiffer material or more damping usually helps"
         : sim::fixed_step_problem(model(), state()).empty()
             ? "water that leaves the domain needs a wall there, or an [[fluid.outflow]] that lets it go and counts it; "
-              "else a smaller fluid.courant or fluid.spacing usually "
-              "helps"
+              "else a smaller fluid.courant or fluid.spacing usually helps"
             : "the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
         fmt::print(stderr,

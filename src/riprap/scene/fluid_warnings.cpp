@@ -190,7 +190,7 @@ void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.courant > bound) {
         build.warnings.push_back(fmt::format(
             "courant = {:.3g}: with density_diffusion = {:.3g} and acoustic_damping = {:.3g} short waves of "
-            "sound grow on a lattice from {:.2f} on",
+            "sound grow on a lattice from {:.2f} on; a smaller courant, or less of either, is stable",
             sph.courant, sph.density_diffusion, sph.acoustic_damping, bound));
     }
 }
