@@ -207,6 +207,24 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
     }
 }
 
+TEST(FluidCase, a_gauge_may_go_with_a_body_that_it_names) {
+    const auto gauge = [](const std::string& text) { return tank + "\n[[output.gauge]]\nname = \"g\"\n" + text; };
+    const LoadedCase loaded =
+        test::read(gauge("kind = \"surface\"\nbody = \"block\"\npoint = [0.5, 0.1]\nend = [0.5, 0.9]\n"));
+    const fluid::Gauge& g = loaded.model.output.gauges.at(0);
+    EXPECT_EQ(g.carrier, 1);
+    EXPECT_EQ(g.point, (Vec3{0, -0.4, 0}));  // from the centre of the block
+    EXPECT_EQ(g.end, (Vec3{0, 0.4, 0}));
+    EXPECT_THAT(test::problems_of(gauge("kind = \"level\"\nbody = \"blok\"\npoint = [0.5, 0.1]\n")),
+                ElementsAre(HasSubstr("did you mean 'block'?")));
+    EXPECT_THAT(test::problems_of(gauge("kind = \"volume\"\nbody = \"block\"\npoint = [0.5, 0.1]\nend = [0.7, 0.3]\n")),
+                ElementsAre(HasSubstr("a 'volume' gauge that moves with a body")));
+    // The bottom is nearer, but the gauge belongs to the block.
+    const std::string wall = "kind = \"wall_pressure\"\npoint = [0.5, 0.0]\nbody = ";
+    EXPECT_THAT(test::problems_of(gauge(wall + "\"block\"\n")), ElementsAre(HasSubstr("no wet face of 'block'")));
+    EXPECT_EQ(test::read(gauge(wall + "\"bottom\"\n")).model.output.faces.at(0).body, BodyId(0));
+}
+
 TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
     const auto about_courant = [](const std::vector<std::string>& settings) {
         const auto all = test::read(tank, settings).warnings;

@@ -238,12 +238,12 @@ class FaceReading {
 
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
                                    const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
-                                   const Vec3& place, double reach) {
+                                   const Vec3& place, double reach, BodyId only) {
     std::optional<FaceGauge> found;
     double least = reach;
     for (const body::Part& part : bodies.parts) {
         const std::size_t b = at(part.body.value);
-        if (!is_dry.empty() && is_dry[b] != 0) {
+        if ((!is_dry.empty() && is_dry[b] != 0) || (only.is_valid() && part.body != only)) {
             continue;
         }
         const Pose pose = pose_of(part, {initial.position[b], initial.orientation[b]});

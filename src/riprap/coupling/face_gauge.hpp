@@ -21,9 +21,10 @@ struct FaceGauge {
 /// The face nearest to a place among those of bodies that are not dry; nothing where none lies within `reach`. Of faces
 /// equally near, as in a corner, the first.
 /// @param is_dry  per body: feels no water; empty = none
+/// @param only    faces of this body alone; invalid = of any
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
                                    const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
-                                   const Vec3& place, double reach);
+                                   const Vec3& place, double reach, BodyId only = {});
 
 /// Bodies with their boundary particles after a step: what the water pressed on, and how hard.
 struct LoadedFaces {

@@ -52,6 +52,8 @@ struct CaseBuild {
     Vec3 up() const;
     /// The material that `table` names; invalid, with a problem, when there is none.
     MaterialId material_of(const Value& table);
+    /// The body that `name` is the name of; invalid, with a problem, when there is none.
+    BodyId body_named(const Value& name);
     /// Notes the name of a body, pack or rock mass; a problem when it is taken.
     void claim_name(const Value& table);
     /// True for "NAME" and "NAME[17]" where NAME was claimed: there may be no such body only because of a problem.

@@ -68,19 +68,45 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     }
 }
 
+/// Notes the body that the gauge goes with, invalid when it names none. False with a problem.
+bool find_carrier(CaseBuild& build, const Value& table, fluid::Gauge& gauge, BodyId& body) {
+    const Value* name = table.find("body");
+    if (name == nullptr) {
+        return true;
+    }
+    if (gauge.kind == fluid::GaugeKind::flow || gauge.kind == fluid::GaugeKind::volume) {
+        build.problem(name->place, fmt::format("a '{}' gauge that moves with a body", get_text(table, "kind")),
+                      "no 'body': rectangles and boxes keep to the axes");
+        return false;
+    }
+    body = build.body_named(*name);
+    if (!body.is_valid()) {
+        return false;
+    }
+    if (gauge.kind != fluid::GaugeKind::wall_pressure) {
+        const auto index = static_cast<std::size_t>(body.value);
+        const Pose pose{build.state.bodies.position[index], build.state.bodies.orientation[index]};
+        gauge.carrier = body.value;
+        gauge.point = to_body(pose, gauge.point);
+        gauge.end = to_body(pose, gauge.end);
+    }
+    return true;
+}
+
 /// Notes the face that a transducer stands in.
-void find_wall(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
+void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
     if (gauge.kind != fluid::GaugeKind::wall_pressure || !build.model.fluid || !build.has_all_bodies) {
         return;
     }
     const sim::FluidModel& water = *build.model.fluid;
     const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, water.is_dry,
-                                          gauge.point, water.sph.spacing);
+                                          gauge.point, water.sph.spacing, body);
     if (!face) {
-        build.problem(
-            get(table, "point").place,
-            fmt::format("no wet face within a spacing, {:.4g} m, of the gauge '{}'", water.sph.spacing, gauge.name),
-            "a point on a face of a body that is not wet = false, or the kind 'pressure'");
+        const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
+        build.problem(get(table, "point").place,
+                      fmt::format("no wet face{} within a spacing, {:.4g} m, of the gauge '{}'", whose,
+                                  water.sph.spacing, gauge.name),
+                      "a point on a face of a body that is not wet = false, or the kind 'pressure'");
         return;
     }
     coupling::BodyMotion motion;
@@ -114,7 +140,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
             if (build.root.find("fluid") == nullptr) {
                 build.problem(table.place, "a gauge in a case without water", "a [fluid], or a probe of a body");
             }
-            return;
+            continue;
         }
         fluid::Gauge gauge;
         gauge.name = get_text(table, "name");
@@ -130,7 +156,11 @@ void build_gauges(CaseBuild& build, const Value& list) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
-        find_wall(build, table, gauge);
+        BodyId body;
+        if (!find_carrier(build, table, gauge, body)) {
+            continue;
+        }
+        find_wall(build, table, body, gauge);
         const auto& gauges = model.output.gauges;
         const auto& probes = model.output.probes;
         if (std::any_of(gauges.begin(), gauges.end(), [&](const auto& other) { return other.name == gauge.name; }) ||

@@ -34,6 +34,20 @@ sim::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
     return out;
 }
 
+}  // namespace
+
+BodyId CaseBuild::body_named(const Value& name) {
+    const BodyId body = sim::find_body(model.bodies, name.text);
+    if (!body.is_valid() && (!is_claimed(name.text) || problems.empty())) {  // else the body itself has a problem
+        const std::string meant = nearest(name.text, model.bodies.names);
+        problem(name.place, fmt::format("there is no body '{}'", name.text),
+                meant.empty() ? "a name of [[body]], or NAME[17]" : fmt::format("did you mean '{}'?", meant));
+    }
+    return body;
+}
+
+namespace {
+
 /// Its column: what the case calls it, or else BODY.QUANTITY.
 std::string name_of_probe(const Value& table) {
     const Value* name = table.find("name");
@@ -46,14 +60,8 @@ void read_probe(CaseBuild& build, const Value& table) {
     probe.quantity = get_text(table, "quantity");
     const Value* body = table.find("body");
     if (body != nullptr) {
-        probe.body = sim::find_body(build.model.bodies, body->text);
-        if (!probe.body.is_valid() && build.is_claimed(body->text) && !build.problems.empty()) {
-            return;  // the body itself has a problem
-        }
+        probe.body = build.body_named(*body);
         if (!probe.body.is_valid()) {
-            const std::string meant = nearest(body->text, build.model.bodies.names);
-            build.problem(body->place, fmt::format("there is no body '{}'", body->text),
-                          meant.empty() ? "a name of [[body]], or NAME[17]" : fmt::format("did you mean '{}'?", meant));
             return;
         }
     }

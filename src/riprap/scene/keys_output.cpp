@@ -49,6 +49,11 @@ const Table& gauge_table() {
           "between point and end.",
           {},
           true},
+         {"body",
+          {text()},
+          "Name of a body that it moves with, point and end then being where they are at the start; for wall_pressure, "
+          "whose face it is. Velocities stay those in the world. Not for flow and volume.",
+          {}},
          {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
          {"end",
           {vector(dimension::length)},

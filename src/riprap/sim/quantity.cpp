@@ -88,7 +88,9 @@ double evaluate(const Column& column, const Moment& moment) {
         if (gauge.face >= 0) {
             return read_face_gauge(moment, moment.model.output.faces[static_cast<std::size_t>(gauge.face)]);
         }
-        return fluid::read_gauge(gauge, moment.model.fluid->sph,
+        const body::BodyState& bodies = moment.state.bodies;
+        const fluid::Gauge now = fluid::carried(gauge, bodies.position, bodies.orientation);
+        return fluid::read_gauge(now, moment.model.fluid->sph,
                                  moment.state.fluid)[static_cast<std::size_t>(column.component)];
     }
     const Quantity& quantity = behind(column.quantity);

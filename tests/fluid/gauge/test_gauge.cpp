@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "riprap/fluid/sph/state_equation.hpp"
 
@@ -50,6 +52,20 @@ TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corne
             EXPECT_NEAR(v[1], field(x).y, 1e-12);
         }
     }
+}
+
+TEST(Gauge, one_that_a_body_carries_reads_where_the_body_has_taken_it) {
+    const Tank tank(2);
+    const Gauge fixed{"level", GaugeKind::level, {0.3, 0.2, 0}, {}, tank.up()};
+    Gauge gauge = fixed;
+    gauge.carrier = 1;
+    gauge.point = {0, 0.4, 0};  // from a body that has turned by a quarter: 0.4 m to the left of its centre
+    const std::vector<Vec3> position{{}, {0.7, 0.2, 0}};
+    const std::vector<Quat> orientation{{}, from_rotation_vector({0, 0, std::numbers::pi / 2})};
+    const Gauge now = carried(gauge, position, orientation);
+    EXPECT_NEAR(norm(now.point - fixed.point), 0, 1e-15);
+    EXPECT_NEAR(read_gauge(now, tank.settings, tank.state)[0], 0.3, 1e-3);  // half a metre of water, from 0.2 m up
+    EXPECT_EQ(carried(fixed, position, orientation).point, fixed.point);
 }
 
 // One metre of water that repeats: there is no first place and no last.

@@ -169,6 +169,18 @@ const GaugeInfo* find_gauge_kind(std::string_view name) {
     return nullptr;
 }
 
+Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation) {
+    Gauge out = gauge;
+    if (gauge.carrier >= 0) {
+        const auto body = static_cast<std::size_t>(gauge.carrier);
+        const Pose pose{position[body], orientation[body]};
+        out.point = to_world(pose, gauge.point);
+        out.end = to_world(pose, gauge.end);
+        out.carrier = -1;
+    }
+    return out;
+}
+
 std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
     switch (gauge.kind) {
         case GaugeKind::pressure:

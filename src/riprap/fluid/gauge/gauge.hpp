@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "riprap/core/quat.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
@@ -31,7 +33,13 @@ struct Gauge {
     Vec3 end{};             ///< end of a line; upper corner of a box or rectangle [m]
     Vec3 up{0, 0, 1};       ///< unit vector against gravity, for `level` [-]
     std::int32_t face{-1};  ///< of wall_pressure: number among the faces that the reader knows
+    /// Number of the body that it moves with, whose frame `point` and `end` are in then; -1 = it stays where it is.
+    /// Not for `flow` and `volume`, which keep to the axes, nor for wall_pressure, whose face says it.
+    std::int32_t carrier{-1};
 };
+
+/// The gauge where its carrier is now; itself where it has none.
+Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation);
 
 /// How a kind is written in a case, its unit and how many numbers it gives.
 struct GaugeInfo {
