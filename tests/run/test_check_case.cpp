@@ -43,6 +43,14 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
     EXPECT_THAT(check_text(check), HasSubstr("0.0025 m^2 (2.4 %) of the room outside of solids holds none"));
 }
 
+TEST(CheckCase, the_face_that_a_gauge_found_is_told) {
+    const CaseCheck check = check_of(tank +
+                                     "[[output.gauge]]\nname = \"transducer\"\nkind = \"wall_pressure\"\n"
+                                     "point = [0.25, 0.001]\n[[output.gauge]]\nname = \"level\"\nkind = \"level\"\n"
+                                     "point = [0.25, 0.0]\n");
+    EXPECT_THAT(check_text(check), HasSubstr("  gauges        transducer in floor\n"));
+}
+
 TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {
     const scene::LoadedCase loaded = scene::read_case_text(tank, "case.toml", "/nonexistent", {});
     sim::State state = loaded.state;

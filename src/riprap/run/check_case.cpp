@@ -2,6 +2,7 @@
 #include "riprap/run/check_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -123,6 +124,12 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         check.trimmed_volume = model.fluid->region_volume - model.fluid->filled_volume;
         check.sound_speed = model.fluid->sph.sound_speed;
         check.sound_speed_reason = model.fluid->sound_speed_reason;
+        for (const fluid::Gauge& gauge : model.output.gauges) {
+            if (gauge.face >= 0) {
+                const BodyId body = model.output.faces[static_cast<std::size_t>(gauge.face)].body;
+                check.face_gauges.push_back(fmt::format("{} in {}", gauge.name, model.bodies.name(body)));
+            }
+        }
         const fluid::FluidTimeStep step = choose_fluid_time_step(model.fluid->sph, loaded.state.fluid);
         check.time_step_limit = step.limit;
         check.limited_by = step.reason;
@@ -177,6 +184,9 @@ std::string check_text(const CaseCheck& check) {
             check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, room_text(check),
             check.sound_speed, check.sound_speed_reason);
     }
+    if (!check.face_gauges.empty()) {
+        text += fmt::format("  gauges        {}\n", fmt::join(check.face_gauges, ", "));
+    }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
     }
@@ -199,6 +209,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"water_mass", check.water_mass},
                                 {"trimmed_volume", check.trimmed_volume},
                                 {"sound_speed", check.sound_speed},
+                                {"face_gauges", check.face_gauges},
                                 {"time_step", check.time_step},
                                 {"time_step_limit", check.time_step_limit},
                                 {"limited_by", check.limited_by},

@@ -23,8 +23,9 @@ struct CaseCheck {
     double trimmed_volume{0};   ///< of the room in regions, outside of solids, that holds no water; in the same unit
     double sound_speed{0};      ///< of water [m/s]
     std::string sound_speed_reason;
-    double time_step{0};        ///< [s]
-    double time_step_limit{0};  ///< [s]
+    std::vector<std::string> face_gauges;  ///< "GAUGE in BODY": which face each wall_pressure found
+    double time_step{0};                   ///< [s]
+    double time_step_limit{0};             ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};

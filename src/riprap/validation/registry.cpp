@@ -82,6 +82,7 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "solitary_wave", "A solitary wave travels and runs up a wall", false,
                        water::solitary_wave},
         ValidationCase{"water", "sloshing", "Water in a pitching tank", false, water::sloshing},
+        ValidationCase{"water", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, water::sway},
         ValidationCase{"water", "cylinder_entry", "A cylinder falls into water (Greenhow and Lin)", false,
                        water::cylinder_entry},
         ValidationCase{"water", "sinking_block", "A block sinks (Qiu and others)", false, water::sinking_block},

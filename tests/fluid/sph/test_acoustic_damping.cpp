@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "fluid/sph/water.hpp"
@@ -106,6 +107,28 @@ TEST(AcousticDamping, at_a_surface_there_is_none) {
     // all 16 particles see the air, of 49 those in the middle do not
     EXPECT_EQ(after_a_step(0.4, false, 1).velocity, after_a_step(0.4, false, 0).velocity);
     EXPECT_NE(after_a_step(0.7, false, 1).velocity, after_a_step(0.7, false, 0).velocity);
+}
+
+// In the crest of a breaking wave a particle of the surface had, crowded, tr M/D of the inside. A step of damping
+// turned its divergence round, -1.8 times as large, step after step, and a twentieth of the energy turned over was
+// booked as heat that nothing had lost.
+TEST(AcousticDamping, at_a_crowded_surface_there_is_none_either) {
+    constexpr double spacing = 0.1;
+    const auto crowd = [](double damping) {
+        Water water;
+        water.settings = settings_2d(spacing, 20);
+        water.settings.acoustic_damping = damping;
+        for_lattice(0.77 * spacing, 1, 1, [&](double x, double y) {
+            water.add_particle({x, y, 0}, {0.1 * (0.5 - x), 0.1 * (0.5 - y), 0});
+        });
+        water.step();
+        return water;
+    };
+    const Water damped = crowd(1);
+    const SphScratchData& s = damped.scratch.data();
+    EXPECT_GT(*std::max_element(s.correction_share.begin(), s.correction_share.end()), 0.3);  // taken for the inside
+    EXPECT_EQ(*std::max_element(s.damped_share.begin(), s.damped_share.end()), 0);
+    EXPECT_EQ(damped.state.velocity, crowd(0).state.velocity);
 }
 
 TEST(AcousticDamping, walls_feel_it_only_through_the_water) {

@@ -13,6 +13,7 @@ namespace riprap::fluid {
 ///     sums[1]     = -sum V_j F (v.d)^2/r^2               times (dimension + 2): 2 S:S + (tr S)^2, S the strain rate
 ///     sums[2..7]  = M = -sum V_j F d d^T                 moments: the unit tensor where neighbours stand all around
 ///     sums[8..13] = G = sum V_j F (d v^T + v d^T)/2      B:G is (1/rho) drho/dt, B = M^-1 inside the water
+///     sums[14..16] = sum V_j F d                         gradient of the concentration of particles [1/m]
 ///
 /// sums[0] is the diffusion of [Fourtakas2019], of pressure instead of density: exactly nothing in still water under
 /// any state equation, and no volume made or lost by a pair (docs/theory/sph.md, 4). sums[1] is derived there, 5. For
@@ -20,7 +21,7 @@ namespace riprap::fluid {
 struct Continuity {
     static constexpr int target_fields = 5;     ///< v, p, V
     static constexpr int candidate_fields = 5;  ///< the same
-    static constexpr int sums = 2 + 2 * symmetric_numbers, back_sums = sums;
+    static constexpr int sums = 5 + 2 * symmetric_numbers, back_sums = sums;
     WendlandC2 kernel;
     double weight[3];  ///< rho_0 g [N/m^3]
     double soft;       ///< small against h^2, keeps (v.d)^2/r^2 finite where a particle meets itself [m^2]
@@ -48,6 +49,10 @@ struct Continuity {
             sum[8 + k] = sum[8 + k] + slope_b * change[k];
             back[8 + k] = back[8 + k] + slope_a * change[k];
         }
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[14 + axis] = sum[14 + axis] + slope_b * d[axis];
+            back[14 + axis] = back[14 + axis] - slope_a * d[axis];
+        }
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
@@ -60,11 +65,12 @@ struct Continuity {
     }
 };
 
-/// What walls do to it: M and G as above, with the wall's own velocity and volume. No diffusion into walls.
+/// What walls do to it: M, G and the gradient of concentration as above, with the wall's own velocity and volume. No
+/// diffusion into walls.
 struct ContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 4;  ///< v, V
-    static constexpr int sums = 2 * symmetric_numbers;
+    static constexpr int sums = 2 * symmetric_numbers + 3;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
@@ -79,6 +85,9 @@ struct ContinuityAtWalls {
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
             sum[k] = sum[k] - slope * moment[k];
             sum[symmetric_numbers + k] = sum[symmetric_numbers + k] + slope * change[k];
+        }
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[2 * symmetric_numbers + axis] = sum[2 * symmetric_numbers + axis] + slope * d[axis];
         }
     }
 };

@@ -101,15 +101,16 @@ double trace(int dimension, const Symmetric& tensor) {
     return tensor[0] + tensor[1] + (dimension == 3 ? tensor[3] : 0);
 }
 
-/// From moments of the water alone: b_f, and how much of a particle is inside it, away from surfaces and walls.
-void look_around(int dimension, SphScratchData& s) {
+/// From the water alone: b_f, and how much of a particle is inside it, away from surfaces and walls, with neighbours
+/// evenly all around.
+void look_around(int dimension, double h, SphScratchData& s) {
     s.bareness.resize(s.correction.size());
     s.damped_share.resize(s.correction.size());
     parallel::for_each(static_cast<std::int64_t>(s.correction.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const double moments = trace(dimension, s.correction[i]);
         s.bareness[i] = bareness_of_particle(dimension, moments);
-        s.damped_share[i] = interior_share(moments / dimension);
+        s.damped_share[i] = interior_share(moments / dimension) * even_share(h * norm(s.concentration_gradient[i]));
     });
 }
 
@@ -121,23 +122,26 @@ void sum_continuity(const SphSettings& settings, const ParticleState& state, con
     make_zero(s.strain, state.density.size());
     make_zero(s.correction, state.density.size());
     make_zero(s.pressure_tensor, state.density.size());
+    make_zero(s.concentration_gradient, state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto m = [&](std::size_t k) { return sink_tensor(s.correction, k); };
     const auto g = [&](std::size_t k) { return sink_tensor(s.pressure_tensor, k); };
-    add_pair_sums_within(
-        settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
-        {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
-        {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)},
-        s.fluid_fluid);
-    look_around(settings.domain.dimension, s);
+    const auto c = [&](int axis) { return sink_component(s.concentration_gradient, axis); };
+    add_pair_sums_within(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
+                         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
+                         {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3),
+                          g(4), g(5), c(0), c(1), c(2)},
+                         s.fluid_fluid);
+    look_around(settings.domain.dimension, h, s);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
                     field(walls.volume)}},
-                  {m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5)}, s.fluid_walls);
+                  {m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3), g(4), g(5), c(0), c(1), c(2)},
+                  s.fluid_walls);
 }
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,

@@ -27,7 +27,6 @@ void find_pressure_tensors(SphScratchData& s) {
 
 void clear_forces(std::size_t particles, SphScratchData& s) {
     make_zero(s.force, particles);
-    make_zero(s.concentration_gradient, particles);
     make_zero(s.heat, particles);
     make_zero(s.wall_heat, particles);
     make_zero(s.wall_hold, particles);

@@ -42,12 +42,11 @@ void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const P
         state.position,
         {v(0), v(1), v(2), field(s.volume), field(s.dynamic_viscosity), field(s.bareness), p(0), p(1), p(2), p(3), p(4),
          p(5)}};
-    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient, &n = s.surface_direction;
-    add_pair_sums_within(
-        settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
-        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat), sink_component(c, 0),
-         sink_component(c, 1), sink_component(c, 2), sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
-        s.fluid_fluid);
+    std::vector<Vec3>&f = s.force, &n = s.surface_direction;
+    add_pair_sums_within(settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
+                         {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat),
+                          sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
+                         s.fluid_fluid);
 }
 
 /// Adds the sums of MomentumFromWalls: what walls do to the fluid.
@@ -58,11 +57,11 @@ void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, co
     const SweepSide<9> wall{walls.position,
                             {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
-    std::vector<Vec3>&f = s.force, &c = s.concentration_gradient;
+    std::vector<Vec3>& f = s.force;
     add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, force_targets(state, s), wall,
                   {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
-                   sink_component(c, 0), sink_component(c, 1), sink_component(c, 2), sink_component(s.wall_hold, 0),
-                   sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2), sink(s.wall_hold_power)},
+                   sink_component(s.wall_hold, 0), sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2),
+                   sink(s.wall_hold_power)},
                   s.fluid_walls);
 }
 

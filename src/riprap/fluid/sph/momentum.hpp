@@ -7,12 +7,11 @@
 
 namespace riprap::fluid {
 
-/// Forces of neighbours in the fluid on particle i per V_i, and what shifting needs, in one sweep:
+/// Forces of neighbours in the fluid on particle i per V_i, and where the surface is, in one sweep:
 ///
 ///     sums[0..2] = sum V_j (-(p_i B_i + p_j B_j) F d + viscous force)     [N/m^3]
 ///     sums[3]    = -sum V_j (viscous force . v)                   twice the heat made at i [W/m^3]
-///     sums[4..6] = sum V_j F d                                    gradient of the concentration of particles [1/m]
-///     sums[7..9] = sum V_j F d b_j                                towards particles of the surface, b_j = 1 [1/m]
+///     sums[4..6] = sum V_j F d b_j                                towards particles of the surface, b_j = 1 [1/m]
 ///
 /// The pressure force is conjugate to Continuity: what it does to the motion is exactly what compression stores, for
 /// one and the same kernel and the same corrections B (docs/theory/sph.md, 5 and 6).
@@ -20,7 +19,7 @@ template <class Kernel, class Viscosity>
 struct Momentum {
     static constexpr int target_fields = 6 + symmetric_numbers;  ///< v, V, mu, b, p B
     static constexpr int candidate_fields = target_fields;       ///< the same
-    static constexpr int sums = 10, back_sums = 10;
+    static constexpr int sums = 7, back_sums = 7;
     Kernel kernel;
     Viscosity viscosity;
 
@@ -36,17 +35,14 @@ struct Momentum {
             v[axis] = a[axis] - b[axis];
         }
         viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[4] + b[4], viscous);
-        const Real slope_a = a[3] * slope, slope_b = b[3] * slope;
-        const Real bare_a = slope_a * a[5], bare_b = slope_b * b[5];
+        const Real bare_a = a[3] * slope * a[5], bare_b = b[3] * slope * b[5];
         for (int axis = 0; axis < Dim; ++axis) {
             const Real force = viscous[axis] - slope * push[axis];
             heat = heat + viscous[axis] * v[axis];
             sum[axis] = sum[axis] + b[3] * force;
             back[axis] = back[axis] - a[3] * force;
-            sum[4 + axis] = sum[4 + axis] + slope_b * d[axis];
-            back[4 + axis] = back[4 + axis] - slope_a * d[axis];
-            sum[7 + axis] = sum[7 + axis] + bare_b * d[axis];
-            back[7 + axis] = back[7 + axis] - bare_a * d[axis];
+            sum[4 + axis] = sum[4 + axis] + bare_b * d[axis];
+            back[4 + axis] = back[4 + axis] - bare_a * d[axis];
         }
         sum[3] = sum[3] - b[3] * heat;
         back[3] = back[3] - a[3] * heat;
@@ -64,15 +60,15 @@ struct Momentum {
 
 /// The same from walls, whose viscous pull is that of a velocity mirrored in the wall, u_w, and whose motion is v_w:
 ///
-///     sums[0..2], sums[4..6]  as Momentum with p_w, V_w, u_w and, for want of its own, the particle's B
-///     sums[3] = -sum V_w (viscous force . (v_i - v_w))       heat made at the wall [W/m^3]
-///     sums[7..9] = sum V_w p_w F B_i d                       for the wall exchange, which is
-///     sums[10]   = sum V_w p_w F B_i d.v_w                   sums[7..9].v_i - sums[10] (docs/theory/sph.md, 6)
+///     sums[0..2] as Momentum with p_w, V_w, u_w and, for want of its own, the particle's B
+///     sums[3]    = -sum V_w (viscous force . (v_i - v_w))    heat made at the wall [W/m^3]
+///     sums[4..6] = sum V_w p_w F B_i d                       for the wall exchange, which is
+///     sums[7]    = sum V_w p_w F B_i d.v_w                   sums[4..6].v_i - sums[7] (docs/theory/sph.md, 6)
 template <class Kernel, class Viscosity>
 struct MomentumFromWalls {
     static constexpr int target_fields = 5 + symmetric_numbers;  ///< v, p, mu, B
     static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
-    static constexpr int sums = 11;
+    static constexpr int sums = 8;
     Kernel kernel;
     Viscosity viscosity;
 
@@ -93,9 +89,8 @@ struct MomentumFromWalls {
             const Real hold = candidate[3] * slope * straight[axis];
             sum[axis] = sum[axis] + (viscous[axis] - push * straight[axis]);
             sum[3] = sum[3] - viscous[axis] * (target[axis] - candidate[6 + axis]);
-            sum[4 + axis] = sum[4 + axis] + slope * d[axis];
-            sum[7 + axis] = sum[7 + axis] + hold;
-            sum[10] = sum[10] + hold * candidate[6 + axis];
+            sum[4 + axis] = sum[4 + axis] + hold;
+            sum[7] = sum[7] + hold * candidate[6 + axis];
         }
     }
 };

@@ -18,19 +18,20 @@ struct SphScratchData {
     std::vector<double> mass, wall_mass;    ///< as they enter a sum of density [kg]
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
 
-    std::vector<double> diffusion, strain;                               ///< sums of Continuity
-    std::vector<double> squeeze;                                         ///< -div v [1/s]
-    std::vector<double> damped_share;                                    ///< s_i of Sound (docs/theory/sph.md, 5) [-]
-    std::vector<Symmetric> correction;                                   ///< its moments M; then B [-]
-    std::vector<Symmetric> pressure_tensor;                              ///< its sums G [1/s]; then p B [Pa]
-    std::vector<double> correction_share;                                ///< share of it [-]
-    std::vector<double> bareness;                                        ///< 1 at the surface, 0 inside the water [-];
-                                                                         ///< first that without walls
-    std::vector<Vec3> force, concentration_gradient, surface_direction;  ///< sums of Momentum
-    std::vector<double> heat;             ///< of viscosity, pair by pair; each pair is met twice
-    std::vector<double> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound
-    std::vector<Vec3> wall_hold;          ///< part of the force that is due to p_w, and
-    std::vector<double> wall_hold_power;  ///< its power on the walls, both with a minus
+    std::vector<double> diffusion, strain;       ///< sums of Continuity
+    std::vector<double> squeeze;                 ///< -div v [1/s]
+    std::vector<double> damped_share;            ///< s_i of Sound (docs/theory/sph.md, 5) [-]
+    std::vector<Symmetric> correction;           ///< its moments M; then B [-]
+    std::vector<Symmetric> pressure_tensor;      ///< its sums G [1/s]; then p B [Pa]
+    std::vector<double> correction_share;        ///< share of it [-]
+    std::vector<double> bareness;                ///< 1 at the surface, 0 inside the water [-];
+                                                 ///< first that without walls
+    std::vector<Vec3> force, surface_direction;  ///< sums of Momentum
+    std::vector<Vec3> concentration_gradient;    ///< sum of Continuity [1/m]
+    std::vector<double> heat;                    ///< of viscosity, pair by pair; each pair is met twice
+    std::vector<double> wall_heat;               ///< that counts once: of viscosity at walls and of damped sound
+    std::vector<Vec3> wall_hold;                 ///< part of the force that is due to p_w, and
+    std::vector<double> wall_hold_power;         ///< its power on the walls, both with a minus
 
     std::vector<double> wall_weight, wall_pressure;  ///< sums of WallAverages
     std::vector<Vec3> wall_moment, wall_velocity;

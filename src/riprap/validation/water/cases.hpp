@@ -23,6 +23,7 @@ void poiseuille(const CaseSetting& setting, CaseReport& report);
 void couette(const CaseSetting& setting, CaseReport& report);
 void solitary_wave(const CaseSetting& setting, CaseReport& report);
 void sloshing(const CaseSetting& setting, CaseReport& report);
+void sway(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
 void dam_break_cube(const CaseSetting& setting, CaseReport& report);
