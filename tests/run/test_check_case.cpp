@@ -48,7 +48,8 @@ TEST(CheckCase, the_face_that_a_gauge_found_is_told) {
                                      "[[output.gauge]]\nname = \"transducer\"\nkind = \"wall_pressure\"\n"
                                      "point = [0.25, 0.001]\n[[output.gauge]]\nname = \"level\"\nkind = \"level\"\n"
                                      "point = [0.25, 0.0]\n");
-    EXPECT_THAT(check_text(check), HasSubstr("  gauges        transducer in floor\n"));
+    EXPECT_THAT(check_text(check), HasSubstr("  gauge         transducer in the face of floor towards (0, 1, 0)\n"));
+    EXPECT_THAT(check_json(check), HasSubstr("\"gauge\": \"transducer\""));
 }
 
 TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {

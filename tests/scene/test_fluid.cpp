@@ -235,6 +235,8 @@ TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
     EXPECT_EQ(about_courant({"fluid.density_diffusion=0.5"}), 1);
     EXPECT_EQ(about_courant({"fluid.density_diffusion=0.5", "fluid.courant=0.4"}), 0);
     EXPECT_EQ(about_courant({"fluid.scheme=muller", "fluid.density_diffusion=0.5"}), 0);
+    EXPECT_THAT(test::read(tank, {"fluid.gradient_correction=false", "fluid.density_diffusion=0.5"}).warnings,
+                Contains(HasSubstr("no acoustic_damping, as gradient_correction is off")));
 }
 
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {

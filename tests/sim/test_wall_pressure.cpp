@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gauges in faces, in water that a step has moved.
+// Gauges in faces and on bodies, in water that a step has moved.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -84,6 +84,28 @@ TEST(WallPressure, a_run_taken_up_again_reads_the_same_bits_at_any_thread_count)
     }
     EXPECT_GT(readings[0], 1000);
     EXPECT_GT(readings[1], 1000);
+}
+
+TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_names) {
+    Basin basin;
+    const BodyId block = basin.add_square(0.3, 700, {0.4, 0.8, 0}, {0.3, 0, 0}, 2);
+    basin.fill_pool(1, 1);
+    fluid::Gauge gauge{"velocity", fluid::GaugeKind::velocity, {0.05, -0.25, 0}, {}, {0, 1, 0}};  // below the block
+    gauge.carrier = block.value;
+    basin.model.output.gauges.push_back(gauge);
+    const State initial = basin.state;
+    Scratch scratch;
+    const StepReport report = basin.steps(40, scratch);
+    ASSERT_TRUE(report.status.ok());
+    const Moment moment{basin.model, initial, basin.state, &scratch, &report};
+    const Pose pose{basin.state.bodies.position[0], basin.state.bodies.orientation[0]};
+    ASSERT_GT(norm(pose.position - initial.bodies.position[0]), 0.01);
+    gauge.carrier = -1;
+    gauge.point = to_world(pose, gauge.point);
+    const auto expected = read_gauge(gauge, basin.model.fluid->sph, basin.state.fluid);
+    EXPECT_EQ(evaluate(find_column(basin.model, "velocity.x").value(), moment), expected[0]);
+    EXPECT_EQ(evaluate(find_column(basin.model, "velocity.y").value(), moment), expected[1]);
+    EXPECT_GT(std::hypot(expected[0], expected[1]), 0.01);
 }
 
 /// What a particle loses when it hits a wall at this speed, and the impulse that gauges along the wall read.

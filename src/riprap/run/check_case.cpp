@@ -2,7 +2,6 @@
 #include "riprap/run/check_case.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -126,8 +125,9 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         check.sound_speed_reason = model.fluid->sound_speed_reason;
         for (const fluid::Gauge& gauge : model.output.gauges) {
             if (gauge.face >= 0) {
-                const BodyId body = model.output.faces[static_cast<std::size_t>(gauge.face)].body;
-                check.face_gauges.push_back(fmt::format("{} in {}", gauge.name, model.bodies.name(body)));
+                const coupling::FaceGauge& face = model.output.faces[static_cast<std::size_t>(gauge.face)];
+                const Quat& turn = loaded.state.bodies.orientation[static_cast<std::size_t>(face.body.value)];
+                check.face_gauges.push_back({gauge.name, model.bodies.name(face.body), rotate(turn, face.normal)});
             }
         }
         const fluid::FluidTimeStep step = choose_fluid_time_step(model.fluid->sph, loaded.state.fluid);
@@ -184,8 +184,9 @@ std::string check_text(const CaseCheck& check) {
             check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, room_text(check),
             check.sound_speed, check.sound_speed_reason);
     }
-    if (!check.face_gauges.empty()) {
-        text += fmt::format("  gauges        {}\n", fmt::join(check.face_gauges, ", "));
+    for (const CaseCheck::FaceGauge& face : check.face_gauges) {
+        text += fmt::format("  gauge         {} in the face of {} towards ({:.3g}, {:.3g}, {:.3g})\n", face.gauge,
+                            face.body, face.normal.x, face.normal.y, face.normal.z);
     }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
@@ -209,7 +210,6 @@ std::string check_json(const CaseCheck& check) {
                                 {"water_mass", check.water_mass},
                                 {"trimmed_volume", check.trimmed_volume},
                                 {"sound_speed", check.sound_speed},
-                                {"face_gauges", check.face_gauges},
                                 {"time_step", check.time_step},
                                 {"time_step_limit", check.time_step_limit},
                                 {"limited_by", check.limited_by},
@@ -223,6 +223,11 @@ std::string check_json(const CaseCheck& check) {
                                 {"output_bytes", check.output_bytes},
                                 {"refusal", check.refusal},
                                 {"warnings", check.warnings}};
+    json["face_gauges"] = nlohmann::ordered_json::array();
+    for (const CaseCheck::FaceGauge& face : check.face_gauges) {
+        json["face_gauges"].push_back(
+            {{"gauge", face.gauge}, {"body", face.body}, {"normal", {face.normal.x, face.normal.y, face.normal.z}}});
+    }
     if (!has_countable_steps(check)) {
         json["steps"] = estimated_steps(check);
     }

@@ -23,9 +23,13 @@ struct CaseCheck {
     double trimmed_volume{0};   ///< of the room in regions, outside of solids, that holds no water; in the same unit
     double sound_speed{0};      ///< of water [m/s]
     std::string sound_speed_reason;
-    std::vector<std::string> face_gauges;  ///< "GAUGE in BODY": which face each wall_pressure found
-    double time_step{0};                   ///< [s]
-    double time_step_limit{0};             ///< [s]
+    struct FaceGauge {
+        std::string gauge, body;
+        Vec3 normal;  ///< of the face, out of the body, at the start [-]
+    };
+    std::vector<FaceGauge> face_gauges;  ///< what each wall_pressure found
+    double time_step{0};                 ///< [s]
+    double time_step_limit{0};           ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "riprap/scene/build_case.hpp"
 
@@ -68,20 +69,20 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     }
 }
 
-/// Notes the body that the gauge goes with, invalid when it names none. False with a problem.
-bool find_carrier(CaseBuild& build, const Value& table, fluid::Gauge& gauge, BodyId& body) {
+/// The body that the gauge goes with, which it notes, or an invalid one when it names none; nothing with a problem.
+std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
     const Value* name = table.find("body");
     if (name == nullptr) {
-        return true;
+        return BodyId{};
     }
     if (gauge.kind == fluid::GaugeKind::flow || gauge.kind == fluid::GaugeKind::volume) {
         build.problem(name->place, fmt::format("a '{}' gauge that moves with a body", get_text(table, "kind")),
                       "no 'body': rectangles and boxes keep to the axes");
-        return false;
+        return std::nullopt;
     }
-    body = build.body_named(*name);
+    const BodyId body = build.body_named(*name);
     if (!body.is_valid()) {
-        return false;
+        return std::nullopt;
     }
     if (gauge.kind != fluid::GaugeKind::wall_pressure) {
         const auto index = static_cast<std::size_t>(body.value);
@@ -90,7 +91,7 @@ bool find_carrier(CaseBuild& build, const Value& table, fluid::Gauge& gauge, Bod
         gauge.point = to_body(pose, gauge.point);
         gauge.end = to_body(pose, gauge.end);
     }
-    return true;
+    return body;
 }
 
 /// Notes the face that a transducer stands in.
@@ -156,11 +157,9 @@ void build_gauges(CaseBuild& build, const Value& list) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
-        BodyId body;
-        if (!find_carrier(build, table, gauge, body)) {
-            continue;
+        if (const auto body = find_carrier(build, table, gauge)) {
+            find_wall(build, table, *body, gauge);
         }
-        find_wall(build, table, body, gauge);
         const auto& gauges = model.output.gauges;
         const auto& probes = model.output.probes;
         if (std::any_of(gauges.begin(), gauges.end(), [&](const auto& other) { return other.name == gauge.name; }) ||

@@ -186,12 +186,16 @@ void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.scheme != fluid::SphScheme::delta_sph) {
         return;
     }
-    const double bound = courant_bound(sph), damping = sph.gradient_correction ? sph.acoustic_damping : 0;
+    const double bound = courant_bound(sph);
     if (sph.courant > bound) {
-        build.warnings.push_back(fmt::format(
-            "courant = {:.3g}: with density_diffusion = {:.3g} and acoustic_damping = {:.3g} short waves of "
-            "sound grow on a lattice from {:.2f} on; a smaller courant, or less of either, is stable",
-            sph.courant, sph.density_diffusion, damping, bound));
+        build.warnings.push_back(
+            fmt::format("courant = {:.3g}: with density_diffusion = {:.3g} and {} short waves of sound grow on a "
+                        "lattice from {:.2f} "
+                        "on; a smaller courant, or less of either, is stable",
+                        sph.courant, sph.density_diffusion,
+                        sph.gradient_correction ? fmt::format("acoustic_damping = {:.3g}", sph.acoustic_damping)
+                                                : "no acoustic_damping, as gradient_correction is off,",
+                        bound));
     }
 }
 

@@ -51,8 +51,9 @@ const Table& gauge_table() {
           true},
          {"body",
           {text()},
-          "Name of a body that it moves with, point and end then being where they are at the start; for wall_pressure, "
-          "whose face it is. Velocities stay those in the world. Not for flow and volume.",
+          "Name of a body that it moves and turns with, point and end then being where they are at the start; for "
+          "wall_pressure, whose face it is. Velocities and what is up stay those of the world; beyond the domain it "
+          "reads 0. Not for flow and volume.",
           {}},
          {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
          {"end",

@@ -88,10 +88,12 @@ double evaluate(const Column& column, const Moment& moment) {
         if (gauge.face >= 0) {
             return read_face_gauge(moment, moment.model.output.faces[static_cast<std::size_t>(gauge.face)]);
         }
+        const auto read = [&](const fluid::Gauge& now) {
+            return fluid::read_gauge(now, moment.model.fluid->sph,
+                                     moment.state.fluid)[static_cast<std::size_t>(column.component)];
+        };
         const body::BodyState& bodies = moment.state.bodies;
-        const fluid::Gauge now = fluid::carried(gauge, bodies.position, bodies.orientation);
-        return fluid::read_gauge(now, moment.model.fluid->sph,
-                                 moment.state.fluid)[static_cast<std::size_t>(column.component)];
+        return gauge.carrier < 0 ? read(gauge) : read(carried(gauge, bodies.position, bodies.orientation));
     }
     const Quantity& quantity = behind(column.quantity);
     const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);

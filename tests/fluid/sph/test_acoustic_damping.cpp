@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "fluid/sph/water.hpp"
+#include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 
 namespace riprap::fluid::testing {
@@ -107,6 +109,33 @@ TEST(AcousticDamping, at_a_surface_there_is_none) {
     // all 16 particles see the air, of 49 those in the middle do not
     EXPECT_EQ(after_a_step(0.4, false, 1).velocity, after_a_step(0.4, false, 0).velocity);
     EXPECT_NE(after_a_step(0.7, false, 1).velocity, after_a_step(0.7, false, 0).velocity);
+}
+
+TEST(AcousticDamping, neighbours_stand_evenly_inside_a_lattice_and_not_at_its_face) {
+    for (const int dimension : {2, 3}) {
+        for (const double ratio : {1.2, 1.5, 1.732, 2.0}) {
+            Water water;
+            water.settings = settings_2d(0.1, 20);
+            water.settings.domain = {{-100, -100, -100}, {100, 100, 100}, {}, dimension};
+            water.settings.particle_mass = water.settings.rest_density * std::pow(0.1, dimension);
+            water.settings.smoothing_ratio = ratio;
+            const auto add_layer = [&](double z) {
+                for_lattice(0.1, 0.9, 0.9, [&](double x, double y) { water.add_particle({x, y, z}); });
+            };
+            const int layers = dimension == 3 ? 9 : 1;
+            for (int layer = 0; layer < layers; ++layer) {
+                add_layer(0.1 * layer);
+            }
+            water.step();
+            const auto share_of = [&](std::size_t i) {
+                const Vec3& gradient = water.scratch.data().concentration_gradient[i];
+                return even_share(water.settings.smoothing_length() * norm(gradient));
+            };
+            const std::size_t middle = water.state.size() / 2, face = middle - 4;  // nine in a row
+            EXPECT_EQ(share_of(middle), 1) << dimension << ", " << ratio;
+            EXPECT_EQ(share_of(face), 0) << dimension << ", " << ratio;
+        }
+    }
 }
 
 // In the crest of a breaking wave a particle of the surface had, crowded, tr M/D of the inside. A step of damping

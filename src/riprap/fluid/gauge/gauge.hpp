@@ -29,16 +29,18 @@ enum class GaugeKind : std::uint8_t {
 struct Gauge {
     std::string name;
     GaugeKind kind{GaugeKind::pressure};
-    Vec3 point{};           ///< where; start of a line; lower corner of a box or rectangle [m]
-    Vec3 end{};             ///< end of a line; upper corner of a box or rectangle [m]
-    Vec3 up{0, 0, 1};       ///< unit vector against gravity, for `level` [-]
+    Vec3 point{};           ///< where; start of a line; lower corner of a box or rectangle; see `carrier` [m]
+    Vec3 end{};             ///< end of a line; upper corner of a box or rectangle; see `carrier` [m]
+    Vec3 up{0, 0, 1};       ///< unit vector against gravity, for `level`; in the world, carried or not [-]
     std::int32_t face{-1};  ///< of wall_pressure: number among the faces that the reader knows
-    /// Number of the body that it moves with, whose frame `point` and `end` are in then; -1 = it stays where it is.
-    /// Not for `flow` and `volume`, which keep to the axes, nor for wall_pressure, whose face says it.
+    /// Number of the body that it moves with, whose frame `point` and `end` are in then; -1 = it stays where it is and
+    /// they are in the world. Not for `flow` and `volume`, which keep to the axes, nor for wall_pressure, whose face
+    /// says it.
     std::int32_t carrier{-1};
 };
 
-/// The gauge where its carrier is now; itself where it has none.
+/// The gauge where its carrier is now, in the world and without a carrier; itself where it has none.
+/// @param position, orientation  of all bodies
 Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation);
 
 /// How a kind is written in a case, its unit and how many numbers it gives.

@@ -7,13 +7,14 @@
 
 namespace riprap::fluid {
 
-/// What neighbours in the fluid do to the density of particle i, with F = (dW/dr)/r, d = x_i - x_j, v = v_i - v_j:
+/// What neighbours in the fluid do to the density of particle i, and how they stand about it, with F = (dW/dr)/r,
+/// d = x_i - x_j, v = v_i - v_j:
 ///
 ///     sums[0]     = -sum V_j F (p_j - p_i + rho_0 g.d)   diffusion of the part of the pressure that is not hydrostatic
 ///     sums[1]     = -sum V_j F (v.d)^2/r^2               times (dimension + 2): 2 S:S + (tr S)^2, S the strain rate
 ///     sums[2..7]  = M = -sum V_j F d d^T                 moments: the unit tensor where neighbours stand all around
 ///     sums[8..13] = G = sum V_j F (d v^T + v d^T)/2      B:G is (1/rho) drho/dt, B = M^-1 inside the water
-///     sums[14..16] = sum V_j F d                         gradient of the concentration of particles [1/m]
+///     sums[14..16] = sum V_j F d                        gradient of the concentration of particles [1/m]
 ///
 /// sums[0] is the diffusion of [Fourtakas2019], of pressure instead of density: exactly nothing in still water under
 /// any state equation, and no volume made or lost by a pair (docs/theory/sph.md, 4). sums[1] is derived there, 5. For

@@ -8,6 +8,7 @@
 
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/sph/acoustic_damping.hpp"
 
 namespace riprap::fluid {
 namespace {
@@ -54,7 +55,7 @@ double bound_of(double delta, double damping, const Symbols& wave) {
 
 double courant_bound(const SphSettings& settings) {
     constexpr int steps = 64;
-    const double damping = settings.gradient_correction ? settings.acoustic_damping : 0;
+    const double damping = strength_of_damping(settings);
     double bound = std::numeric_limits<double>::infinity();
     for (int axes = 1; axes <= settings.domain.dimension; ++axes) {
         for (int k = 1; k <= steps; ++k) {

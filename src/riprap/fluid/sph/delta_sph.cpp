@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/forces.hpp"
 #include "riprap/fluid/sph/kick.hpp"
@@ -72,21 +73,6 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
     });
 }
 
-/// Adds the bulk viscosity to the pressure that forces see, -a s h rho_0 c_0 div v, and notes its heat [Sun2023].
-void damp_sound(const SphSettings& settings, SphScratchData& s) {
-    const double strength =
-        settings.acoustic_damping * settings.smoothing_length() * settings.rest_density * settings.sound_speed;
-    if (strength == 0) {
-        return;
-    }
-    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        const double resistance = strength * s.damped_share[i] * s.squeeze[i];
-        s.pressure[i] += resistance;
-        s.wall_heat[i] += resistance * s.squeeze[i];
-    });
-}
-
 GradientCorrection correction_of(const SphSettings& settings, const Symmetric& moments) {
     return settings.gradient_correction ? gradient_correction(settings.domain.dimension, moments)
                                         : GradientCorrection{unit_tensor, 0};
@@ -114,8 +100,8 @@ void look_around(int dimension, double h, SphScratchData& s) {
     });
 }
 
-/// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor; into
-/// s.bareness and s.damped_share what look_around finds.
+/// The sums of Continuity and ContinuityAtWalls: moments into s.correction, rates into s.pressure_tensor, the gradient
+/// of concentration; into s.bareness and s.damped_share what look_around finds before the walls are added.
 void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, SphScratchData& s) {
     make_zero(s.diffusion, state.density.size());

@@ -16,11 +16,6 @@ double interior_share(double trace) {
     return std::clamp(std::min((trace - cut) / (whole - cut), (crowded - trace) / (crowded - crowding)), 0.0, 1.0);
 }
 
-double even_share(double lopsidedness) {
-    constexpr double even = 0.2, lopsided = 0.4;
-    return std::clamp((lopsided - lopsidedness) / (lopsided - even), 0.0, 1.0);
-}
-
 GradientCorrection gradient_correction(int dimension, const Symmetric& moments) {
     Symmetric m = moments;
     if (dimension == 2) {

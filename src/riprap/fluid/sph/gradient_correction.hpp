@@ -25,12 +25,6 @@ struct GradientCorrection {
 /// @param trace  tr M/D
 double interior_share(double trace);
 
-/// How much of a particle has neighbours evenly on all sides: 1 up to 0.2, where all but one in a thousand of those
-/// inside flowing water are, 0 from 0.4 on, linear between; a flat surface has 0.6 or more. In a splash particles of
-/// the surface may be so crowded that tr M/D is that of the inside: this tells them apart.
-/// @param lopsidedness  h |sum V_j grad W| [-]
-double even_share(double lopsidedness);
-
 /// The correction of gradients [RandlesLibersky1996], [BonetLok1999] inside the water and its absence at the rim:
 ///
 ///     B = I + s (M^-1 - I),    s = c min(1, 1/|M^-1 - I|),    c = interior_share(tr M/D),

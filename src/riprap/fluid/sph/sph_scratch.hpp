@@ -27,7 +27,7 @@ struct SphScratchData {
     std::vector<double> bareness;                ///< 1 at the surface, 0 inside the water [-];
                                                  ///< first that without walls
     std::vector<Vec3> force, surface_direction;  ///< sums of Momentum
-    std::vector<Vec3> concentration_gradient;    ///< sum of Continuity [1/m]
+    std::vector<Vec3> concentration_gradient;    ///< sum of Continuity, first that without walls [1/m]
     std::vector<double> heat;                    ///< of viscosity, pair by pair; each pair is met twice
     std::vector<double> wall_heat;               ///< that counts once: of viscosity at walls and of damped sound
     std::vector<Vec3> wall_hold;                 ///< part of the force that is due to p_w, and

@@ -40,15 +40,30 @@ struct Simulated {
     const char* height;
     double impulse;
 };
-constexpr std::array<Simulated, 4> simulated{{{"pressure_3mm", "3 mm", 4.01},
-                                              {"pressure_15mm", "15 mm", 3.56},
-                                              {"pressure_30mm", "30 mm", 2.93},
-                                              {"pressure_80mm", "80 mm", 1.16}}};
+constexpr std::array<Simulated, 4> simulated{{{"pressure_3mm", "3 mm", 4.011},
+                                              {"pressure_15mm", "15 mm", 3.562},
+                                              {"pressure_30mm", "30 mm", 2.933},
+                                              {"pressure_80mm", "80 mm", 1.158}}};
 /// Its pressure 15 mm above the floor, for the picture: t sqrt(g/H) and means of p/(rho g H) over 0.1.
-const std::vector<double> simulated_time{2.5, 2.6, 2.7, 2.8, 2.9, 3.0, 3.2, 3.4, 3.6, 3.8,
-                                         4.0, 4.5, 5.0, 5.5, 5.9, 6.2, 6.5, 6.8, 7.0};
-const std::vector<double> simulated_pressure{1.651, 1.754, 1.650, 1.494, 1.331, 1.210, 1.090, 1.040, 1.001, 0.983,
-                                             0.959, 0.878, 0.817, 0.752, 0.737, 0.789, 1.151, 1.127, 1.072};
+constexpr std::array<std::array<double, 2>, 19> simulated_curve{{{2.5, 1.651},
+                                                                 {2.6, 1.754},
+                                                                 {2.7, 1.650},
+                                                                 {2.8, 1.494},
+                                                                 {2.9, 1.331},
+                                                                 {3.0, 1.210},
+                                                                 {3.2, 1.090},
+                                                                 {3.4, 1.040},
+                                                                 {3.6, 1.001},
+                                                                 {3.8, 0.983},
+                                                                 {4.0, 0.959},
+                                                                 {4.5, 0.878},
+                                                                 {5.0, 0.817},
+                                                                 {5.5, 0.752},
+                                                                 {5.9, 0.737},
+                                                                 {6.2, 0.789},
+                                                                 {6.5, 1.151},
+                                                                 {6.8, 1.127},
+                                                                 {7.0, 1.072}}};
 
 std::vector<double> measured(std::size_t column) {
     std::vector<double> values;
@@ -122,6 +137,11 @@ void wall_impact(const CaseSetting& setting, CaseReport& report) {
                  0.8, 1);
     report.judge_below({"energy that the ledger misses over what was turned over", "-", {}, 0.0, {}},
                        trial.column("energy_residual").back() / trial.column("energy_turnover").back(), 0.01);
+    std::vector<double> simulated_time, simulated_pressure;
+    for (const auto& [when, mean] : simulated_curve) {
+        simulated_time.push_back(when);
+        simulated_pressure.push_back(mean);
+    }
     write_plot(setting, "wall_impact",
                {"Pressure 15 mm above the floor after a dam break",
                 "Lobovsky and others 2014: median and 2.5 to 97.5 % of a hundred repeats",
