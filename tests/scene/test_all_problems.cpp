@@ -94,7 +94,7 @@ TEST(AllProblems, water_without_room_does_not_hide_a_gauge_that_is_wrong) {
     std::string text = test::with(flume, "high = [2.0, 0.5]", "high = [2.0, 0.01]");
     text = test::with(text, "point = [0.5, 0.1]", "point = [9.0, 0.1]");
     EXPECT_THAT(test::problems_of(text), UnorderedElementsAre(HasSubstr("no particle of water fits into this region"),
-                                                              HasSubstr("a gauge outside the domain")));
+                                                              HasSubstr("(9, 0.1, 0) m is outside the domain")));
 }
 
 TEST(AllProblems, the_error_says_what_could_not_be_looked_at) {

@@ -7,8 +7,11 @@
 namespace riprap::scene {
 namespace {
 
+using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A tank one metre wide, half full, with a block afloat.
 const std::string tank = R"(dimension = 2
@@ -194,6 +197,9 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
         return test::problems_of(tank + "\n[[output.gauge]]\nname = \"g\"\n" + text);
     };
     EXPECT_THAT(problems("kind = \"pressure\"\npoint = [90.0, 0.0]\n"), ElementsAre(HasSubstr("outside the domain")));
+    EXPECT_THAT(
+        test::problems_of(tank + "\n[[output.gauge]]\nname = \"water_mass\"\nkind = \"level\"\npoint = [0.5, 0.1]\n"),
+        ElementsAre(HasSubstr("has the name of a quantity")));
     EXPECT_THAT(problems("kind = \"surface\"\npoint = [0.5, 0.1]\n"), ElementsAre(HasSubstr("without 'end'")));
     EXPECT_THAT(problems("kind = \"flow\"\npoint = [0.5, 0.1]\nend = [0.7, 0.4]\n"),
                 ElementsAre(HasSubstr("without extent along 0 axes")));
@@ -218,7 +224,7 @@ TEST(FluidCase, a_gauge_may_go_with_a_body_that_it_names) {
     EXPECT_THAT(test::problems_of(gauge("kind = \"level\"\nbody = \"blok\"\npoint = [0.5, 0.1]\n")),
                 ElementsAre(HasSubstr("did you mean 'block'?")));
     EXPECT_THAT(test::problems_of(gauge("kind = \"volume\"\nbody = \"block\"\npoint = [0.5, 0.1]\nend = [0.7, 0.3]\n")),
-                ElementsAre(HasSubstr("a 'volume' gauge that moves with a body")));
+                ElementsAre(HasSubstr("the 'volume' gauge 'g' cannot move with a body")));
     // The bottom is nearer, but the gauge belongs to the block.
     const std::string wall = "kind = \"wall_pressure\"\npoint = [0.5, 0.0]\nbody = ";
     EXPECT_THAT(test::problems_of(gauge(wall + "\"block\"\n")), ElementsAre(HasSubstr("no wet face of 'block'")));
@@ -237,6 +243,38 @@ TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
     EXPECT_EQ(about_courant({"fluid.scheme=muller", "fluid.density_diffusion=0.5"}), 0);
     EXPECT_THAT(test::read(tank, {"fluid.gradient_correction=false", "fluid.density_diffusion=0.5"}).warnings,
                 Contains(HasSubstr("no acoustic_damping, as gradient_correction is off")));
+}
+
+// It was once put on the underside of the wall, between the parts of the tank, and read 0 for ever.
+TEST(FluidCase, a_gauge_in_the_corner_of_a_tank_of_parts_is_in_a_face_that_water_can_reach) {
+    const std::string basin = R"([[body]]
+name = "basin"
+material = "wood"
+fixed = true
+position = [0.5, 0.6]
+shape = { union = [
+    { shape = { box = [0.4, 0.1] }, position = [0.2, -0.05] },
+    { shape = { box = [0.1, 0.1] }, position = [-0.05, -0.05] },
+    { shape = { box = [0.1, 0.3] }, position = [-0.05, 0.15] },
+] }
+[[output.gauge]]
+name = "g"
+kind = "wall_pressure"
+body = "basin"
+point = )";
+    const std::string room = test::with(tank, "position = [0.5, 0.5]", "position = [0.2, 0.2]");
+    for (const char* point : {"[0.5, 0.6]\n", "[0.497, 0.602]\n", "[0.49, 0.598]\n"}) {  // about the corner
+        const LoadedCase at_corner = test::read(room + basin + point);
+        const Vec3 corner = at_corner.model.output.faces.at(0).normal;
+        EXPECT_TRUE(corner.x == 1 || corner.y == 1) << point << corner.x << ' ' << corner.y;
+    }
+}
+
+TEST(FluidCase, a_gauge_inside_a_block_is_warned_of) {
+    const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"velocity\"\npoint = ";
+    EXPECT_THAT(test::read(gauge + "[0.5, 0.5]\n").warnings,
+                Contains(HasSubstr("'g' lies inside 'block' at the start")));
+    EXPECT_THAT(test::read(gauge + "[0.5, 0.2]\n").warnings, Each(Not(HasSubstr("lies inside"))));
 }
 
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {

@@ -18,8 +18,8 @@ struct FaceGauge {
     Vec3 normal;  ///< unit vector out of the body there, body frame [-]
 };
 
-/// The face nearest to a place among those of bodies that are not dry; nothing where none lies within `reach`. Of faces
-/// equally near, as in a corner, the first.
+/// The face nearest to a place among those of bodies that are not dry, faces between parts of one body left out;
+/// nothing where none lies within `reach`. Of faces equally near, as in a corner, the first.
 /// @param is_dry  per body: feels no water; empty = none
 /// @param only    faces of this body alone; invalid = of any
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,

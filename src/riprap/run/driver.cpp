@@ -128,9 +128,11 @@ StepOutcome Driver::take_step(Due& due) {
 
 int Driver::run(const Watch& watch) {
     if (simulation_.steps_left() == 0 && outputs_ == nullptr) {
-        say(fmt::format(
-            "nothing left to do: the run is at step {}, t = {:.6g} s; --end and --max-steps take it further",
-            state().step, state().time));
+        const std::int64_t most = model().time.max_steps;
+        say(fmt::format("nothing left to do: the run is at step {}, t = {:.6g} s; {}", state().step, state().time,
+                        most >= 0 && state().step >= most
+                            ? fmt::format("max_steps = {} holds it there, --max-steps -1 lifts it", most)
+                            : "--end takes it further"));
         return verdict(simulation_.judge());
     }
     const StopRequest stop;
@@ -274,7 +276,8 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
         !model().fluid ? "a smaller time_step, a stiffer material or more damping usually helps"
         : sim::fixed_step_problem(model(), state()).empty()
             ? "water that leaves the domain needs a wall there, or an [[fluid.outflow]] that lets it go and counts it; "
-              "else a smaller fluid.courant or fluid.spacing usually helps"
+              "where walls move, the fluid.domain has to hold all of their way; else a smaller fluid.courant or "
+              "fluid.spacing usually helps"
             : "the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
         fmt::print(stderr,

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build_case.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
 
@@ -46,7 +48,8 @@ int flat_axes(const fluid::Gauge& gauge, int dimension) {
 void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int dimension) {
     const Value* end = table.find("end");
     if (end == nullptr) {
-        build.problem(table.place, fmt::format("a '{}' gauge without 'end'", get_text(table, "kind")),
+        build.problem(table.place,
+                      fmt::format("the '{}' gauge '{}' without 'end'", get_text(table, "kind"), gauge.name),
                       "the other end of its line, or the other corner of its rectangle or box");
         return;
     }
@@ -76,8 +79,9 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
         return BodyId{};
     }
     if (gauge.kind == fluid::GaugeKind::flow || gauge.kind == fluid::GaugeKind::volume) {
-        build.problem(name->place, fmt::format("a '{}' gauge that moves with a body", get_text(table, "kind")),
-                      "no 'body': rectangles and boxes keep to the axes");
+        build.problem(name->place,
+                      fmt::format("the '{}' gauge '{}' cannot move with a body", get_text(table, "kind"), gauge.name),
+                      "no 'body', as rectangles and boxes keep to the axes, or another kind");
         return std::nullopt;
     }
     const BodyId body = build.body_named(*name);
@@ -132,6 +136,24 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
     build.model.output.faces.push_back(*face);
 }
 
+/// A point in a solid has no water to look at until the solid has left.
+void warn_of_buried(CaseBuild& build, const fluid::Gauge& gauge) {
+    if ((gauge.kind != fluid::GaugeKind::pressure && gauge.kind != fluid::GaugeKind::velocity) || !build.model.fluid) {
+        return;
+    }
+    const sim::FluidModel& water = *build.model.fluid;
+    const body::BodyState& bodies = build.state.bodies;
+    for (const body::Part& part : build.model.bodies.parts) {
+        const auto b = static_cast<std::size_t>(part.body.value);
+        const Vec3 x = to_body(part.local, to_body({bodies.position[b], bodies.orientation[b]}, gauge.point));
+        if (water.is_dry[b] == 0 && geometry::contains(build.model.shapes.view(part.shape), x, -water.sph.spacing)) {
+            build.warnings.push_back(fmt::format("the gauge '{}' lies inside '{}' at the start and reads 0 there",
+                                                 gauge.name, build.model.bodies.name(part.body)));
+            return;
+        }
+    }
+}
+
 }  // namespace
 
 void build_gauges(CaseBuild& build, const Value& list) {
@@ -139,7 +161,9 @@ void build_gauges(CaseBuild& build, const Value& list) {
     for (const Value& table : list.items) {
         if (!build.domain) {
             if (build.root.find("fluid") == nullptr) {
-                build.problem(table.place, "a gauge in a case without water", "a [fluid], or a probe of a body");
+                build.problem(table.place,
+                              fmt::format("the gauge '{}' in a case without water", get_text(table, "name")),
+                              "a [fluid], or a [[output.probe]] of a body");
             }
             continue;
         }
@@ -149,7 +173,12 @@ void build_gauges(CaseBuild& build, const Value& list) {
         gauge.point = get_vector(table, "point");
         gauge.up = build.up();
         if (!is_in(gauge.point, *build.domain)) {
-            build.problem(get(table, "point").place, "a gauge outside the domain of the water", "a point inside it");
+            const Vec3 &x = gauge.point, &low = build.domain->low, &high = build.domain->high;
+            build.problem(get(table, "point").place,
+                          fmt::format("the gauge '{}' at ({:.6g}, {:.6g}, {:.6g}) m is outside the domain of the water",
+                                      gauge.name, x.x, x.y, x.z),
+                          fmt::format("a point from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m", low.x,
+                                      low.y, low.z, high.x, high.y, high.z));
         }
         if (needs_end(gauge.kind)) {
             check_extent(build, table, gauge, build.domain->dimension);
@@ -157,6 +186,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
+        warn_of_buried(build, gauge);  // before its point is its body's
         if (const auto body = find_carrier(build, table, gauge)) {
             find_wall(build, table, *body, gauge);
         }
@@ -165,6 +195,11 @@ void build_gauges(CaseBuild& build, const Value& list) {
         if (std::any_of(gauges.begin(), gauges.end(), [&](const auto& other) { return other.name == gauge.name; }) ||
             std::any_of(probes.begin(), probes.end(), [&](const auto& other) { return other.name == gauge.name; })) {
             build.problem(get(table, "name").place, fmt::format("a second record '{}'", gauge.name), "another name");
+        }
+        if (sim::find_quantity(gauge.name, false) != nullptr) {
+            build.problem(get(table, "name").place,
+                          fmt::format("the gauge '{}' has the name of a quantity of the scene", gauge.name),
+                          "another name, as [[expect]] could not tell them apart");
         }
         model.output.gauges.push_back(std::move(gauge));
     }

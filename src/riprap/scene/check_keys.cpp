@@ -268,7 +268,7 @@ class Checker {
                 });
             if (!may_be_misspelt) {
                 problems_.push_back({given.place, fmt::format("{} lacks '{}'", table.header, key.name),
-                                     fmt::format("{} {}", describe_form(key.forms.front()), key.help)});
+                                     fmt::format("{}: {}", describe_form(key.forms.front()), key.help)});
             }
             return;
         }

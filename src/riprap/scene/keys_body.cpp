@@ -73,7 +73,8 @@ const Table& union_part_table() {
     static const Table table{
         "shape.union",
         "shape = { union = [ { ... }, ... ] }",
-        "One convex part of a rigid union. Parts may touch but not overlap; together they make one body.",
+        "One convex part of a rigid union. Parts may touch, in whole faces, but not overlap; together they make one "
+        "body.",
         {{"shape", {form::table(shape_table)}, "A convex shape.", {}, true},
          {"position", {vector(dimension::length)}, "Of the part in the frame of the body.", Value::of(Vec3{})},
          {"orientation", {form::table(orientation_table)}, "Of the part in the frame of the body.", {}}}};
@@ -130,7 +131,9 @@ const Table& linear_table() {
 const Table& sinusoidal_table() {
     static const Table table{"motion.sinusoidal",
                              "motion = { sinusoidal = { ... } }",
-                             "x(t) = x0 + amplitude (sin(2 pi t/period + phase) - sin(phase)).",
+                             "x(t) = x0 + amplitude (sin(2 pi t/period + phase) - sin(phase)). It starts with its "
+                             "speed at that phase, as if "
+                             "struck; from rest with phase = \"90 deg\", on one side of its start then.",
                              {{"amplitude", {vector(dimension::length)}, "Amplitude of the displacement.", {}, true},
                               {"period", {number(dimension::time, positive())}, "Period.", {}, true},
                               {"phase", {phase}, "Phase at the start.", Value::of(0.0)}}};
