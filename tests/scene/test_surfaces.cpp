@@ -110,6 +110,18 @@ TEST(Unions, a_union_of_unions_nests_and_a_planar_union_stays_planar) {
                   "gravity", "dimension = 2\ngravity"),
              "[0.0, 0.0, -9.81]", "[0.0, -9.81]"));
     EXPECT_DOUBLE_EQ(planar.model.bodies.mass[0], 5000);
+    for (const body::Part& part : planar.model.bodies.parts) {
+        const geometry::ConvexView view = planar.model.shapes.view(part.shape);
+        EXPECT_EQ(std::count(view.is_internal, view.is_internal + view.face_count, 1), 3);  // both ends, and the joint
+    }
+}
+
+TEST(Unions, parts_that_meet_but_for_round_off_are_not_worth_a_word) {
+    const LoadedCase tank =
+        read(with_shape("{ union = [ { shape = { box = [0.7, 1, 1] }, position = [0.1, 0, 0] }, { shape = { box = "
+                        "[0.1, 1, 1] }, position = "
+                        "[0.5, 0, 0] } ] }"));
+    EXPECT_THAT(tank.warnings, IsEmpty());
 }
 
 }  // namespace

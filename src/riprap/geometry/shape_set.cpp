@@ -55,14 +55,14 @@ double middle_height(const std::vector<Vec3>& vertices) {
     return 0.5 * (low->z + high->z);
 }
 
-/// The end faces of a prism along z carry no field.
+/// The end faces of a prism along z carry no field, nor do those that carried none before.
 void mark_end_faces(Polyhedron& shape, const std::vector<Plane>& planes) {
-    shape.is_internal.assign(shape.faces.size(), 0);
+    shape.is_internal.resize(shape.faces.size(), 0);
     for (std::size_t j = 0; j < planes.size(); ++j) {
         const bool is_end = std::abs(planes[j].normal.z) > 1 - convexity_tolerance;
         RIPRAP_ASSERT(is_end || std::abs(planes[j].normal.z) < convexity_tolerance,
                       "a planar shape has faces along and normal to z only");
-        shape.is_internal[j] = is_end ? 1 : 0;
+        shape.is_internal[j] = is_end || shape.is_internal[j] != 0 ? 1 : 0;
     }
 }
 

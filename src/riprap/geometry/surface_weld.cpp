@@ -180,13 +180,14 @@ SurfaceMesh weld_surface(const Surface& surface, const SurfaceAuditOptions& opti
 
     std::vector<std::int32_t> point_of(surface.vertices.size(), -1);
     PointGrid grid(low, mesh.tolerance);
+    constexpr double round_off = 1e-12;  // boxes in decimals that meet are not worth a word
     std::size_t moved_count = 0;
     for (const std::int32_t vertex : surface.face_vertex) {
         auto& point = point_of[static_cast<std::size_t>(vertex)];
         if (point < 0) {
             const Vec3& x = surface.vertices[static_cast<std::size_t>(vertex)];
             point = grid.find_or_add(x, mesh.points);
-            moved_count += mesh.point(point) != x ? 1 : 0;
+            moved_count += norm(mesh.point(point) - x) > round_off * (diagonal + norm(x)) ? 1 : 0;
         }
     }
 
