@@ -27,33 +27,13 @@ Pose pose_of(const body::Part& part, const Pose& body) {
     return {to_world(body, part.local.position), body.orientation * part.local.orientation};
 }
 
-/// Whether another part of the body lies on a face: parts of one body meet in whole faces, so its middle tells.
-bool is_between_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Part& part,
-                      std::int32_t face) {
-    const geometry::ConvexView shape = shapes.view(part.shape);
-    const std::int32_t begin = shape.face_start[face], end = shape.face_start[face + 1];
-    if (shape.vertex_count == 0) {
-        return false;
-    }
-    Vec3 middle{};
-    for (std::int32_t k = begin; k < end; ++k) {
-        middle += shape.vertex(shape.face_vertex[k]) / static_cast<double>(end - begin);
-    }
-    const Vec3 before = to_world(part.local, middle + 1e-3 * shape.inscribed_radius * shape.normal(face));
-    return std::any_of(bodies.parts.begin(), bodies.parts.end(), [&](const body::Part& other) {
-        return &other != &part && other.body == part.body &&
-               geometry::contains(shapes.view(other.shape), to_body(other.local, before));
-    });
-}
-
 /// The face of a part that is nearest to a place in its frame, of those that carry a field and, in the plane, stand on
 /// it.
 struct NearFace {
     double distance{std::numeric_limits<double>::infinity()};
     Vec3 point{}, normal{};
 };
-template <class IsHidden>
-NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x, bool is_planar, const IsHidden& is_hidden) {
+NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x, bool is_planar) {
     NearFace nearest;
     for (std::int32_t j = 0; j < shape.face_count; ++j) {
         const Vec3 n = shape.normal(j);
@@ -62,7 +42,7 @@ NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x, bool is_
         }
         const Vec3 point =
             shape.vertex_count == 0 ? x + (shape.offset[j] - dot(n, x)) * n : nearest_on_face(shape, j, x);
-        if (norm(x - point) < nearest.distance && !is_hidden(j)) {
+        if (norm(x - point) < nearest.distance) {
             nearest = {norm(x - point), point, n};
         }
     }
@@ -267,8 +247,7 @@ std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body:
             continue;
         }
         const Pose pose = pose_of(part, {initial.position[b], initial.orientation[b]});
-        const NearFace face = nearest_face(shapes.view(part.shape), to_body(pose, place), bodies.is_planar,
-                                           [&](std::int32_t j) { return is_between_parts(shapes, bodies, part, j); });
+        const NearFace face = nearest_face(shapes.view(part.shape), to_body(pose, place), bodies.is_planar);
         if (face.distance < least || (face.distance == least && !found)) {
             least = face.distance;
             found = {part.body, to_world(part.local, face.point), rotate(part.local.orientation, face.normal)};
