@@ -143,6 +143,9 @@ void warn_of_buried(CaseBuild& build, const fluid::Gauge& gauge) {
     }
     const sim::FluidModel& water = *build.model.fluid;
     const body::BodyState& bodies = build.state.bodies;
+    if (water.is_dry.size() != bodies.position.size()) {
+        return;  // the water has a problem
+    }
     for (const body::Part& part : build.model.bodies.parts) {
         const auto b = static_cast<std::size_t>(part.body.value);
         const Vec3 x = to_body(part.local, to_body({bodies.position[b], bodies.orientation[b]}, gauge.point));
