@@ -109,6 +109,13 @@ TEST_F(Runs, AFinishedRunHasNothingLeftToDo) {
     expect_same(whole, "whole");
 }
 
+TEST_F(Runs, ARunThatMaxStepsHoldsSaysWhatLiftsIt) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("held"), "--set", "max_steps=2"}).code, 0);
+    const Ending ending = run({"resume", out("held"), "--end", "10"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_THAT(ending.out, HasSubstr("max_steps = 2 holds it there, --max-steps -1 lifts it"));
+}
+
 TEST_F(Runs, AStopSignalWritesACheckpointAndTellsHowToContinue) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const std::string name = "signal_" + std::to_string(signal);

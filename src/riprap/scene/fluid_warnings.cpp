@@ -190,8 +190,7 @@ void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.courant > bound) {
         build.warnings.push_back(
             fmt::format("courant = {:.3g}: with density_diffusion = {:.3g} and {} short waves of sound grow on a "
-                        "lattice from {:.2f} "
-                        "on; a smaller courant, or less of either, is stable",
+                        "lattice from {:.2f} on; a smaller courant, or less of either, is stable",
                         sph.courant, sph.density_diffusion,
                         sph.gradient_correction ? fmt::format("acoustic_damping = {:.3g}", sph.acoustic_damping)
                                                 : "no acoustic_damping, as gradient_correction is off,",
