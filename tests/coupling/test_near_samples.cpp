@@ -57,7 +57,8 @@ TEST(NearSamples, leave_out_none_within_reach_of_water_and_none_of_a_body_that_c
     for (const int dimension : {2, 3}) {
         for (const bool is_periodic : {false, true}) {
             const Wall wall(dimension, is_periodic);
-            const auto found = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, reach);
+            const auto found =
+                near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, reach);
             EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
             std::size_t still = 0, within = 0;
             for (std::int32_t i = 0; i < 4000; ++i) {
@@ -81,12 +82,13 @@ TEST(NearSamples, leave_out_none_within_reach_of_water_and_none_of_a_body_that_c
 
 TEST(NearSamples, bear_water_that_is_lost_and_water_that_is_not_there) {
     Wall wall(3, false);
-    const auto all = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, 0.15);
+    const auto all = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, 0.15);
     wall.water.push_back({std::nan(""), 0, 0});
-    EXPECT_EQ(near_samples(wall.samples, wall.motion, wall.is_still, wall.water, wall.domain, 0.15), all);
+    EXPECT_EQ(near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, 0.15), all);
     // A drop far away may move the edges of cells, and so change which farther ones are among them.
     const auto leaves_out_none = [](const Wall& scene) {
-        const auto found = near_samples(scene.samples, scene.motion, scene.is_still, scene.water, scene.domain, 0.15);
+        const auto found =
+            near_samples(scene.samples, scene.motion, scene.is_still, scene.water, {}, scene.domain, 0.15);
         for (std::int32_t i = 0; i < 4000; ++i) {
             if (scene.distance_to_water(static_cast<std::size_t>(i)) <= 0.15 &&
                 !std::binary_search(found.begin(), found.end(), i)) {
@@ -102,17 +104,46 @@ TEST(NearSamples, bear_water_that_is_lost_and_water_that_is_not_there) {
     wall.domain = {{-1e9, -1e9, -1e9}, {1e9, 1e9, 1e9}, {}, 3};  // cells grow instead of their number
     wall.water.push_back({1e9, 1e9, 1e9});
     EXPECT_TRUE(leaves_out_none(wall));
-    const auto none = near_samples(wall.samples, wall.motion, wall.is_still, {}, wall.domain, 0.15);
+    const auto none = near_samples(wall.samples, wall.motion, wall.is_still, {}, {}, wall.domain, 0.15);
     EXPECT_EQ(none.size(), 2000U);
 }
 
-TEST(NearSamples, a_subset_keeps_what_each_sample_was) {
+TEST(NearSamples, faces_of_joints_call_for_samples_as_water_does) {
+    const Wall wall(3, false);
+    const auto wet = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, 0.15);
+    EXPECT_EQ(near_samples(wall.samples, wall.motion, wall.is_still, {}, wall.water, wall.domain, 0.15), wet);
+    const std::span water(wall.water);
+    EXPECT_EQ(
+        near_samples(wall.samples, wall.motion, wall.is_still, water.first(1), water.subspan(1), wall.domain, 0.15),
+        wet);
+}
+
+TEST(NearSamples, a_view_shows_what_each_sample_is) {
     const Wall wall(3, false);
     const std::vector<std::int32_t> numbers{3, 17, 2500};
-    const SampleSet some = subset(wall.samples, numbers);
+    const SampleView some(wall.samples, numbers);
     ASSERT_EQ(some.size(), 3);
-    EXPECT_EQ(some.anchor[1], wall.samples.anchor[17]);
-    EXPECT_EQ(some.body[2], BodyId{1});
+    EXPECT_EQ(some.anchor(1), wall.samples.anchor[17]);
+    EXPECT_EQ(some.body(2), BodyId{1});
+    const SampleView all = wall.samples;
+    ASSERT_EQ(all.size(), wall.samples.size());
+    EXPECT_EQ(all.anchor(17), wall.samples.anchor[17]);
+}
+
+TEST(NearSamples, a_view_finds_where_each_body_begins) {
+    SampleSet samples;
+    for (const int body : {0, 0, 2, 2, 2, 5}) {
+        samples.body.push_back(BodyId{body});
+        samples.anchor.push_back({});
+    }
+    const std::vector<std::int32_t> numbers{1, 2, 4, 5};  // of bodies 0, 2, 2, 5
+    const SampleView all = samples, some(samples, numbers);
+    const std::array<std::size_t, 7> begin_in_all{0, 2, 2, 5, 5, 5, 6}, begin_in_some{0, 1, 1, 3, 3, 3, 4};
+    for (int body = 0; body < 7; ++body) {
+        EXPECT_EQ(all.begin_of(BodyId{body}), begin_in_all[at(body)]) << body;
+        EXPECT_EQ(some.begin_of(BodyId{body}), begin_in_some[at(body)]) << body;
+    }
+    EXPECT_EQ(SampleView(samples, {}).begin_of(BodyId{3}), 0U);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST(Vtp, WaterIsACloudOfItsParticlesWithTheirPressure) {
     particles.velocity = {{3, 0, 4}, {0, 0, 0}};
     particles.density = {1010, 1000};
     particles.id = {7, 3};
-    write_vtp(folder / "a.vtp", draw_fluid(settings, particles), 0);
+    write_fluid(folder / "a.vtp", settings, particles, 0);
     const std::string xml = read_file(folder / "a.vtp", 1U << 20U);
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "id"), ElementsAre(7, 3));
     EXPECT_THAT(vtk_reader::array<float>(xml, "speed"), ElementsAre(5, 0));

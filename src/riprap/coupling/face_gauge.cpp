@@ -168,7 +168,7 @@ class FaceReading {
 
     bool is_open() const { return is_open_; }
     double pressure() {
-        for (std::size_t i = 0; i < loaded_.samples.body.size() && i < loaded_.particles.pressure_force.size(); ++i) {
+        for (std::size_t i = 0; i < at(loaded_.samples.size()) && i < loaded_.particles.pressure_force.size(); ++i) {
             add_sample(i);
         }
         for (const std::vector<PenaltyWalls::Push>& block : loaded_.pushes) {
@@ -192,8 +192,8 @@ class FaceReading {
         if (norm_squared(d) > 4 * far_ * far_ || depth < 0 || depth > loaded_.reach + loaded_.spacing) {
             return;
         }
-        const BodyId body = loaded_.samples.body[i];
-        const Vec3 normal = rotate(loaded_.motion.pose[at(body.value)].orientation, loaded_.samples.normal[i]);
+        const BodyId body = loaded_.samples.body(i);
+        const Vec3 normal = rotate(loaded_.motion.pose[at(body.value)].orientation, loaded_.samples.normal(i));
         if (dot(normal, n_) < same_side) {
             return;
         }
@@ -201,12 +201,12 @@ class FaceReading {
         if (plane_.is_open(foot, body)) {
             const double share = weight(foot);
             // The first layer of a face lies half of its thickness deep, at most 2/3 of a spacing.
-            const double middle = std::max(depth, loaded_.samples.depth[i]);
+            const double middle = std::max(depth, loaded_.samples.depth(i));
             area_ += middle < 0.7 * loaded_.spacing ? share * loaded_.particles.volume[i] / (2 * middle) : 0.0;
             force_ -= share * dot(loaded_.particles.pressure_force[i], n_);
             return;
         }
-        const Vec3 surface = x_ + d + (loaded_.samples.depth[i] + height * loaded_.spacing) * normal;
+        const Vec3 surface = x_ + d + (loaded_.samples.depth(i) + height * loaded_.spacing) * normal;
         if (solids_.contain(surface, -slack * loaded_.spacing)) {  // buried
             if (const std::optional<Vec3> place = plane_.uncovered(foot)) {
                 force_ -= weight(*place) * dot(loaded_.particles.pressure_force[i], n_);

@@ -32,7 +32,7 @@ struct LoadedFaces {
     const body::BodySet& bodies;
     std::span<const std::uint8_t> is_dry;       ///< per body: not there for the water; empty = none
     const BodyMotion& motion;                   ///< of all bodies, where the samples are
-    const SampleSet& samples;                   ///< the samples that the water may feel
+    SampleView samples;                         ///< the samples that the water may feel
     const fluid::BoundaryParticles& particles;  ///< ... as the water met them; may be more than the samples
     const fluid::Domain& domain;
     double spacing;                                           ///< dp [m]

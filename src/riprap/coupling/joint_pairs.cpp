@@ -45,7 +45,7 @@ double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
     return (has_driven ? 2 : 1) * settings.support_radius() + (1 + skin) * settings.spacing;
 }
 
-bool JointPairs::is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                                double spacing) const {
     if (paired_at_.size() != at(near.size())) {
         return false;
@@ -53,20 +53,20 @@ bool JointPairs::is_up_to_date(const SampleSet& near, const JointSolids& solids,
     const double farthest = parallel::reduce(
         near.size(), 0.0,
         [&](std::int64_t i) {
-            const bool is_still = solids.is_still[at(near.body[at(i)].value)] != 0;
+            const bool is_still = solids.is_still[at(near.body(at(i)).value)] != 0;
             return is_still ? 0.0 : norm_squared(walls.position[at(i)] - paired_at_[at(i)]);
         },
         [](double a, double b) { return std::max(a, b); });
     return farthest < 0.25 * skin * skin * spacing * spacing;
 }
 
-void JointPairs::find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+void JointPairs::find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                               const fluid::SphSettings& settings) {
     std::vector<std::uint8_t> is_member(at(near.size()), 0);
     std::vector<Vec3> loose;
     bool has_driven = false;
     for (std::size_t i = 0; i < is_member.size(); ++i) {
-        const auto body = at(near.body[i].value);
+        const auto body = at(near.body(i).value);
         has_driven = has_driven || (solids.is_loose[body] == 0 && solids.is_still[body] == 0);
         if (solids.is_loose[body] != 0) {
             is_member[i] = 1;
@@ -90,13 +90,13 @@ void JointPairs::find_members(const SampleSet& near, const JointSolids& solids, 
     members_.clear();
     for (std::size_t i = 0; i < is_member.size(); ++i) {
         if (is_member[i] != 0) {
-            const auto body = at(near.body[i].value);
-            const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body[i].value;
+            const auto body = at(near.body(i).value);
+            const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body(i).value;
             members_.push_back({static_cast<std::int32_t>(i),
                                 solid,
                                 solids.is_loose[body] != 0,
-                                near.volume[i],
-                                near.depth[i],
+                                near.volume(i),
+                                near.depth(i),
                                 {},
                                 {}});
         }
@@ -104,12 +104,13 @@ void JointPairs::find_members(const SampleSet& near, const JointSolids& solids, 
     paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());
 }
 
-void JointPairs::place_members(const SampleSet& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls) {
+void JointPairs::place_members(const SampleView& near, const BodyMotion& motion,
+                               const fluid::BoundaryParticles& walls) {
     parallel::for_each(static_cast<std::int64_t>(members_.size()), [&](std::int64_t i) {
         JointMember& member = members_[at(i)];
         const auto sample = at(member.sample);
         member.place = walls.position[sample];
-        member.normal = rotate(motion.pose[at(near.body[sample].value)].orientation, near.normal[sample]);
+        member.normal = rotate(motion.pose[at(near.body(sample).value)].orientation, near.normal(sample));
     });
 }
 
@@ -142,7 +143,7 @@ void JointPairs::find_pairs(const fluid::SphSettings& settings) {
     }
 }
 
-void JointPairs::update(const SampleSet& near, const JointSolids& solids, const BodyMotion& motion,
+void JointPairs::update(const SampleView& near, const JointSolids& solids, const BodyMotion& motion,
                         const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings) {
     const bool is_kept = is_up_to_date(near, solids, walls, settings.spacing);
     if (!is_kept) {

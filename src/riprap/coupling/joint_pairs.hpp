@@ -64,7 +64,7 @@ class JointPairs {
     static double reach(const fluid::SphSettings& settings, bool has_driven);
 
     /// Brings members and pairs up to date with where samples are.
-    void update(const SampleSet& near, const JointSolids& solids, const BodyMotion& motion,
+    void update(const SampleView& near, const JointSolids& solids, const BodyMotion& motion,
                 const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings);
     /// Call where `near` is no longer the same.
     void forget() { paired_at_.clear(); }
@@ -79,11 +79,11 @@ class JointPairs {
     std::size_t bytes() const;
 
  private:
-    bool is_up_to_date(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+    bool is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                        double spacing) const;
-    void find_members(const SampleSet& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
+    void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                       const fluid::SphSettings& settings);
-    void place_members(const SampleSet& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls);
+    void place_members(const SampleView& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls);
     void find_pairs(const fluid::SphSettings& settings);
 
     std::vector<JointMember> members_;

@@ -26,16 +26,16 @@ constexpr double filled = 0.85;
 std::int32_t partner_of(const JointMember& member) { return member.is_loose ? member.solid : still_solid; }
 
 /// Whether some loose body meets water.
-bool is_any_wet(const SampleSet& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
+bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
     return parallel::reduce(
         near.size(), false,
-        [&](std::int64_t i) { return water.weight[at(i)] > 0 && solids.is_loose[at(near.body[at(i)].value)] != 0; },
+        [&](std::int64_t i) { return water.weight[at(i)] > 0 && solids.is_loose[at(near.body(at(i)).value)] != 0; },
         [](bool a, bool b) { return a || b; });
 }
 
 }  // namespace
 
-void JointPressure::find_openings(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
+void JointPressure::find_openings(const SampleView& near, std::span<const Vec3> slopes, const BodyMotion& motion,
                                   const fluid::WaterAtWalls& water, const JointKernel& kernel) {
     const std::vector<JointMember>& members = pairs_.members();
     openings_.resize(members.size());
@@ -56,8 +56,9 @@ void JointPressure::find_openings(const SampleSet& near, std::span<const Vec3> s
             }
         }
         const auto sample = at(member.sample);
-        const Quat& turn = motion.pose[at(near.body[sample].value)].orientation;
-        const Vec3 own = member.solid == still_solid ? slopes[sample] : rotate(turn, slopes[sample]);
+        const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
+        const Vec3 own =
+            member.solid == still_solid ? slopes[near.number(sample)] : rotate(turn, slopes[near.number(sample)]);
         const Vec3 slope = own + slope_of_others;
         opening.rim = slope - dot(slope, member.normal) * member.normal;
         const double into_solid = -dot(own, member.normal), into_water = dot(water.slope[sample], member.normal);
@@ -82,7 +83,7 @@ void JointPressure::list_sides() {
     rims_.resize(joints.size());
 }
 
-void JointPressure::find_rims(const SampleSet& near, const fluid::WaterAtWalls& water,
+void JointPressure::find_rims(const SampleView& near, const fluid::WaterAtWalls& water,
                               const fluid::SphSettings& settings, const Vec3& gravity) {
     for (std::vector<RimPiece>& rim : rims_) {
         rim.clear();
@@ -93,9 +94,9 @@ void JointPressure::find_rims(const SampleSet& near, const fluid::WaterAtWalls& 
         const Vec3& t = openings_[at(side.member)].rim;
         const auto sample = at(member.sample);
         const double strength = h * norm(t) - uneven;
-        if (strength > 0 && near.depth[sample] < settings.spacing) {
+        if (strength > 0 && near.depth(sample) < settings.spacing) {
             const double share = std::clamp(-dot(t, water.slope[sample]) / (filled * dot(t, t)), 0.0, 1.0);
-            const double weight = strength * near.volume[sample];
+            const double weight = strength * near.volume(sample);
             rims_[at(side.joint)].push_back(
                 {member.place, weight * share, weight * (1 - share), water.pressure[sample]});
         }
@@ -130,7 +131,7 @@ double JointPressure::pressure_of(std::size_t member, std::int32_t other) const 
     return 0;
 }
 
-void JointPressure::find(const SampleSet& near, std::span<const Vec3> slopes, const JointSolids& solids,
+void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
                          const BodyMotion& motion, const fluid::BoundaryParticles& walls,
                          const fluid::WaterAtWalls& water, const fluid::SphSettings& settings, const Vec3& gravity,
                          std::vector<Vec3>& force) {

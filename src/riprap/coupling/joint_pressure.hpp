@@ -37,11 +37,11 @@ namespace riprap::coupling {
 class JointPressure {
  public:
     /// Forces on the samples `near` where `walls` are.
-    /// @param slopes   of solid_slopes, for each of `near`
+    /// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
     /// @param water    at each of `walls`, beginning with those of `near`
     /// @param gravity  [m/s^2]
     /// @param force    one for each of `near` [N]; empty where nothing is loose or no joint is wet
-    void find(const SampleSet& near, std::span<const Vec3> slopes, const JointSolids& solids, const BodyMotion& motion,
+    void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids, const BodyMotion& motion,
               const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
               const fluid::SphSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
 
@@ -70,10 +70,10 @@ class JointPressure {
         double pressure;  ///< of the water there [Pa]
     };
 
-    void find_openings(const SampleSet& near, std::span<const Vec3> slopes, const BodyMotion& motion,
+    void find_openings(const SampleView& near, std::span<const Vec3> slopes, const BodyMotion& motion,
                        const fluid::WaterAtWalls& water, const JointKernel& kernel);
     void list_sides();
-    void find_rims(const SampleSet& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
+    void find_rims(const SampleView& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
                    const Vec3& gravity);
     double pressure_of(std::size_t member, std::int32_t other) const;
 

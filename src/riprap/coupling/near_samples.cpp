@@ -19,16 +19,18 @@ using Cell = std::array<std::int64_t, 3>;
 /// Cells about the water, and whether there is water within two of them.
 class WetCells {
  public:
-    WetCells(std::span<const Vec3> water, const fluid::Domain& domain, double reach) : domain_(domain) {
+    using Places = std::array<std::span<const Vec3>, 2>;
+
+    WetCells(const Places& water, const fluid::Domain& domain, double reach) : domain_(domain) {
         span_box(water, reach);
-        choose_cells(0.5 * reach, water.size());
+        choose_cells(0.5 * reach, water[0].size() + water[1].size());
         wet_.assign(at(counts_[0] * counts_[1] * counts_[2]), 0);
-        for (const Vec3& x : water) {
+        for_all_finite(water, [this](const Vec3& x) {
             Cell cell{};
-            if (is_finite(x) && find(x, cell)) {
+            if (find(x, cell)) {
                 wet_[entry(cell)] = 1;
             }
-        }
+        });
         for (std::size_t axis = 0; axis < 3; ++axis) {
             spread(axis);
         }
@@ -40,17 +42,26 @@ class WetCells {
     }
 
  private:
-    /// The water within the domain, with two reaches about it; along periodic axes the domain. Water that has left it
-    /// ends the step soon after, and must not make cells without end before.
-    void span_box(std::span<const Vec3> water, double reach) {
-        low_ = Vec3{1e300, 1e300, 1e300};
-        high_ = -low_;
-        for (const Vec3& x : water) {
-            if (is_finite(x)) {
-                low_ = min(low_, x);
-                high_ = max(high_, x);
+    template <class Visit>
+    static void for_all_finite(const Places& water, const Visit& visit) {
+        for (const std::span<const Vec3> places : water) {
+            for (const Vec3& x : places) {
+                if (is_finite(x)) {
+                    visit(x);
+                }
             }
         }
+    }
+
+    /// The water within the domain, with two reaches about it; along periodic axes the domain. Water that has left it
+    /// ends the step soon after, and must not make cells without end before.
+    void span_box(const Places& water, double reach) {
+        low_ = Vec3{1e300, 1e300, 1e300};
+        high_ = -low_;
+        for_all_finite(water, [this](const Vec3& x) {
+            low_ = min(low_, x);
+            high_ = max(high_, x);
+        });
         for (int axis = 0; axis < 3; ++axis) {
             if (axis >= domain_.dimension || !(low_[axis] <= high_[axis])) {
                 low_[axis] = high_[axis] = 0;
@@ -139,8 +150,8 @@ class WetCells {
 
 std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotion& motion,
                                        std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
-                                       const fluid::Domain& domain, double reach) {
-    const WetCells cells(water, domain, reach);
+                                       std::span<const Vec3> others, const fluid::Domain& domain, double reach) {
+    const WetCells cells({water, others}, domain, reach);
     std::vector<std::uint8_t> is_near(at(samples.size()));
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
@@ -158,23 +169,6 @@ std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotio
         }
     }
     return numbers;
-}
-
-SampleSet subset(const SampleSet& samples, std::span<const std::int32_t> numbers) {
-    SampleSet some;
-    const auto pick = [&numbers](const auto& from, auto& to) {
-        to.reserve(numbers.size());
-        for (const std::int32_t n : numbers) {
-            to.push_back(from[at(n)]);
-        }
-    };
-    pick(samples.body, some.body);
-    pick(samples.anchor, some.anchor);
-    pick(samples.normal, some.normal);
-    pick(samples.depth, some.depth);
-    pick(samples.volume, some.volume);
-    pick(samples.is_slippery, some.is_slippery);
-    return some;
 }
 
 }  // namespace riprap::coupling

@@ -18,14 +18,11 @@ namespace riprap::coupling {
 /// The water is entered into cells of half a reach; a sample is near where one of the cells up to two away holds water,
 /// over periodic sides too.
 /// @param is_still  per body: never moves
-/// @param water     places of all particles, and of whatever else wants samples near it, in any order; those that are
-///                  not finite are passed over
+/// @param water     places of all particles, in any order; those that are not finite are passed over
+/// @param others    of whatever else wants samples near it
 /// @param reach     [m]
 std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotion& motion,
                                        std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
-                                       const fluid::Domain& domain, double reach);
-
-/// The samples of these numbers, in their order.
-SampleSet subset(const SampleSet& samples, std::span<const std::int32_t> numbers);
+                                       std::span<const Vec3> others, const fluid::Domain& domain, double reach);
 
 }  // namespace riprap::coupling

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/rigid_map.hpp"
 
-#include <algorithm>
-
+#include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::coupling {
 
-namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
-void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
+void place_samples(const SampleView& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
                    std::span<const std::uint8_t> is_still) {
     const auto count = at(samples.size());
     const bool is_placed = particles.position.size() == count && !is_still.empty();
@@ -23,16 +16,20 @@ void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::Bo
         particles.velocity.resize(count);
         particles.acceleration.resize(count);
         particles.given_pressure.clear();
-        particles.volume = samples.volume;
-        particles.is_slippery = samples.is_slippery;
+        particles.volume.resize(count);
+        particles.is_slippery.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            particles.volume[i] = samples.volume(i);
+            particles.is_slippery[i] = samples.is_slippery(i);
+        }
     }
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
-        const auto body = at(samples.body[i].value);
+        const auto body = at(samples.body(i).value);
         if (is_placed && is_still[body] != 0) {
             return;
         }
-        const Vec3 r = rotate(motion.pose[body].orientation, samples.anchor[i]);
+        const Vec3 r = rotate(motion.pose[body].orientation, samples.anchor(i));
         const Vec3& omega = motion.angular_velocity[body];
         const Vec3 swing = cross(omega, r);
         particles.position[i] = motion.pose[body].position + r;
@@ -42,15 +39,14 @@ void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::Bo
     });
 }
 
-void gather(const SampleSet& samples, const BodyMotion& motion, std::span<const Vec3> place,
+void gather(const SampleView& samples, const BodyMotion& motion, std::span<const Vec3> place,
             std::span<const Vec3> sample_force, std::vector<Vec3>& force, std::vector<Vec3>& torque) {
     const std::size_t bodies = motion.pose.size();
     force.assign(bodies, {});
     torque.assign(bodies, {});
     // Samples are grouped by body, so each body has one range of them and its sum one order.
     const auto begin_of = [&samples](std::size_t body) {
-        const BodyId id{static_cast<std::int32_t>(body)};
-        return at(std::lower_bound(samples.body.begin(), samples.body.end(), id) - samples.body.begin());
+        return samples.begin_of(BodyId{static_cast<std::int32_t>(body)});
     };
     parallel::for_each_uneven(static_cast<std::int64_t>(bodies), 8, [&](std::int64_t index) {
         const auto body = at(index);
@@ -62,7 +58,7 @@ void gather(const SampleSet& samples, const BodyMotion& motion, std::span<const 
     });
 }
 
-void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
+void gather_loads(const SampleView& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads) {
     gather(samples, motion, particles.position, particles.pressure_force, loads.pressure_force, loads.pressure_torque);
     gather(samples, motion, particles.position, particles.viscous_force, loads.viscous_force, loads.viscous_torque);

@@ -33,17 +33,17 @@ struct FluidLoads {
 /// and copies volumes and slip. Two dimensions: the same with all z = 0.
 /// @param is_still  per body: never moves, so its particles are left as they are once they have been placed; empty: all
 ///                  bodies may move
-void place_samples(const SampleSet& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
+void place_samples(const SampleView& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
                    std::span<const std::uint8_t> is_still = {});
 
 /// Gathers forces at samples into force and torque by the transpose of that map, F = sum f, T = sum r x f, so that
 /// sum f . v = F . v_c + T . omega: power is conserved. Per body in the order of the samples.
 /// @param place  of the samples [m]; it and `sample_force` may be longer than the samples
-void gather(const SampleSet& samples, const BodyMotion& motion, std::span<const Vec3> place,
+void gather(const SampleView& samples, const BodyMotion& motion, std::span<const Vec3> place,
             std::span<const Vec3> sample_force, std::vector<Vec3>& force, std::vector<Vec3>& torque);
 
 /// That of pressure and viscosity.
-void gather_loads(const SampleSet& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
+void gather_loads(const SampleView& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads);
 
 }  // namespace riprap::coupling

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/core/ids.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/vec3.hpp"
 
 namespace riprap::coupling {
@@ -21,6 +24,47 @@ struct SampleSet {
     std::vector<std::uint8_t> is_slippery;  ///< free slip
 
     std::int64_t size() const { return static_cast<std::int64_t>(anchor.size()); }
+    std::size_t bytes() const { return bytes_of(body, anchor, normal, depth, volume, is_slippery); }
 };
+
+/// All samples of a set or those of some numbers, in rising order: a look at them, as a copy would weigh as much as a
+/// particle's forces. Entry i is what callers count by; number(i) is its place in the set.
+class SampleView {
+ public:
+    SampleView(const SampleSet& all) : all_(&all), size_(all.size()), is_whole_(true) {}  // NOLINT: a set is a view
+    SampleView(const SampleSet& all, std::span<const std::int32_t> numbers)
+        : all_(&all), numbers_(numbers), size_(static_cast<std::int64_t>(numbers.size())) {}
+
+    std::int64_t size() const { return size_; }
+    std::size_t number(std::size_t i) const { return is_whole_ ? i : at(numbers_[i]); }
+    BodyId body(std::size_t i) const { return all_->body[number(i)]; }
+    const Vec3& anchor(std::size_t i) const { return all_->anchor[number(i)]; }
+    const Vec3& normal(std::size_t i) const { return all_->normal[number(i)]; }
+    double depth(std::size_t i) const { return all_->depth[number(i)]; }
+    double volume(std::size_t i) const { return all_->volume[number(i)]; }
+    std::uint8_t is_slippery(std::size_t i) const { return all_->is_slippery[number(i)]; }
+    /// The first entry whose body is `body` or a later one; samples are in the order of the bodies.
+    std::size_t begin_of(BodyId body) const;
+
+ private:
+    const SampleSet* all_;
+    std::span<const std::int32_t> numbers_;
+    std::int64_t size_;
+    bool is_whole_{false};
+};
+
+inline std::size_t SampleView::begin_of(BodyId body) const {
+    std::size_t begin = 0, count = at(size_);
+    while (count > 0) {
+        const std::size_t half = count / 2;
+        if (this->body(begin + half) < body) {
+            begin += half + 1;
+            count -= half + 1;
+        } else {
+            count = half;
+        }
+    }
+    return begin;
+}
 
 }  // namespace riprap::coupling

@@ -7,8 +7,14 @@
 
 namespace riprap::io {
 
-/// Particles of a fluid as points. Point arrays: id, velocity [m/s], speed [m/s], density [kg/m^3] (half a step behind
-/// the places), pressure [Pa] at that density. Field array: spacing [m] of the particles at the start.
-PolyData draw_fluid(const fluid::SphSettings& settings, const fluid::ParticleState& particles);
+/// The text of a frame, piece by piece: particles of a fluid as points. Point arrays: id, velocity [m/s], speed [m/s],
+/// density [kg/m^3] (half a step behind the places), pressure [Pa] at that density. Field array: spacing [m] of the
+/// particles at the start.
+void put_fluid(const TextSink& put, const fluid::SphSettings& settings, const fluid::ParticleState& particles,
+               double time);
+
+/// Writes that frame, whole or not at all; on the disk at the next flush_file_system. @throws FileError
+void write_fluid(const std::filesystem::path& path, const fluid::SphSettings& settings,
+                 const fluid::ParticleState& particles, double time);
 
 }  // namespace riprap::io

@@ -23,23 +23,75 @@ std::span<const unsigned char> as_bytes_of(std::span<const T> values) {
     return {reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes()};
 }
 
-std::string element(std::string_view name, std::string_view type, int components, std::span<const unsigned char> bytes,
-                    std::size_t tuples = 0) {
-    std::string text = "        <DataArray type=\"";
-    text += type;
-    text += "\" Name=\"";
-    text += name;
+void put_element(const TextSink& put, std::string_view name, std::string_view type, int components,
+                 std::span<const unsigned char> bytes, std::size_t tuples = 0) {
+    std::string head = "        <DataArray type=\"";
+    head += type;
+    head += "\" Name=\"";
+    head += name;
     if (components > 1) {
-        text += "\" NumberOfComponents=\"" + std::to_string(components);
+        head += "\" NumberOfComponents=\"" + std::to_string(components);
     }
     if (tuples > 0) {
-        text += "\" NumberOfTuples=\"" + std::to_string(tuples);
+        head += "\" NumberOfTuples=\"" + std::to_string(tuples);
     }
-    text += "\" format=\"binary\">";
-    text += encode_vtk_array(bytes);
-    text += "</DataArray>\n";
+    head += "\" format=\"binary\">";
+    put(head);
+    encode_vtk_array(bytes, put);
+    put("</DataArray>\n");
+}
+
+std::string element(std::string_view name, std::string_view type, int components, std::span<const unsigned char> bytes,
+                    std::size_t tuples = 0) {
+    std::string text;
+    put_element([&text](std::string_view piece) { text += piece; }, name, type, components, bytes, tuples);
     return text;
 }
+
+/// Compressed blocks, each as large as it is: one vector for all would grow to twice their size.
+std::vector<std::vector<unsigned char>> compress_blocks(std::span<const unsigned char> bytes) {
+    std::vector<std::vector<unsigned char>> blocks;
+    std::vector<unsigned char> packed(compressBound(static_cast<uLong>(block_bytes)));
+    for (std::size_t begin = 0; begin < bytes.size(); begin += block_bytes) {
+        const std::size_t size = std::min(block_bytes, bytes.size() - begin);
+        auto packed_size = static_cast<uLongf>(packed.size());
+        const int status =
+            compress2(packed.data(), &packed_size, bytes.data() + begin, static_cast<uLong>(size), compression_level);
+        if (status != Z_OK) {
+            throw InternalError("zlib could not compress a block: " + std::to_string(status));
+        }
+        blocks.emplace_back(packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(packed_size));
+    }
+    return blocks;
+}
+
+/// Base64 of bytes that come in pieces: threes are made across their ends.
+class Base64 {
+ public:
+    explicit Base64(const TextSink& put) : put_(put) {}
+    void add(std::span<const unsigned char> bytes) {
+        if (!left_.empty()) {
+            const std::size_t count = std::min(3 - left_.size(), bytes.size());
+            left_.insert(left_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
+            bytes = bytes.subspan(count);
+            if (left_.size() < 3) {
+                return;
+            }
+            finish();
+        }
+        const std::size_t whole = bytes.size() / 3 * 3;
+        put_(encode_base64(bytes.first(whole)));
+        left_.assign(bytes.begin() + static_cast<std::ptrdiff_t>(whole), bytes.end());
+    }
+    void finish() {
+        put_(encode_base64(left_));
+        left_.clear();
+    }
+
+ private:
+    const TextSink& put_;
+    std::vector<unsigned char> left_;
+};
 
 std::array<std::int8_t, 256> make_decoder() {
     std::array<std::int8_t, 256> decoder{};
@@ -98,24 +150,24 @@ std::string decode_base64(std::string_view text) {
     return bytes;
 }
 
-std::string encode_vtk_array(std::span<const unsigned char> bytes) {
-    const std::size_t block_count = (bytes.size() + block_bytes - 1) / block_bytes;
-    std::vector<std::uint64_t> head{block_count, block_bytes, bytes.size() % block_bytes};
-    std::vector<unsigned char> packed;
-    for (std::size_t begin = 0; begin < bytes.size(); begin += block_bytes) {
-        const std::size_t size = std::min(block_bytes, bytes.size() - begin);
-        uLongf packed_size = compressBound(static_cast<uLong>(size));
-        const std::size_t at = packed.size();
-        packed.resize(at + packed_size);
-        const int status = compress2(packed.data() + at, &packed_size, bytes.data() + begin, static_cast<uLong>(size),
-                                     compression_level);
-        if (status != Z_OK) {
-            throw InternalError("zlib could not compress a block: " + std::to_string(status));
-        }
-        packed.resize(at + packed_size);
-        head.push_back(packed_size);
+void encode_vtk_array(std::span<const unsigned char> bytes, const TextSink& put) {
+    const std::vector<std::vector<unsigned char>> blocks = compress_blocks(bytes);
+    std::vector<std::uint64_t> head{blocks.size(), block_bytes, bytes.size() % block_bytes};
+    for (const std::vector<unsigned char>& block : blocks) {
+        head.push_back(block.size());
     }
-    return encode_base64(as_bytes_of(std::span<const std::uint64_t>(head))) + encode_base64(packed);
+    put(encode_base64(as_bytes_of(std::span<const std::uint64_t>(head))));
+    Base64 text(put);
+    for (const std::vector<unsigned char>& block : blocks) {
+        text.add(block);
+    }
+    text.finish();
+}
+
+std::string encode_vtk_array(std::span<const unsigned char> bytes) {
+    std::string text;
+    encode_vtk_array(bytes, [&text](std::string_view piece) { text += piece; });
+    return text;
 }
 
 std::string decode_vtk_array(std::string_view text, std::size_t most_bytes) {
@@ -171,6 +223,17 @@ std::string decode_vtk_array(std::string_view text, std::size_t most_bytes) {
     return bytes;
 }
 
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const float> values, int components) {
+    put_element(put, name, "Float32", components, as_bytes_of(values));
+}
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const std::int32_t> values) {
+    put_element(put, name, "Int32", 1, as_bytes_of(values));
+}
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const Vec3> values) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    put_element(put, name, "Float64", 3, as_bytes_of(values));
+}
+
 std::string vtk_array(std::string_view name, std::span<const float> values, int components) {
     return element(name, "Float32", components, as_bytes_of(values));
 }
@@ -186,11 +249,6 @@ std::string vtk_array(std::string_view name, std::span<const std::int64_t> value
 std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components) {
     return element(name, "UInt8", components, as_bytes_of(values));
 }
-std::string vtk_array(std::string_view name, std::span<const Vec3> values) {
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    return vtk_array(name, std::span(reinterpret_cast<const double*>(values.data()), 3 * values.size()), 3);
-}
-
 std::string vtk_field_array(std::string_view name, std::span<const double> values, int components) {
     return element(name, "Float64", components, as_bytes_of(values),
                    values.size() / static_cast<std::size_t>(components));

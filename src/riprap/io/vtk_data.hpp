@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@
 #include "riprap/core/vec3.hpp"
 
 namespace riprap::io {
+
+/// Takes the next piece of a text.
+using TextSink = std::function<void(std::string_view)>;
 
 std::string encode_base64(std::span<const unsigned char> bytes);
 /// @throws FileError when the text is not base64
@@ -22,17 +26,23 @@ std::string decode_base64(std::string_view text);
 /// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the
 /// compressed blocks.
 std::string encode_vtk_array(std::span<const unsigned char> bytes);
+/// The same piece by piece: no more than the compressed bytes are in memory.
+void encode_vtk_array(std::span<const unsigned char> bytes, const TextSink& put);
 /// The bytes again; `most_bytes` bounds them, for a few bytes can promise a thousand times as many.
 /// @throws FileError when the text is not that, or holds more
 std::string decode_vtk_array(std::string_view text, std::size_t most_bytes = std::size_t{4} << 30U);
 
-/// One DataArray element, indented for readers. The entry type decides VTK's name for it.
+/// One DataArray element, indented for readers, piece by piece. The entry type decides VTK's name for it.
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const float> values, int components = 1);
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const std::int32_t> values);
+void put_vtk_array(const TextSink& put, std::string_view name, std::span<const Vec3> values);
+
+/// The same as one text.
 std::string vtk_array(std::string_view name, std::span<const float> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const double> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::int32_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::int64_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components = 1);
-std::string vtk_array(std::string_view name, std::span<const Vec3> values);
 
 /// The same for FieldData, where the number of tuples is said by the element itself.
 std::string vtk_field_array(std::string_view name, std::span<const double> values, int components = 1);

@@ -17,10 +17,62 @@ constexpr std::string_view file_head =
     "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\""
     " compressor=\"vtkZLibDataCompressor\">\n";
 
-std::string cells(std::string_view kind, std::span<const std::int32_t> connectivity,
-                  std::span<const std::int32_t> offsets) {
-    return fmt::format("      <{0}>\n{1}{2}      </{0}>\n", kind, vtk_array("connectivity", connectivity),
-                       vtk_array("offsets", offsets));
+void put_head(const TextSink& put, std::string_view field_arrays, double time, std::size_t points, std::size_t vertices,
+              std::size_t polygons) {
+    put(fmt::format(file_head, "PolyData"));
+    put("  <PolyData>\n    <FieldData>\n");
+    put(fmt::format(
+        "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+        time));
+    put(field_arrays);
+    put("    </FieldData>\n");
+    put(
+        fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
+                    " NumberOfPolys=\"{}\">\n",
+                    points, vertices, polygons));
+}
+
+void put_points(const TextSink& put, std::span<const Vec3> points) {
+    put("      <Points>\n");
+    put_vtk_array(put, "Points", points);
+    put("      </Points>\n");
+}
+
+void put_cells(const TextSink& put, std::string_view kind, std::span<const std::int32_t> connectivity,
+               std::span<const std::int32_t> offsets) {
+    put(fmt::format("      <{}>\n", kind));
+    put_vtk_array(put, "connectivity", connectivity);
+    put_vtk_array(put, "offsets", offsets);
+    put(fmt::format("      </{}>\n", kind));
+}
+
+/// A vertex cell per point.
+void put_vertices(const TextSink& put, std::size_t count) {
+    std::vector<std::int32_t> own(count), ends(count);
+    std::iota(own.begin(), own.end(), 0);
+    std::iota(ends.begin(), ends.end(), 1);
+    put_cells(put, "Verts", own, ends);
+}
+
+void put_tail(const TextSink& put, std::string_view cell_arrays) {
+    put("      </PointData>\n      <CellData>\n");
+    put(cell_arrays);
+    put("      </CellData>\n    </Piece>\n  </PolyData>\n</VTKFile>\n");
+}
+
+/// Puts the pieces of a frame in their order, so that the whole of it need not be in memory at once.
+void put_frame(const PolyData& data, double time, const TextSink& put) {
+    const std::size_t points = data.points.size();
+    put_head(put, data.field_arrays, time, points, data.is_point_cloud ? points : 0, data.offsets.size());
+    put_points(put, data.points);
+    if (data.is_point_cloud) {
+        put_vertices(put, points);
+    } else {
+        put_cells(put, "Polys", data.connectivity, data.offsets);
+    }
+    put("      <PointData>\n");
+    put(data.point_arrays);
+    put_tail(put, data.cell_arrays);
 }
 
 }  // namespace
@@ -42,52 +94,30 @@ void PolyData::add_field_array(std::string_view name, std::span<const double> va
     field_arrays += vtk_field_array(name, values, components);
 }
 
-namespace {
-
-/// Calls put(text) with the pieces of a frame in their order, so that the whole of it need not be in memory at once.
-template <class Put>
-void encode_pieces(const PolyData& data, double time, const Put& put) {
-    const std::size_t point_count = data.points.size();
-    put(fmt::format(file_head, "PolyData"));
-    put("  <PolyData>\n    <FieldData>\n");
-    put(fmt::format(
-        "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
-        time));
-    put(data.field_arrays);
-    put("    </FieldData>\n");
-    put(
-        fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\""
-                    " NumberOfPolys=\"{}\">\n",
-                    point_count, data.is_point_cloud ? point_count : 0, data.offsets.size()));
-    put("      <Points>\n");
-    put(vtk_array("Points", data.points));
-    put("      </Points>\n");
-    if (data.is_point_cloud) {
-        std::vector<std::int32_t> own(point_count), ends(point_count);
-        std::iota(own.begin(), own.end(), 0);
-        std::iota(ends.begin(), ends.end(), 1);
-        put(cells("Verts", own, ends));
-    } else {
-        put(cells("Polys", data.connectivity, data.offsets));
-    }
-    put("      <PointData>\n");
-    put(data.point_arrays);
-    put("      </PointData>\n      <CellData>\n");
-    put(data.cell_arrays);
-    put("      </CellData>\n    </Piece>\n  </PolyData>\n</VTKFile>\n");
+PointCloudText::PointCloudText(TextSink put, std::span<const Vec3> points, std::string_view field_arrays, double time)
+    : put_(std::move(put)) {
+    put_head(put_, field_arrays, time, points.size(), points.size(), 0);
+    put_points(put_, points);
+    put_vertices(put_, points.size());
+    put_("      <PointData>\n");
 }
-
-}  // namespace
+void PointCloudText::add_array(std::string_view name, std::span<const float> values, int components) {
+    put_vtk_array(put_, name, values, components);
+}
+void PointCloudText::add_array(std::string_view name, std::span<const std::int32_t> values) {
+    put_vtk_array(put_, name, values);
+}
+void PointCloudText::finish() { put_tail(put_, ""); }
 
 std::string encode_vtp(const PolyData& data, double time) {
     std::string text;
-    encode_pieces(data, time, [&text](std::string_view piece) { text += piece; });
+    put_frame(data, time, [&text](std::string_view piece) { text += piece; });
     return text;
 }
 
 void write_vtp(const std::filesystem::path& path, const PolyData& data, double time) {
     AtomicFile file(path);
-    encode_pieces(data, time, [&file](std::string_view piece) { file.write(piece); });
+    put_frame(data, time, [&file](std::string_view piece) { file.write(piece); });
     file.commit(Durability::later);
 }
 

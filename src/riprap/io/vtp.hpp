@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "riprap/core/vec3.hpp"
+#include "riprap/io/vtk_data.hpp"
 
 namespace riprap::io {
 
@@ -29,6 +30,21 @@ struct PolyData {
     void add_field_array(std::string_view name, std::span<const double> values, int components = 1);
 
     std::string cell_arrays, point_arrays, field_arrays;  ///< DataArray elements, encoded
+};
+
+/// A frame of a cloud of points, each a vertex cell of its own, written as it is made: of millions of particles no copy
+/// is needed but of the array at hand.
+class PointCloudText {
+ public:
+    /// Puts all that comes before the arrays. @param field_arrays  of vtk_field_array
+    PointCloudText(TextSink put, std::span<const Vec3> points, std::string_view field_arrays, double time);
+    void add_array(std::string_view name, std::span<const float> values, int components = 1);
+    void add_array(std::string_view name, std::span<const std::int32_t> values);
+    /// Puts what comes after them. To be called once, at the end.
+    void finish();
+
+ private:
+    TextSink put_;
 };
 
 /// The text of one frame. `time` is stored as TimeValue [s].

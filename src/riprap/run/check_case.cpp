@@ -50,8 +50,8 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
     const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
     double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
     if (model.fluid) {
-        bytes += static_cast<double>(
-            io::encode_vtp(io::draw_fluid(model.fluid->sph, stirred(model.fluid->sph, state.fluid)), 0).size());
+        io::put_fluid([&bytes](std::string_view piece) { bytes += static_cast<double>(piece.size()); },
+                      model.fluid->sph, stirred(model.fluid->sph, state.fluid), 0);
     }
     if (model.output.contacts) {
         bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());

@@ -114,8 +114,8 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
                               has_contacts ? moment.scratch->contact_force() : no_force),
               moment.state.time);
     if (model_.fluid) {
-        write_vtp(folder_.frames() / ("water_" + tag + ".vtp"), io::draw_fluid(model_.fluid->sph, moment.state.fluid),
-                  moment.state.time);
+        io::write_fluid(folder_.frames() / ("water_" + tag + ".vtp"), model_.fluid->sph, moment.state.fluid,
+                        moment.state.time);
     }
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),

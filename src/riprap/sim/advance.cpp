@@ -302,9 +302,7 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
              bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time) +
              bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
     if (model.fluid) {
-        const coupling::SampleSet& samples = model.fluid->samples;
-        bytes += bytes_of(samples.body, samples.anchor, samples.normal, samples.depth, samples.volume) +
-                 bytes_of(samples.is_slippery) + data.water.bytes();
+        bytes += model.fluid->samples.bytes() + data.water.bytes();
     }
     return bytes + bytes_of(data.loads.force, data.loads.torque, data.kinematics.angular_velocity) +
            bytes_of(data.kinematics.inverse_inertia, data.kinematics.inverse_mass);

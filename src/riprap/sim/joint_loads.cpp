@@ -19,28 +19,20 @@ bool is_face_of_loose(const Model& model, std::span<const std::uint8_t> is_loose
     return is_loose[at(samples.body[sample].value)] != 0 && samples.depth[sample] < model.fluid->sph.spacing;
 }
 
-/// Slopes of the samples that are near now.
-void find_near_slopes(const Model& model, WaterScratch& scratch) {
+/// Slopes of all samples, once.
+void find_slopes(const Model& model, WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
-    JointScratch& joints = scratch.joints;
-    if (joints.slopes.size() != at(water.samples.size())) {
+    if (scratch.joints.slopes.size() != at(water.samples.size())) {
         const fluid::WendlandC2 kernel(water.sph.smoothing_length(), water.sph.domain.dimension);
-        joints.slopes = coupling::solid_slopes(water.samples, scratch.motion, scratch.is_still, kernel,
-                                               water.sph.support_radius(), water.sph.domain);
-    }
-    if (joints.near_slopes.size() != scratch.near_numbers.size()) {
-        joints.near_slopes.clear();
-        joints.near_slopes.reserve(scratch.near_numbers.size());
-        for (const std::int32_t number : scratch.near_numbers) {
-            joints.near_slopes.push_back(joints.slopes[at(number)]);
-        }
+        scratch.joints.slopes = coupling::solid_slopes(water.samples, scratch.motion, scratch.is_still, kernel,
+                                                       water.sph.support_radius(), water.sph.domain);
     }
 }
 
 }  // namespace
 
 std::size_t JointScratch::bytes() const {
-    return pressure.bytes() + water.bytes() + bytes_of(slopes, near_slopes, sample_force, force, torque, radius);
+    return pressure.bytes() + water.bytes() + bytes_of(slopes, sample_force, force, torque, radius);
 }
 
 bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose) {
@@ -55,14 +47,15 @@ void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& grav
     if (!has_joints(model, scratch.is_loose)) {
         return;
     }
-    find_near_slopes(model, scratch);
+    find_slopes(model, scratch);
     describe_water_at_walls(gravity, scratch.sph, joints.water);
-    joints.pressure.find(scratch.near, joints.near_slopes, {scratch.is_still, scratch.is_loose}, scratch.motion,
-                         scratch.walls, joints.water, water.sph, gravity, joints.sample_force);
+    const coupling::SampleView near = samples_near_water(model, scratch);
+    joints.pressure.find(near, joints.slopes, {scratch.is_still, scratch.is_loose}, scratch.motion, scratch.walls,
+                         joints.water, water.sph, gravity, joints.sample_force);
     if (joints.sample_force.empty()) {
         return;
     }
-    gather(scratch.near, scratch.motion, scratch.walls.position, joints.sample_force, joints.force, joints.torque);
+    gather(near, scratch.motion, scratch.walls.position, joints.sample_force, joints.force, joints.torque);
     for (std::size_t b = 0; b < joints.force.size(); ++b) {
         scratch.held_loads.pressure_force[b] += joints.force[b];
         scratch.held_loads.pressure_torque[b] += joints.torque[b];

@@ -18,10 +18,10 @@ struct WaterScratch;
 struct JointScratch {
     coupling::JointPressure pressure;
     fluid::WaterAtWalls water;
-    std::vector<Vec3> slopes, near_slopes;  ///< of solid_slopes, of all samples and of those near [1/m]
-    std::vector<Vec3> sample_force;         ///< on each sample near; empty where no joint is wet [N]
-    std::vector<Vec3> force, torque;        ///< on each body; about its centre of mass [N], [N m]
-    std::vector<double> radius;             ///< of the samples of each body about its centre of mass [m]
+    std::vector<Vec3> slopes;         ///< of solid_slopes, of all samples [1/m]
+    std::vector<Vec3> sample_force;   ///< on each sample near; empty where no joint is wet [N]
+    std::vector<Vec3> force, torque;  ///< on each body; about its centre of mass [N], [N m]
+    std::vector<double> radius;       ///< of the samples of each body about its centre of mass [m]
     std::size_t bytes() const;
 };
 

@@ -56,9 +56,9 @@ double read_face_gauge(const Moment& moment, const coupling::FaceGauge& gauge) {
     }
     const WaterScratch& water = moment.scratch->data().water;
     const fluid::SphSettings& sph = moment.model.fluid->sph;
-    return coupling::read_face(
-        gauge, {moment.model.shapes, moment.model.bodies, moment.model.fluid->is_dry, water.motion, water.near,
-                water.walls, sph.domain, sph.spacing, sph.support_radius(), water.penalty.pushes()});
+    return coupling::read_face(gauge, {moment.model.shapes, moment.model.bodies, moment.model.fluid->is_dry,
+                                       water.motion, samples_near_water(moment.model, water), water.walls, sph.domain,
+                                       sph.spacing, sph.support_radius(), water.penalty.pushes()});
 }
 
 /// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.

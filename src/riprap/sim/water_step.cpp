@@ -60,7 +60,7 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
 /// Boundary particles of bodies that move as scratch.motion says, `ahead` seconds after the State, and behind openings.
 void place_walls(const Model& model, const State& state, double ahead, WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
-    place_samples(scratch.near, scratch.motion, scratch.walls, scratch.is_still);
+    place_samples(samples_near_water(model, scratch), scratch.motion, scratch.walls, scratch.is_still);
     if (!water.open.empty()) {
         place_openings(water.open, state.open, water.sph, state.time + ahead, ahead, scratch.walls);
     }
@@ -108,8 +108,8 @@ coupling::Acceleration response(const State& state, const WaterScratch& scratch,
 /// Bodies that stay are looked at when the case is read.
 std::string find_intruder(const Model& model, const WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
-    for (std::size_t i = 0; !water.open.empty() && i < at(scratch.near.size()); ++i) {
-        const BodyId body = scratch.near.body[i];  // all those of bodies that move are near
+    for (std::size_t i = 0; !water.open.empty() && i < scratch.near_numbers.size(); ++i) {
+        const BodyId body = water.samples.body[at(scratch.near_numbers[i])];  // all those of bodies that move are near
         if (scratch.is_still[at(body.value)] != 0) {
             continue;
         }
@@ -140,7 +140,7 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     }
     load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(middle), scratch.sph);
     if (!is_penalty) {
-        gather_loads(scratch.near, scratch.motion, scratch.walls, scratch.loads);
+        gather_loads(samples_near_water(model, scratch), scratch.motion, scratch.walls, scratch.loads);
         for (std::size_t b = 0; b < scratch.held_loads.pressure_force.size(); ++b) {
             scratch.loads.pressure_force[b] += scratch.held_loads.pressure_force[b];
             scratch.loads.pressure_torque[b] += scratch.held_loads.pressure_torque[b];
@@ -155,10 +155,10 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     }
 }
 
-/// Everywhere that water is, or may enter less than a spacing past, and faces that may make joints.
-std::vector<Vec3> places_of_water_and_joints(const Model& model, const State& state, const WaterScratch& scratch) {
+/// Everywhere that water may enter less than a spacing past, and faces that may make joints.
+std::vector<Vec3> places_of_openings_and_joints(const Model& model, const WaterScratch& scratch) {
     const FluidModel& water = *model.fluid;
-    std::vector<Vec3> places = state.fluid.position;
+    std::vector<Vec3> places;
     for (const fluid::Inflow& inflow : water.open.inflows) {
         for (const Vec3& row : inflow.rows) {
             places.push_back(row);
@@ -169,8 +169,8 @@ std::vector<Vec3> places_of_water_and_joints(const Model& model, const State& st
     return places;
 }
 
-/// Keeps scratch.near those samples that the water may feel in this step. They are found anew when it may have come
-/// farther than the margin that was left the last time, which follows from the State alone.
+/// Keeps scratch.near_numbers those of the samples that the water may feel in this step. They are found anew when it
+/// may have come farther than the margin that was left the last time, which follows from the State alone.
 void find_near_samples(const Model& model, State& state, WaterScratch& scratch, double dt) {
     const FluidModel& water = *model.fluid;
     if (water.samples.size() == 0) {
@@ -185,17 +185,15 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
         0.5 * dt * std::max(std::sqrt(fastest), speed_of_joints(model, scratch.is_loose, state.bodies, scratch.joints));
     if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
         const double closing = has_joints(model, scratch.is_loose) ? water.sph.spacing : 0;  // of faces, see JointPairs
-        coupling.near_samples = near_samples(water.samples, scratch.motion, scratch.is_still,
-                                             places_of_water_and_joints(model, state, scratch), water.sph.domain,
+        coupling.near_samples = near_samples(water.samples, scratch.motion, scratch.is_still, state.fluid.position,
+                                             places_of_openings_and_joints(model, scratch), water.sph.domain,
                                              water.sph.support_radius() + closing + margin + ahead);
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
     if (scratch.near_numbers != coupling.near_samples) {
         scratch.near_numbers = coupling.near_samples;
-        scratch.near = subset(water.samples, scratch.near_numbers);
         scratch.walls = {};
-        scratch.joints.near_slopes.clear();
         scratch.joints.pressure.forget();
     }
 }
@@ -204,8 +202,7 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
 
 std::size_t WaterScratch::bytes() const {
     std::size_t bytes = sph.bytes() + walls.bytes() + penalty.bytes() + motion.bytes() + loads.bytes() +
-                        held_loads.bytes() + bytes_of(near.body, near.anchor, near.normal, near.depth, near.volume) +
-                        bytes_of(near.is_slippery, near_numbers) +
+                        held_loads.bytes() + bytes_of(near_numbers) +
                         bytes_of(force, torque, extra_force, sponge.force, sponge.before, correction) + joints.bytes() +
                         bytes_of(kappa, inertia, is_still, is_loose, guard_share, kinematics.angular_velocity) +
                         bytes_of(kinematics.inverse_inertia, kinematics.inverse_mass);
@@ -278,7 +275,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
     report.fluid.work_external += joint_work;
     report.absorbed = water.sponges.empty() ? 0 : absorbed_energy(state.fluid, dt, scratch.sponge);
-    report.flow_work = dt * power_on_openings(scratch.walls, at(scratch.near.size()));
+    report.flow_work = dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
     report.passes = iteration.passes();
     report.residual = iteration.residual();
     report.is_settled = iteration.is_settled();
@@ -303,7 +300,7 @@ fluid::Passage end_water_step(const Model& model, State& state, const fluid::Flu
         return {};
     }
     const double time = state.time + dt;
-    return pass_openings(water.open, water.sph, scratch.walls, at(scratch.near.size()),
+    return pass_openings(water.open, water.sph, scratch.walls, scratch.near_numbers.size(),
                          without_periodic(model.gravity.at(time), water.sph.domain), time, dt, state.open, state.fluid);
 }
 

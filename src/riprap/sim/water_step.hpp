@@ -20,8 +20,7 @@ namespace riprap::sim {
 struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
-    coupling::SampleSet near;                ///< the samples that the water may feel ...
-    std::vector<std::int32_t> near_numbers;  ///< ... and their numbers, as in the State
+    std::vector<std::int32_t> near_numbers;  ///< of the samples that the water may feel, as in the State
     coupling::PenaltyWalls penalty;
     coupling::BodyMotion motion;      ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;       ///< at the last kick
@@ -53,6 +52,11 @@ struct WaterReport {
     std::string intruder;    ///< a moving body among the layers of an opening, and which; empty = none
     bool ok() const { return fluid.problem.empty(); }
 };
+
+/// The samples that the water may feel in this step.
+inline coupling::SampleView samples_near_water(const Model& model, const WaterScratch& scratch) {
+    return {model.fluid->samples, scratch.near_numbers};
+}
 
 /// Water from t_n to the kick and over it: density, half a drift, forces with bodies where they will be at mid-step.
 /// Bodies are not moved. `scratch.loads`, `force` and `torque` are then what the solids feel over the step. After it,

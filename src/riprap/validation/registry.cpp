@@ -66,6 +66,7 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "submerged_square", "Buoyancy of a square held under water", false,
                        water::submerged_square},
         ValidationCase{"water", "floating_box", "A box finds its draft", false, water::floating_box},
+        ValidationCase{"water", "heave_decay", "A floating cylinder comes to rest (Ursell)", false, water::heave_decay},
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
         ValidationCase{"water", "dam_break_front", "Front of a dam break on a dry floor", false,
                        water::dam_break_front},

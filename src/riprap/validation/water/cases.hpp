@@ -11,6 +11,7 @@ namespace riprap::validation::water {
 void still_tank(const CaseSetting& setting, CaseReport& report);
 void submerged_square(const CaseSetting& setting, CaseReport& report);
 void floating_box(const CaseSetting& setting, CaseReport& report);
+void heave_decay(const CaseSetting& setting, CaseReport& report);
 void floating_stability(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);
 void dam_break_front(const CaseSetting& setting, CaseReport& report);
