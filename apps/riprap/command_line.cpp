@@ -10,6 +10,8 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "commands.hpp"
 #include "riprap/bench/bench.hpp"
@@ -56,10 +58,22 @@ void add_run(CLI::App& app, Action& action) {
     command->add_option("--set", options->overrides, "Replace a key of the case: --set end=2 --set solid.skin=0.2")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    struct Limits {
+        std::optional<std::string> end, max_steps;
+    };
+    auto limits = std::make_shared<Limits>();
+    command->add_option("--end", limits->end, "Run to this time instead, as --set end=T does [s]")->type_name("T");
+    command->add_option("--max-steps", limits->max_steps, "Stop after this many steps, as --set max_steps=N does")
+        ->type_name("N");
     CLI::Option* resume = command->add_flag("--resume", options->resume, "Continue the run in the folder, if any");
     command->add_flag("--force", options->force, "Replace the run in the folder, if any")->excludes(resume);
     command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
-    command->callback([&action, options, out] {
+    command->callback([&action, options, limits, out] {
+        for (const auto& [key, value] : {std::pair("end=", limits->end), std::pair("max_steps=", limits->max_steps)}) {
+            if (value) {
+                options->overrides.push_back(key + *value);
+            }
+        }
         action = [options, out] {
             const std::filesystem::path file = run::find_case(options->case_path);
             options->case_path = file.string();

@@ -211,7 +211,7 @@ py::object summary(const Simulation& self) {
     const run::Simulation& simulation = self.read();
     run::Summary summary = simulation.summary();
     const std::int64_t bodies = summary.body_count * summary.steps;
-    summary.status = simulation.steps_left() == 0 ? "finished" : "interrupted";
+    summary.status = simulation.is_at_end() ? "finished" : "interrupted";
     summary.wall_seconds = self.seconds();
     summary.cost = bodies > 0 ? 1e9 * self.seconds() / static_cast<double>(bodies) : 0;
     return from_json(run::summary_json(summary));

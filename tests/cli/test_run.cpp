@@ -54,7 +54,7 @@ TEST_F(Runs, EveryExampleGetsThroughItsFirstStepsWithItsLedgerLookedAt) {
 
 TEST_F(Runs, ARunStoppedByMaxStepsPredictsWhatTheWholeTakes) {
     const Ending ending =
-        run({"run", "cases/floating_box", "--out", out("a"), "--threads", "1", "--set", "max_steps=5"});
+        run({"run", "cases/floating_box", "--out", out("a"), "--threads", "1", "--end", "3.5", "--max-steps", "5"});
     EXPECT_THAT(ending.out, HasSubstr("of at most"));
     EXPECT_THAT(ending.out, HasSubstr("(sound in water)"));
     EXPECT_THAT(ending.out, HasSubstr("  5 steps to t = "));
@@ -71,6 +71,9 @@ TEST_F(Runs, ARunStoppedByMaxStepsPredictsWhatTheWholeTakes) {
     EXPECT_LE(summary.at("time_step_min").get<double>(), summary.at("time_step_mean").get<double>());
     EXPECT_LE(summary.at("time_step_mean").get<double>(), summary.at("time_step_max").get<double>());
     EXPECT_THAT(text_of(in("a", "run.log")), HasSubstr("predicted total "));
+    EXPECT_THAT(ending.out, HasSubstr("t = 3.5 s"));
+    EXPECT_EQ(summary.at("status"), "interrupted");
+    EXPECT_EQ(summary.at("reason"), "stopped by max_steps");
 }
 
 TEST_F(Runs, TheStepThatMeetsTheEndDoesNotCountAmongTheShortest) {

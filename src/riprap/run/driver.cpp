@@ -242,13 +242,16 @@ int Driver::finish(const Progress& progress) {
     for (const std::string& line : StepWatch::totals(simulation_.counts(), state().step)) {
         warn(line);
     }
-    summarise(progress, "finished", simulation_.is_at_end() ? "" : "max_steps reached", results);
+    const bool is_whole = simulation_.is_at_end();
+    summarise(progress, is_whole ? "finished" : "interrupted", is_whole ? "" : "stopped by max_steps", results);
     note(progress);
     save_checkpoint(folder_, model(), state(), record_);
-    if (!simulation_.is_at_end() && simulation_.has_stepped()) {
+    if (!is_whole && simulation_.has_stepped()) {
         tell_prediction(progress);
     }
-    log_->add("end", fmt::format("finished at step {}, t = {:.6g} s", state().step, state().time),
+    log_->add("end",
+              fmt::format("{} at step {}, t = {:.6g} s", is_whole ? "finished" : "stopped by max_steps", state().step,
+                          state().time),
               {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     const sim::Ledger& ledger = simulation_.report().ledger;
     say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} J of {:.2g} J turned over",
