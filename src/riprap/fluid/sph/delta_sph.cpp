@@ -149,7 +149,8 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         s.correction[i] = correction.tensor;
         s.correction_share[i] = correction.share;
         s.damped_share[i] *= correction.share;
-        const double before = state.density[i], diluted = before * (1 - state.dilution[i]);
+        const double before = state.density[i];
+        const double diluted = density_after_shift(before, state.dilution[i], settings.rest_density);
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
         s.squeeze[i] = contract(dimension, s.correction[i], s.pressure_tensor[i]);
         const double flown = diluted + dt * diluted * s.squeeze[i] + spread;

@@ -29,6 +29,10 @@ Vec3 shift_of_particle(const SphSettings& s, const Vec3& gradient, const Vec3& t
     return std::min({1.0, length > longest ? longest / length : 1.0, loss > most ? most / loss : 1.0}) * shift;
 }
 
+double density_after_shift(double density, double dilution, double rest_density) {
+    return std::max(std::min(density, rest_density), density * (1 - dilution));
+}
+
 double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected) {
     return -2 * (1 - corrected) * dot(shift, gradient);
 }

@@ -37,4 +37,8 @@ Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const 
 /// exact, flow crowds particles without raising density, and shifting has nothing to take.
 double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected);
 
+/// What is left of a density when that share is taken: what lies above the density at rest and no more. Water in
+/// tension would be stretched further, and shifting would do work on it (docs/theory/sph.md, 7).
+double density_after_shift(double density, double dilution, double rest_density);
+
 }  // namespace riprap::fluid
