@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace riprap::coupling::testing {
 namespace {
@@ -119,15 +121,27 @@ TEST(NearSamples, faces_of_joints_call_for_samples_as_water_does) {
 }
 
 TEST(NearSamples, a_view_shows_what_each_sample_is) {
-    const Wall wall(3, false);
+    Wall wall(3, false);
+    SampleSet& set = wall.samples;
+    set.normal[17] = {0, 0, 1};
+    set.depth[17] = 0.25;
+    set.volume[17] = 0.5;
+    set.is_slippery[17] = 1;
     const std::vector<std::int32_t> numbers{3, 17, 2500};
-    const SampleView some(wall.samples, numbers);
+    const SampleView some(set, numbers), all = set;
     ASSERT_EQ(some.size(), 3);
-    EXPECT_EQ(some.anchor(1), wall.samples.anchor[17]);
+    ASSERT_EQ(all.size(), set.size());
+    for (const auto& [view, entry] : {std::pair(&some, std::size_t{1}), std::pair(&all, std::size_t{17})}) {
+        EXPECT_EQ(view->number(entry), 17U);
+        EXPECT_EQ(view->body(entry), set.body[17]);
+        EXPECT_EQ(view->anchor(entry), set.anchor[17]);
+        EXPECT_EQ(view->normal(entry), set.normal[17]);
+        EXPECT_EQ(view->depth(entry), 0.25);
+        EXPECT_EQ(view->volume(entry), 0.5);
+        EXPECT_EQ(view->is_slippery(entry), 1);
+    }
     EXPECT_EQ(some.body(2), BodyId{1});
-    const SampleView all = wall.samples;
-    ASSERT_EQ(all.size(), wall.samples.size());
-    EXPECT_EQ(all.anchor(17), wall.samples.anchor[17]);
+    EXPECT_EQ(SampleView().size(), 0);
 }
 
 TEST(NearSamples, a_view_finds_where_each_body_begins) {

@@ -83,5 +83,45 @@ TEST(RigidMap, velocity_and_acceleration_are_the_time_derivatives_of_the_place) 
     }
 }
 
+/// Every third sample as a set of its own.
+SampleSet every_third(const SampleSet& from, std::vector<std::int32_t>& numbers) {
+    SampleSet some;
+    for (std::size_t i = 1; i < from.body.size(); i += 3) {
+        numbers.push_back(static_cast<std::int32_t>(i));
+        some.body.push_back(from.body[i]);
+        some.anchor.push_back(from.anchor[i]);
+        some.normal.push_back(from.normal[i]);
+        some.depth.push_back(from.depth[i]);
+        some.volume.push_back(from.volume[i]);
+        some.is_slippery.push_back(from.is_slippery[i]);
+    }
+    return some;
+}
+
+TEST(RigidMap, a_view_of_some_samples_is_placed_and_gathered_as_a_set_of_them_is) {
+    Flying f;
+    f.samples.is_slippery[4] = 1;
+    std::vector<std::int32_t> numbers;
+    const SampleSet copied = every_third(f.samples, numbers);
+    const SampleView view(f.samples, numbers);
+    fluid::BoundaryParticles of_copy, of_view;
+    place_samples(copied, f.motion, of_copy);
+    place_samples(view, f.motion, of_view);
+    EXPECT_EQ(of_view.position, of_copy.position);
+    EXPECT_EQ(of_view.velocity, of_copy.velocity);
+    EXPECT_EQ(of_view.acceleration, of_copy.acceleration);
+    EXPECT_EQ(of_view.volume, of_copy.volume);
+    EXPECT_EQ(of_view.is_slippery, of_copy.is_slippery);
+    EXPECT_EQ(of_view.is_slippery[1], 1);
+    std::vector<Vec3> push, force, torque, force_of_copy, torque_of_copy;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        push.push_back({std::sin(static_cast<double>(i)), 1, std::cos(static_cast<double>(i))});
+    }
+    gather(view, f.motion, of_view.position, push, force, torque);
+    gather(copied, f.motion, of_copy.position, push, force_of_copy, torque_of_copy);
+    EXPECT_EQ(force, force_of_copy);
+    EXPECT_EQ(torque, torque_of_copy);
+}
+
 }  // namespace
 }  // namespace riprap::coupling

@@ -8,6 +8,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "io/vtk_reader.hpp"
+#include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/vtk_data.hpp"
@@ -42,6 +43,26 @@ TEST(VtkData, Base64ComesBackForEveryLengthAndRefusesOtherText) {
     EXPECT_THROW(decode_base64("Zg="), FileError);
     EXPECT_THROW(decode_base64("Z!=="), FileError);
     EXPECT_THROW(decode_base64("Zg==Zg=="), FileError);
+}
+
+TEST(VtkData, Base64OfPiecesIsThatOfTheWhole) {
+    std::mt19937 random(2);
+    std::string bytes(50, '\0');
+    for (char& c : bytes) {
+        c = static_cast<char>(random());
+    }
+    for (std::size_t first = 0; first <= 7; ++first) {
+        for (std::size_t second = 0; second <= 7; ++second) {
+            std::string text;
+            const TextSink put = [&text](std::string_view piece) { text += piece; };
+            Base64Text pieces(put);
+            pieces.add(as_bytes(bytes).first(first));
+            pieces.add(as_bytes(bytes).subspan(first, second));
+            pieces.add(as_bytes(bytes).subspan(first + second));
+            pieces.finish();
+            EXPECT_EQ(text, encode_base64(as_bytes(bytes))) << first << ' ' << second;
+        }
+    }
 }
 
 TEST(VtkData, AnArrayOfSeveralBlocksComesBack) {
@@ -114,6 +135,42 @@ TEST(Vtp, WaterIsACloudOfItsParticlesWithTheirPressure) {
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "id"), ElementsAre(7, 3));
     EXPECT_THAT(vtk_reader::array<float>(xml, "speed"), ElementsAre(5, 0));
     EXPECT_THAT(vtk_reader::array<float>(xml, "pressure"), ElementsAre(4000, 0));  // c^2 (rho - rho_0)
+}
+
+// More particles than fill a block of any array, so that pieces meet within threes of base64.
+TEST(Vtp, WaterPutPieceByPieceIsTheSameTextAsOfAFrameBuiltFirst) {
+    fluid::SphSettings settings;
+    settings.spacing = 0.25;
+    settings.sound_speed = 20;
+    settings.state_equation = fluid::StateEquation::linear;
+    fluid::ParticleState particles;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(-1, 1);
+    for (int i = 0; i < 70'001; ++i) {
+        particles.add({share(random), share(random), share(random)}, {share(random), share(random), share(random)},
+                      1000 + share(random), i);
+    }
+    PolyData data;
+    data.is_point_cloud = true;
+    data.points = particles.position;
+    data.add_field_array("spacing", std::array{settings.spacing});
+    std::vector<float> velocity, speed, density, pressure;
+    for (std::size_t i = 0; i < particles.position.size(); ++i) {
+        const Vec3& v = particles.velocity[i];
+        velocity.insert(velocity.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+        speed.push_back(static_cast<float>(norm(v)));
+        density.push_back(static_cast<float>(particles.density[i]));
+        pressure.push_back(static_cast<float>(pressure_of(settings, particles.density[i])));
+    }
+    data.add_point_array("id", particles.id);
+    data.add_point_array("velocity", velocity, 3);
+    data.add_point_array("speed", speed);
+    data.add_point_array("density", density);
+    data.add_point_array("pressure", pressure);
+    std::string text;
+    put_fluid([&text](std::string_view piece) { text += piece; }, settings, particles, 0.125);
+    EXPECT_TRUE(text == encode_vtp(data, 0.125));
+    EXPECT_EQ(vtk_reader::array<float>(text, "velocity"), velocity);
 }
 
 TEST(Pvd, EveryFrameIsListedWithItsTime) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "riprap/core/index.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -20,8 +21,6 @@ constexpr double slack = 1e-6;       ///< of a spacing, for what lies on an edge
 constexpr double same_side = -0.5;   ///< cosine: faces that look away from each other more than that are opposite
 constexpr double least_slope = 0.3;  ///< sine: a cover flatter than this has no front along the face
 constexpr double least_area = 0.1;   ///< of the open face, over that of a plane: less is taken for so much
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 Pose pose_of(const body::Part& part, const Pose& body) {
     return {to_world(body, part.local.position), body.orientation * part.local.orientation};

@@ -135,6 +135,7 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
                          const BodyMotion& motion, const fluid::BoundaryParticles& walls,
                          const fluid::WaterAtWalls& water, const fluid::SphSettings& settings, const Vec3& gravity,
                          std::vector<Vec3>& force) {
+    RIPRAP_ASSERT(near.size() == 0 || near.number(at(near.size()) - 1) < slopes.size(), "slopes are of the whole set");
     force.clear();
     if (!is_any_wet(near, solids, water)) {
         return;

@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::coupling {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 using Cell = std::array<std::int64_t, 3>;
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/ids.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/vec3.hpp"
@@ -27,13 +30,19 @@ struct SampleSet {
     std::size_t bytes() const { return bytes_of(body, anchor, normal, depth, volume, is_slippery); }
 };
 
-/// All samples of a set or those of some numbers, in rising order: a look at them, as a copy would weigh as much as a
-/// particle's forces. Entry i is what callers count by; number(i) is its place in the set.
+/// All samples of a set or those of some numbers, in rising order: a look at them, where a copy would take 69 bytes
+/// each. Entry i is what callers count by; number(i) is its place in the set. The set and the numbers have to outlive
+/// it.
 class SampleView {
  public:
+    SampleView() = default;                                                               ///< of none
     SampleView(const SampleSet& all) : all_(&all), size_(all.size()), is_whole_(true) {}  // NOLINT: a set is a view
+    SampleView(SampleSet&&) = delete;
     SampleView(const SampleSet& all, std::span<const std::int32_t> numbers)
-        : all_(&all), numbers_(numbers), size_(static_cast<std::int64_t>(numbers.size())) {}
+        : all_(&all), numbers_(numbers), size_(static_cast<std::int64_t>(numbers.size())) {
+        RIPRAP_ASSERT(std::is_sorted(numbers.begin(), numbers.end()), "numbers of samples");
+    }
+    SampleView(SampleSet&&, std::span<const std::int32_t>) = delete;
 
     std::int64_t size() const { return size_; }
     std::size_t number(std::size_t i) const { return is_whole_ ? i : at(numbers_[i]); }
@@ -43,28 +52,18 @@ class SampleView {
     double depth(std::size_t i) const { return all_->depth[number(i)]; }
     double volume(std::size_t i) const { return all_->volume[number(i)]; }
     std::uint8_t is_slippery(std::size_t i) const { return all_->is_slippery[number(i)]; }
-    /// The first entry whose body is `body` or a later one; samples are in the order of the bodies.
-    std::size_t begin_of(BodyId body) const;
+    /// The first entry whose body is `wanted` or a later one; samples are in the order of the bodies.
+    std::size_t begin_of(BodyId wanted) const {
+        const auto entries = std::views::iota(std::size_t{0}, at(size_));
+        return static_cast<std::size_t>(
+            std::ranges::lower_bound(entries, wanted, {}, [this](std::size_t i) { return body(i); }) - entries.begin());
+    }
 
  private:
-    const SampleSet* all_;
+    const SampleSet* all_{nullptr};
     std::span<const std::int32_t> numbers_;
-    std::int64_t size_;
+    std::int64_t size_{0};
     bool is_whole_{false};
 };
-
-inline std::size_t SampleView::begin_of(BodyId body) const {
-    std::size_t begin = 0, count = at(size_);
-    while (count > 0) {
-        const std::size_t half = count / 2;
-        if (this->body(begin + half) < body) {
-            begin += half + 1;
-            count -= half + 1;
-        } else {
-            count = half;
-        }
-    }
-    return begin;
-}
 
 }  // namespace riprap::coupling

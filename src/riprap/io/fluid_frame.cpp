@@ -4,33 +4,43 @@
 #include <array>
 #include <vector>
 
+#include "riprap/core/index.hpp"
 #include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/io/vtk_data.hpp"
+#include "riprap/io/vtp.hpp"
 
 namespace riprap::io {
 
 void put_fluid(const TextSink& put, const fluid::SphSettings& settings, const fluid::ParticleState& particles,
                double time) {
-    PointCloudText text(put, particles.position, vtk_field_array("spacing", std::array{settings.spacing}), time);
-    text.add_array("id", particles.id);
-    std::vector<float> numbers(3 * particles.position.size());  // one buffer for all: there may be millions
-    for (std::size_t i = 0; i < particles.velocity.size(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            numbers[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(particles.velocity[i][axis]);
-        }
-    }
-    text.add_array("velocity", numbers, 3);
-    numbers.resize(particles.position.size());
-    const auto add = [&](const char* name, const auto& number_of) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t count = particles.position.size();
+    std::vector<float> numbers;  // one buffer for all: there may be millions
+    const auto put_scalar = [&](const char* name, const auto& number_of) {
+        numbers.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
             numbers[i] = static_cast<float>(number_of(i));
         }
-        text.add_array(name, numbers);
+        put_vtk_array(put, name, numbers);
     };
-    add("speed", [&](std::size_t i) { return norm(particles.velocity[i]); });
-    add("density", [&](std::size_t i) { return particles.density[i]; });
-    add("pressure", [&](std::size_t i) { return pressure_of(settings, particles.density[i]); });
-    text.finish();
+    const auto put_velocity = [&] {
+        numbers.resize(3 * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                numbers[3 * i + at(axis)] = static_cast<float>(particles.velocity[i][axis]);
+            }
+        }
+        put_vtk_array(put, "velocity", numbers, 3);
+    };
+    const auto put_arrays = [&] {
+        put_vtk_array(put, "id", particles.id);
+        put_velocity();
+        put_scalar("speed", [&](std::size_t i) { return norm(particles.velocity[i]); });
+        put_scalar("density", [&](std::size_t i) { return particles.density[i]; });
+        put_scalar("pressure", [&](std::size_t i) { return pressure_of(settings, particles.density[i]); });
+    };
+    put_point_cloud(put, particles.position, vtk_field_array("spacing", std::array{settings.spacing}), time,
+                    put_arrays);
 }
 
 void write_fluid(const std::filesystem::path& path, const fluid::SphSettings& settings,

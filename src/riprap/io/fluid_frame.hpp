@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
-#include "riprap/io/vtp.hpp"
+#include "riprap/io/base64.hpp"
 
 namespace riprap::io {
 

@@ -6,21 +6,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "riprap/core/vec3.hpp"
+#include "riprap/io/base64.hpp"
 
 namespace riprap::io {
-
-/// Takes the next piece of a text.
-using TextSink = std::function<void(std::string_view)>;
-
-std::string encode_base64(std::span<const unsigned char> bytes);
-/// @throws FileError when the text is not base64
-std::string decode_base64(std::string_view text);
 
 /// The content of a DataArray element of a file with header_type="UInt64" and vtkZLibDataCompressor:
 /// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the

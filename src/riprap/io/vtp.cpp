@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/vtk_data.hpp"
 
@@ -46,15 +47,9 @@ void put_cells(const TextSink& put, std::string_view kind, std::span<const std::
     put(fmt::format("      </{}>\n", kind));
 }
 
-/// A vertex cell per point.
-void put_vertices(const TextSink& put, std::size_t count) {
-    std::vector<std::int32_t> own(count), ends(count);
-    std::iota(own.begin(), own.end(), 0);
-    std::iota(ends.begin(), ends.end(), 1);
-    put_cells(put, "Verts", own, ends);
-}
-
-void put_tail(const TextSink& put, std::string_view cell_arrays) {
+void put_point_data(const TextSink& put, const std::function<void()>& put_arrays, std::string_view cell_arrays) {
+    put("      <PointData>\n");
+    put_arrays();
     put("      </PointData>\n      <CellData>\n");
     put(cell_arrays);
     put("      </CellData>\n    </Piece>\n  </PolyData>\n</VTKFile>\n");
@@ -62,17 +57,16 @@ void put_tail(const TextSink& put, std::string_view cell_arrays) {
 
 /// Puts the pieces of a frame in their order, so that the whole of it need not be in memory at once.
 void put_frame(const PolyData& data, double time, const TextSink& put) {
-    const std::size_t points = data.points.size();
-    put_head(put, data.field_arrays, time, points, data.is_point_cloud ? points : 0, data.offsets.size());
-    put_points(put, data.points);
+    const auto put_arrays = [&] { put(data.point_arrays); };
     if (data.is_point_cloud) {
-        put_vertices(put, points);
-    } else {
-        put_cells(put, "Polys", data.connectivity, data.offsets);
+        RIPRAP_ASSERT(data.cell_arrays.empty(), "arrays on the cells of a cloud");
+        put_point_cloud(put, data.points, data.field_arrays, time, put_arrays);
+        return;
     }
-    put("      <PointData>\n");
-    put(data.point_arrays);
-    put_tail(put, data.cell_arrays);
+    put_head(put, data.field_arrays, time, data.points.size(), 0, data.offsets.size());
+    put_points(put, data.points);
+    put_cells(put, "Polys", data.connectivity, data.offsets);
+    put_point_data(put, put_arrays, data.cell_arrays);
 }
 
 }  // namespace
@@ -94,20 +88,16 @@ void PolyData::add_field_array(std::string_view name, std::span<const double> va
     field_arrays += vtk_field_array(name, values, components);
 }
 
-PointCloudText::PointCloudText(TextSink put, std::span<const Vec3> points, std::string_view field_arrays, double time)
-    : put_(std::move(put)) {
-    put_head(put_, field_arrays, time, points.size(), points.size(), 0);
-    put_points(put_, points);
-    put_vertices(put_, points.size());
-    put_("      <PointData>\n");
+void put_point_cloud(const TextSink& put, std::span<const Vec3> points, std::string_view field_arrays, double time,
+                     const std::function<void()>& put_arrays) {
+    put_head(put, field_arrays, time, points.size(), points.size(), 0);
+    put_points(put, points);
+    std::vector<std::int32_t> own(points.size()), ends(points.size());
+    std::iota(own.begin(), own.end(), 0);
+    std::iota(ends.begin(), ends.end(), 1);
+    put_cells(put, "Verts", own, ends);
+    put_point_data(put, put_arrays, "");
 }
-void PointCloudText::add_array(std::string_view name, std::span<const float> values, int components) {
-    put_vtk_array(put_, name, values, components);
-}
-void PointCloudText::add_array(std::string_view name, std::span<const std::int32_t> values) {
-    put_vtk_array(put_, name, values);
-}
-void PointCloudText::finish() { put_tail(put_, ""); }
 
 std::string encode_vtp(const PolyData& data, double time) {
     std::string text;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,20 +33,11 @@ struct PolyData {
     std::string cell_arrays, point_arrays, field_arrays;  ///< DataArray elements, encoded
 };
 
-/// A frame of a cloud of points, each a vertex cell of its own, written as it is made: of millions of particles no copy
-/// is needed but of the array at hand.
-class PointCloudText {
- public:
-    /// Puts all that comes before the arrays. @param field_arrays  of vtk_field_array
-    PointCloudText(TextSink put, std::span<const Vec3> points, std::string_view field_arrays, double time);
-    void add_array(std::string_view name, std::span<const float> values, int components = 1);
-    void add_array(std::string_view name, std::span<const std::int32_t> values);
-    /// Puts what comes after them. To be called once, at the end.
-    void finish();
-
- private:
-    TextSink put_;
-};
+/// Puts the text of a cloud of points, each a vertex cell of its own: of millions of particles no copy is needed but of
+/// the array at hand. @param field_arrays  of vtk_field_array  @param put_arrays  calls put_vtk_array for each array on
+/// the points
+void put_point_cloud(const TextSink& put, std::span<const Vec3> points, std::string_view field_arrays, double time,
+                     const std::function<void()>& put_arrays);
 
 /// The text of one frame. `time` is stored as TimeValue [s].
 std::string encode_vtp(const PolyData& data, double time);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string_view>
 
 #include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/io/fluid_frame.hpp"

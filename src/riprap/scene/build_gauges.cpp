@@ -123,7 +123,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
                                    build.model.bodies,
                                    water.is_dry,
                                    motion,
-                                   coupling::SampleSet{},
+                                   {},
                                    {},
                                    sph.domain,
                                    sph.spacing,

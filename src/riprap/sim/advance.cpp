@@ -9,6 +9,7 @@
 #include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/fluid/particle/sort.hpp"
@@ -37,8 +38,6 @@ void Scratch::forget() {
 StageTimes stage_times(const Scratch& scratch) { return scratch.data().times; }
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 contact::ContactScene contact_scene(const Model& model) {
     return {model.shapes, model.materials, model.bodies, model.solid.grid_factor, model.solid.skin};

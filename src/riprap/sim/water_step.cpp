@@ -8,6 +8,7 @@
 #include <span>
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/near_samples.hpp"
 #include "riprap/fluid/sph/kick.hpp"
@@ -15,8 +16,6 @@
 namespace riprap::sim {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// How a driven body speeds up over the step: where its velocity jumps, the jump is spread over the step and no more.
 coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::size_t b, double time, double dt) {

@@ -20,7 +20,7 @@ namespace riprap::sim {
 struct WaterScratch {
     fluid::SphScratch sph;
     fluid::BoundaryParticles walls;
-    std::vector<std::int32_t> near_numbers;  ///< of the samples that the water may feel, as in the State
+    std::vector<std::int32_t> near_numbers;  ///< a copy of the State's near_samples: those that `walls` stand for
     coupling::PenaltyWalls penalty;
     coupling::BodyMotion motion;      ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;       ///< at the last kick

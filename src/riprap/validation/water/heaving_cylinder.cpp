@@ -5,28 +5,29 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
+#include <string>
 #include <utility>
+
+#include "riprap/core/error.hpp"
 
 namespace riprap::validation::water {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr std::size_t terms = 16;
+constexpr std::size_t terms = 64;
+using Matrix = std::vector<std::array<Complex, terms>>;
 
 /// Exponential integral gamma + ln w + sum w^n/(n n!), Re w > 0.
 Complex exponential_integral(Complex w) {
     constexpr double euler = 0.5772156649015329;
     Complex sum = euler + std::log(w), power = 1;
-    for (int n = 1;; ++n) {
+    constexpr int most = 200;  // |w| < 30: the terms are below the last digit from the hundredth on
+    for (int n = 1; n < most; ++n) {
         power *= w / static_cast<double>(n);
-        const Complex term = power / static_cast<double>(n);
-        sum += term;
-        if (n > std::abs(w) && std::abs(term) < std::numeric_limits<double>::epsilon() * std::abs(sum)) {
-            return sum;
-        }
+        sum += power / static_cast<double>(n);
     }
+    return sum;
 }
 
 /// The potentials at the point theta of the cylinder and what they do to d phi/dr there.
@@ -47,7 +48,7 @@ struct Basis {
 };
 
 /// Solves A x = b by elimination with pivots.
-std::array<Complex, terms> solve(std::array<std::array<Complex, terms>, terms> a, std::array<Complex, terms> b) {
+std::array<Complex, terms> solve(Matrix a, std::array<Complex, terms> b) {
     for (std::size_t i = 0; i < terms; ++i) {
         std::size_t pivot = i;
         for (std::size_t row = i; row < terms; ++row) {
@@ -75,9 +76,10 @@ std::array<Complex, terms> solve(std::array<std::array<Complex, terms>, terms> a
 }  // namespace
 
 HeaveLoads heave_loads(double ka) {
+    RIPRAP_ASSERT(ka > 0 && ka < 30, std::to_string(ka));
     constexpr double width = 0.5 * M_PI / static_cast<double>(terms);  // of theta about each point
     const auto angle = [](std::size_t point) { return (static_cast<double>(point) + 0.5) * width; };
-    std::array<std::array<Complex, terms>, terms> slopes, values;
+    Matrix slopes(terms), values(terms);
     std::array<Complex, terms> speed;
     for (std::size_t point = 0; point < terms; ++point) {
         const Basis basis(ka, angle(point));
@@ -94,11 +96,11 @@ HeaveLoads heave_loads(double ka) {
         }
         integral += 2 * width * std::cos(angle(point)) * potential;  // both sides
     }
-    return {-integral.real(), -integral.imag()};
+    return {-integral.real(), -integral.imag(), strength[0]};
 }
 
 HeaveDecay::HeaveDecay() {
-    constexpr double width = 0.01, highest = 3.2;  // no waves are made above
+    constexpr double width = 0.01, highest = 3.2;  // as said above
     constexpr double mass = 0.5 * M_PI, stiffness = 2;
     for (double w = 0.5 * width; w < highest; w += width) {
         const HeaveLoads loads = heave_loads(w * w);
