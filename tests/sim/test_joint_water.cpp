@@ -82,6 +82,10 @@ TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_not
     Scratch of_with, of_without;
     with.steps(1, of_with);
     without.steps(1, of_without);
+    // Slopes are looked up by the numbers of samples, of which those of the left wall, above the water, are left out
+    // here.
+    ASSERT_LT(std::ssize(with.state.coupling.near_samples), with.model.fluid->samples.size());
+    ASSERT_GT(with.state.coupling.near_samples.back(), std::ssize(with.state.coupling.near_samples));
     const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
     const Vec3 uplift = a.pressure_force[0] - b.pressure_force[0];
     const double triangle = 0.5 * 1000 * 9.81 * Dam::depth * Dam::width;
