@@ -202,7 +202,7 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
         ElementsAre(HasSubstr("has the name of a quantity")));
     EXPECT_THAT(problems("kind = \"surface\"\npoint = [0.5, 0.1]\n"), ElementsAre(HasSubstr("without 'end'")));
     EXPECT_THAT(problems("kind = \"flow\"\npoint = [0.5, 0.1]\nend = [0.7, 0.4]\n"),
-                ElementsAre(HasSubstr("without extent along 0 axes")));
+                ElementsAre(HasSubstr("its corners differ along every axis")));
     EXPECT_THAT(problems("kind = \"volume\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n"),
                 ElementsAre(HasSubstr("without volume")));
     EXPECT_THAT(problems("kind = \"wall_pressure\"\npoint = [0.5, 0.25]\n"),
@@ -347,6 +347,30 @@ TEST(FluidCase, a_paddle_that_absorbs_does_not_stop) {
     };
     EXPECT_THAT(problems(", stop = 0.5"), testing::Contains(HasSubstr("stops and absorbs")));
     EXPECT_THAT(problems(""), testing::Not(testing::Contains(HasSubstr("stops and absorbs"))));
+}
+
+// A metre in front of its paddle the point was taken, and waves grew fivefold.
+TEST(FluidCase, absorption_looks_at_the_water_from_the_foot_of_the_paddle) {
+    const auto problems = [](const std::string& foot) {
+        return test::problems_of(
+            test::with(tank, "shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }\nfixed = true",
+                       "shape = { half_space = { normal = [0.0, 1.0], offset = 0.0 } }\nfixed = true\n"
+                       "[[body]]\nname = \"paddle\"\nmaterial = \"wood\"\n"
+                       "shape = { half_space = { normal = [1.0, 0.0] } }\n"
+                       "motion = { wave_maker = { wave = \"none\", depth = 0.5, absorb = " +
+                           foot + " } }"));
+    };
+    EXPECT_THAT(problems("[0.0, 0.0]"), testing::Not(testing::Contains(HasSubstr("'absorb'"))));
+    EXPECT_THAT(problems("[0.5, 0.0]"), testing::Contains(HasSubstr("more than a spacing from the faces of 'paddle'")));
+}
+
+TEST(FluidCase, a_free_body_outside_of_the_water_s_domain_is_told_of) {
+    const std::string block =
+        "[[body]]\nname = \"far\"\nmaterial = \"wood\"\nshape = { box = [0.1, 0.1] }\nposition = ";
+    EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 7.0]\n").warnings,
+                testing::Contains(HasSubstr("'far' starts at (0.2, 7, 0) m, outside of 'fluid.domain'")));
+    EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 0.2]\n").warnings,
+                testing::Not(testing::Contains(HasSubstr("outside of 'fluid.domain'"))));
 }
 
 }  // namespace

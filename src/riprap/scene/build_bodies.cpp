@@ -169,6 +169,7 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
     absorption->body = BodyId{static_cast<std::int32_t>(first)};
     absorption->start = get_number(*motion, "start");
     build.absorptions.push_back(*absorption);
+    build.absorption_places.push_back(get(*maker, "absorb").place);
 }
 
 void build_body(CaseBuild& build, const Value& table) {

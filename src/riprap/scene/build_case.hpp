@@ -38,6 +38,7 @@ struct CaseBuild {
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<std::int32_t> used_materials{};
     std::vector<sim::PaddleAbsorption> absorptions{};  ///< of paddles that have one
+    std::vector<SourcePlace> absorption_places{};      ///< of their 'absorb'
     std::vector<WavePaddle> paddles{};
     std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
     bool has_all_bodies{true};                     ///< none is missing for a problem of its own
@@ -51,6 +52,7 @@ struct CaseBuild {
     /// Against gravity; along the last axis where there is none.
     Vec3 up() const;
     /// The material that `table` names; invalid, with a problem, when there is none.
+    void material_problem(const Value& name);
     MaterialId material_of(const Value& table);
     /// The body that `name` is the name of; invalid, with a problem, when there is none.
     BodyId body_named(const Value& name);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
 #include "riprap/fluid/sph/kick.hpp"
@@ -205,16 +206,24 @@ bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
 }
 
 /// Paddles that absorb waves look at the water as it lies at the start.
-void build_absorptions(CaseBuild& build, const Value& table, const fluid::ParticleState& particles,
-                       sim::FluidModel& fluid) {
-    for (sim::PaddleAbsorption& paddle : build.absorptions) {
+void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, sim::FluidModel& fluid) {
+    for (std::size_t k = 0; k < build.absorptions.size(); ++k) {
+        sim::PaddleAbsorption& paddle = build.absorptions[k];
         paddle.still = sim::surface_at_paddle(paddle, 0, fluid.sph, particles);
         const std::string& name = build.model.bodies.name(paddle.body);
-        if (paddle.still < fluid.sph.spacing) {
+        const Vec3& foot = paddle.foot;
+        const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g}) m", foot.x, foot.y, foot.z);
+        if (!coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, {}, foot,
+                                 fluid.sph.spacing, paddle.body)) {
             build.problem(
-                table.place,
-                fmt::format("no water stands {} spacings in front of the foot of '{}', which is to absorb waves",
-                            sim::absorption_gauge_distance, name),
+                build.absorption_places[k],
+                fmt::format("'absorb' is at {}, more than a spacing from the faces of '{}'", where, name),
+                "the foot of the face that makes waves: the surface of the water before it is looked at there");
+        } else if (paddle.still < fluid.sph.spacing) {
+            build.problem(
+                build.absorption_places[k],
+                fmt::format("no water stands {} spacings in front of {}, the foot of '{}', which is to absorb waves",
+                            sim::absorption_gauge_distance, where, name),
                 "'absorb' at the foot of its face, in water");
         }
         fluid.absorptions.push_back(paddle);
@@ -272,8 +281,10 @@ void check_filling(CaseBuild& build, const Value& list, const coupling::Filling&
         const coupling::FillReport& report = filling.regions[r];
         fluid.filled_volume += report.volume;
         if (report.count == 0) {
-            build.problem(list.items[r].place, "no particle of water fits into this region",
-                          "a region larger than the spacing, in the domain, outside of solids and earlier regions");
+            build.problem(
+                list.items[r].place,
+                fmt::format("no particle of water fits into this region at a spacing of {:.4g} m", fluid.sph.spacing),
+                "a region larger than the spacing, in the domain, outside of solids and earlier regions");
         }
     }
 }
@@ -320,7 +331,8 @@ void build_fluid(CaseBuild& build) {
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_wave_depths(build, fluid, filling);
     warn_of_scheme(build, fluid.sph);
-    build_absorptions(build, *table, filling.particles, fluid);
+    build_absorptions(build, filling.particles, fluid);
+    warn_of_bodies_outside(build, fluid);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);
     start_openings(fluid.open, fluid.sph, build.state.fluid, build.state.open);

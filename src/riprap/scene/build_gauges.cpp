@@ -64,7 +64,9 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     order_corners(gauge);
     const int flat = flat_axes(gauge, dimension);
     if (gauge.kind == fluid::GaugeKind::flow && flat != 1) {
-        build.problem(end->place, fmt::format("a section without extent along {} axes", flat),
+        build.problem(end->place,
+                      flat == 0 ? "a box where a section is asked for: its corners differ along every axis"
+                                : fmt::format("a section without extent along {} axes", flat),
                       "corners that agree along exactly one axis, the way of the flow");
     }
     if (gauge.kind == fluid::GaugeKind::volume && flat != 0) {
@@ -138,7 +140,9 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
 
 /// A point in a solid has no water to look at until the solid has left.
 void warn_of_buried(CaseBuild& build, const fluid::Gauge& gauge) {
-    if ((gauge.kind != fluid::GaugeKind::pressure && gauge.kind != fluid::GaugeKind::velocity) || !build.model.fluid) {
+    const bool is_point = gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
+                          gauge.kind == fluid::GaugeKind::level;
+    if (!is_point || !build.model.fluid) {
         return;
     }
     const sim::FluidModel& water = *build.model.fluid;

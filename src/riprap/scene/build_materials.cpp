@@ -72,7 +72,7 @@ void read_pair(CaseBuild& build, const Value& pair) {
         const Value& name = get(pair, "materials").items[i];
         const auto found = build.materials.find(name.text);
         if (found == build.materials.end()) {
-            build.problem(name.place, fmt::format("there is no material '{}'", name.text), "a name of [material.NAME]");
+            build.material_problem(name);
             return;
         }
         ids[i] = found->second;
@@ -88,17 +88,27 @@ void read_pair(CaseBuild& build, const Value& pair) {
 
 }  // namespace
 
+void CaseBuild::material_problem(const Value& name) {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> known;
+    std::string list;
+    for (const auto& [material, id] : materials) {
+        if (known.size() < most) {
+            list += fmt::format("{}'{}'", known.empty() ? "" : ", ", material);
+        }
+        known.push_back(material);
+    }
+    const std::string meant = nearest(name.text, known);
+    problem(name.place, fmt::format("there is no material '{}'", name.text),
+            !meant.empty() ? fmt::format("did you mean '{}'?", meant)
+                           : fmt::format("a name of [material.NAME]: {}{}", list, known.size() > most ? ", ..." : ""));
+}
+
 MaterialId CaseBuild::material_of(const Value& table) {
     const Value& name = get(table, "material");
     const auto found = materials.find(name.text);
     if (found == materials.end()) {
-        std::vector<std::string> known;
-        for (const auto& [material, id] : materials) {
-            known.push_back(material);
-        }
-        const std::string meant = nearest(name.text, known);
-        problem(name.place, fmt::format("there is no material '{}'", name.text),
-                meant.empty() ? "a name of [material.NAME]" : fmt::format("did you mean '{}'?", meant));
+        material_problem(name);
         return {};
     }
     used_materials.insert(found->second.value);

@@ -248,6 +248,23 @@ void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const c
     }
 }
 
+void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
+    const fluid::Domain& domain = fluid.sph.domain;
+    for (std::size_t b = 0; b < build.state.bodies.position.size(); ++b) {
+        const Vec3& x = build.state.bodies.position[b];
+        bool is_outside = false;
+        for (int axis = 0; axis < domain.dimension; ++axis) {
+            is_outside = is_outside || (!domain.is_periodic[at(axis)] &&
+                                        !(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis]));
+        }
+        if (is_outside && build.model.bodies.drive[b] == body::Drive::free && fluid.is_dry[b] == 0) {
+            build.warnings.push_back(fmt::format(
+                "'{}' starts at ({:.6g}, {:.6g}, {:.6g}) m, outside of 'fluid.domain': no water comes there",
+                build.model.bodies.name(BodyId{static_cast<std::int32_t>(b)}), x.x, x.y, x.z));
+        }
+    }
+}
+
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
     warn_of_smoothing_ratio(build, sph);

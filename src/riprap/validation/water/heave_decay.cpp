@@ -86,7 +86,7 @@ void heave_decay(const CaseSetting& setting, CaseReport& report) {
                {"A floating cylinder comes to rest",
                 "linear theory: Ursell 1949, Maskell and Ursell 1970",
                 {"t sqrt(g/a) [-]", false},
-                {"height of its centre over that at the start [-]", false},
+                {"depth below its place over that at the start [-]", false},
                 {{"theory", time, exact, CurveStyle::dashed, -1}, {"ours", time, ours, CurveStyle::line, -1}}});
 }
 
