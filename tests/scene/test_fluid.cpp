@@ -275,6 +275,8 @@ TEST(FluidCase, a_gauge_inside_a_block_is_warned_of) {
     EXPECT_THAT(test::read(gauge + "[0.5, 0.5]\n").warnings,
                 Contains(HasSubstr("'g' lies inside 'block' at the start")));
     EXPECT_THAT(test::read(gauge + "[0.5, 0.2]\n").warnings, Each(Not(HasSubstr("lies inside"))));
+    EXPECT_THAT(test::read(test::with(gauge, "\"velocity\"", "\"level\"") + "[0.5, 0.5]\n").warnings,
+                Contains(HasSubstr("'g' lies inside 'block' at the start")));
 }
 
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
@@ -368,7 +370,10 @@ TEST(FluidCase, a_free_body_outside_of_the_water_s_domain_is_told_of) {
     const std::string block =
         "[[body]]\nname = \"far\"\nmaterial = \"wood\"\nshape = { box = [0.1, 0.1] }\nposition = ";
     EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 7.0]\n").warnings,
-                testing::Contains(HasSubstr("'far' starts at (0.2, 7, 0) m, outside of 'fluid.domain'")));
+                testing::Contains(HasSubstr("'far' at (0.2, 7, 0) m starts outside of 'fluid.domain'")));
+    EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 7.0]\nrepeat = { counts = [1, 3], pitch = [0.2, 0.2] }\n")
+                    .warnings,
+                testing::Contains(HasSubstr("and 2 more start outside")));  // a slide of a thousand is one line
     EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 0.2]\n").warnings,
                 testing::Not(testing::Contains(HasSubstr("outside of 'fluid.domain'"))));
 }

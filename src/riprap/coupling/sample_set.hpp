@@ -35,8 +35,9 @@ struct SampleSet {
 /// it.
 class SampleView {
  public:
-    SampleView() = default;                                                               ///< of none
-    SampleView(const SampleSet& all) : all_(&all), size_(all.size()), is_whole_(true) {}  // NOLINT: a set is a view
+    SampleView() = default;  ///< of none
+    SampleView(const SampleSet& all)
+        : all_(&all), size_(all.size()), is_whole_(true) {}  // NOLINT(google-explicit-constructor): a set is a view
     SampleView(SampleSet&&) = delete;
     SampleView(const SampleSet& all, std::span<const std::int32_t> numbers)
         : all_(&all), numbers_(numbers), size_(static_cast<std::int64_t>(numbers.size())) {

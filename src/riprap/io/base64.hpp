@@ -20,6 +20,7 @@ std::string decode_base64(std::string_view text);
 class Base64Text {
  public:
     explicit Base64Text(const TextSink& put) : put_(put) {}
+    explicit Base64Text(TextSink&&) = delete;  // would be gone before the first piece
     void add(std::span<const unsigned char> bytes);
     /// Puts what is left, padded. To be called once, at the end.
     void finish();

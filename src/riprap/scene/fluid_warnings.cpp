@@ -250,7 +250,8 @@ void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const c
 
 void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
     const fluid::Domain& domain = fluid.sph.domain;
-    for (std::size_t b = 0; b < build.state.bodies.position.size(); ++b) {
+    std::size_t count = 0, first = 0;
+    for (std::size_t b = build.state.bodies.position.size(); b-- > 0;) {
         const Vec3& x = build.state.bodies.position[b];
         bool is_outside = false;
         for (int axis = 0; axis < domain.dimension; ++axis) {
@@ -258,10 +259,17 @@ void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
                                         !(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis]));
         }
         if (is_outside && build.model.bodies.drive[b] == body::Drive::free && fluid.is_dry[b] == 0) {
-            build.warnings.push_back(fmt::format(
-                "'{}' starts at ({:.6g}, {:.6g}, {:.6g}) m, outside of 'fluid.domain': no water comes there",
-                build.model.bodies.name(BodyId{static_cast<std::int32_t>(b)}), x.x, x.y, x.z));
+            first = b;
+            ++count;
         }
+    }
+    if (count > 0) {  // one line for all: a slide may begin far above its lake
+        const Vec3& x = build.state.bodies.position[first];
+        const std::string others = count > 1 ? fmt::format(" and {} more", count - 1) : "";
+        build.warnings.push_back(
+            fmt::format("'{}' at ({:.6g}, {:.6g}, {:.6g}) m{} outside of 'fluid.domain', where no water comes",
+                        build.model.bodies.name(BodyId{static_cast<std::int32_t>(first)}), x.x, x.y, x.z,
+                        others.empty() ? " starts" : others + " start"));
     }
 }
 

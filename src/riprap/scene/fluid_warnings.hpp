@@ -21,7 +21,7 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const f
 /// no water touches the face, or regions of different levels do.
 void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling);
 
-/// Bodies that forces can move and that start outside of the domain of the water.
+/// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
 void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid);
 
 /// Settings of the scheme that do not go together.

@@ -80,7 +80,7 @@ struct Missed {
 /// looked for here.
 Missed missed_by_ledger(double shifting) {
     Water water = stirred(shifting, false);
-    compress(water, 0.004);
+    compress(water, 0.004);  // enough for shifting to take; at 0.02 the pressure of the disorder misses more than it
     water.step(1e-3);
     const double start = water.closure(), c = water.settings.sound_speed;
     Missed missed;
