@@ -76,7 +76,7 @@ TEST(AllProblems, a_breaking_wave_a_second_gauge_an_overlap_and_an_unknown_quant
     text = test::with(text, "high.position.y", "high.positon.y");
     EXPECT_THAT(
         test::problems_of(text),
-        UnorderedElementsAre(HasSubstr("a wave 0.45 m high in 0.5 m of water breaks"),
+        UnorderedElementsAre(HasSubstr("a wave 0.45 m high and 2.826 m long in 0.5 m of water breaks"),
                              HasSubstr("a second record 'level'"), HasSubstr("'high' starts 0.05 m deep in 'low'"),
                              AllOf(HasSubstr("there is no quantity 'high.positon.y'"), HasSubstr("positi"))));
 }

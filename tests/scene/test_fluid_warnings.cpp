@@ -2,6 +2,9 @@
 // What is worth knowing of a case with water, and no reason to stop.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "scene/case_fixture.hpp"
 
 namespace riprap::scene {
@@ -39,9 +42,9 @@ std::string body(const std::string& name, const std::string& size, const std::st
                        name, size, position, more);
 }
 
-std::string paddle(const std::string& depth, const std::string& size = "[0.4, 1.0]") {
-    return body("paddle", size, "[-0.2, 0.5]",
-                "motion = { wave_maker = { wave = \"regular\", height = 0.02, period = 1.5, depth = " + depth + " } }");
+std::string paddle(const std::string& depth, const std::string& size = "[0.4, 1.0]",
+                   const std::string& wave = "wave = \"regular\", height = 0.2, period = 1.5") {
+    return body("paddle", size, "[-0.2, 0.5]", "motion = { wave_maker = { " + wave + ", depth = " + depth + " } }");
 }
 
 TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
@@ -60,6 +63,41 @@ TEST(FluidWarnings, of_several_levels_that_of_the_water_at_the_paddle_counts) {
     EXPECT_THAT(test::read(two + paddle("0.3")).warnings, ElementsAre(HasSubstr("0.5 m deep before it")));
     const std::string away = test::with(flume, "low = [0.0, 0.0], high", "low = [0.5, 0.0], high");
     EXPECT_THAT(test::read(away + paddle("0.3")).warnings, ElementsAre());  // no water touches it: nothing is known
+}
+
+TEST(FluidWarnings, a_wave_lower_than_four_spacings) {
+    const auto wave = [](const std::string& text) { return test::read(flume + paddle("0.5", "[0.4, 1.0]", text)); };
+    EXPECT_THAT(wave("wave = \"regular\", height = 0.1, period = 1.5").warnings,
+                ElementsAre(AllOf(HasSubstr("the wave of 'paddle' is 2 spacings high"),
+                                  HasSubstr("fluid.spacing = 0.01 makes it ten"))));
+    EXPECT_THAT(wave("wave = \"solitary\", height = 0.1").warnings, ElementsAre(HasSubstr("2 spacings high")));
+    EXPECT_THAT(wave("wave = \"none\", absorb = [0.0, 0.0]").warnings, ElementsAre());
+}
+
+TEST(FluidWarnings, a_paddle_that_draws_back_out_of_the_domain) {
+    // H/S = 2 (cosh 2kd - 1)/(sinh 2kd + 2kd) = 1.125 at kd = 1.105: it goes 0.089 m to both sides of its place.
+    const auto domain_from = [](const std::string& low) {
+        const std::string long_run = test::with(flume, "end = 1.0", "end = 6.0");  // it grows for two periods
+        return test::with(long_run, "low = [-0.5, -0.2]", "low = [" + low + ", -0.2]") + paddle("0.5");
+    };
+    EXPECT_THAT(test::read(domain_from("-0.1")).warnings, ElementsAre());
+    EXPECT_THAT(test::read(domain_from("-0.08")).warnings,
+                ElementsAre(AllOf(HasSubstr("the face of 'paddle' draws back to x = -0.0"),
+                                  HasSubstr("which ends at -0.08 m"), HasSubstr("ends the run"))));
+    EXPECT_THAT(test::read(domain_from("0.0")).warnings, ElementsAre(HasSubstr("which ends at 0 m")));
+}
+
+TEST(FluidWarnings, the_wave_that_a_paddle_makes_is_told) {
+    const std::vector<PaddleWave> waves = test::read(flume + paddle("0.5")).waves;
+    ASSERT_EQ(waves.size(), 1);
+    EXPECT_EQ(waves[0].paddle, "paddle");
+    // omega^2 d/g = kd tanh kd with omega = 2 pi/1.5 s, d = 0.5 m: kd = 1.105.
+    const double kd = 2 * std::numbers::pi / waves[0].length * 0.5, omega = 2 * std::numbers::pi / 1.5;
+    EXPECT_NEAR(kd * std::tanh(kd), omega * omega * 0.5 / 9.81, 1e-12);
+    EXPECT_NEAR(waves[0].celerity, waves[0].length / 1.5, 1e-12);
+    EXPECT_NEAR(waves[0].stroke, 0.2 / (2 * (std::cosh(2 * kd) - 1) / (std::sinh(2 * kd) + 2 * kd)), 1e-12);
+    EXPECT_THAT(text_of(waves[0]),
+                AllOf(HasSubstr("regular, 0.2 m high in 0.5 m of water, 1.5 s, 2.8"), HasSubstr("stroke 0.1")));
 }
 
 TEST(FluidWarnings, all_thin_bodies_are_named_with_the_spacing_that_would_do) {

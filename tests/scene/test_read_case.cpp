@@ -239,14 +239,20 @@ TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {
         return problems_of(minimal_case + "motion = { wave_maker = { " + text + " } }\n");
     };
     EXPECT_THAT(problems("height = 0.1, depth = 0.5"), ElementsAre(HasSubstr("without 'period'")));
-    EXPECT_THAT(problems("height = 0.4, depth = 0.5, period = 1"), ElementsAre(HasSubstr("breaks")));
+    // The lower of two limits is told: steepness of a short wave, depth for a long one.
+    EXPECT_THAT(problems("height = 0.4, depth = 0.5, period = 1"),
+                ElementsAre(HasSubstr("1.513 m long in 0.5 m of water breaks; less than 0.2082 m, 0.142 L tanh kd")));
+    EXPECT_THAT(problems("height = 0.4, depth = 0.5, period = 9"),
+                ElementsAre(HasSubstr("breaks; less than 0.39 m, 0.78 of the depth")));
+    EXPECT_THAT(problems("height = 0.4, depth = 0.5, wave = \"solitary\""),
+                ElementsAre(HasSubstr("a wave 0.4 m high in 0.5 m of water breaks; less than 0.39 m")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, paddle = \"flap\""), ElementsAre(HasSubstr("hinge")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, paddle = \"flap\", hinge = [0, 0, 0], wave = \"solitary\""),
                 ElementsAre(HasSubstr("flap")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, direction = [1, 0, 1]"),
                 ElementsAre(HasSubstr("up or down")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1e-9"),
-                ElementsAre(HasSubstr("long breaks; a height up to 0.142 L tanh kd")));
+                ElementsAre(HasSubstr("of water breaks; less than 2.217e-19 m, 0.142 L tanh kd")));
     EXPECT_THAT(problems("depth = 0.5, period = 1"), ElementsAre(HasSubstr("without 'height'")));
     EXPECT_THAT(problems("depth = 0.5, wave = \"none\""), ElementsAre(HasSubstr("neither makes nor absorbs")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, absorb = [0, 0, 0]"),

@@ -110,6 +110,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.limited_by = bound.reason;
     check.end = model.time.end;
     check.warnings = loaded.warnings;
+    check.waves = loaded.waves;
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[static_cast<std::size_t>(i)] == body::Drive::free) {
             check.free_bodies += 1;
@@ -185,6 +186,9 @@ std::string check_text(const CaseCheck& check) {
             check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, room_text(check),
             check.sound_speed, check.sound_speed_reason);
     }
+    for (const scene::PaddleWave& wave : check.waves) {
+        text += fmt::format("  wave          of {}: {}\n", wave.paddle, scene::text_of(wave));
+    }
     for (const CaseCheck::FaceGauge& face : check.face_gauges) {
         text += fmt::format("  gauge         {} in the face of {} towards ({:.3g}, {:.3g}, {:.3g})\n", face.gauge,
                             face.body, face.normal.x, face.normal.y, face.normal.z);
@@ -228,6 +232,17 @@ std::string check_json(const CaseCheck& check) {
     for (const CaseCheck::FaceGauge& face : check.face_gauges) {
         json["face_gauges"].push_back(
             {{"gauge", face.gauge}, {"body", face.body}, {"normal", {face.normal.x, face.normal.y, face.normal.z}}});
+    }
+    json["waves"] = nlohmann::ordered_json::array();
+    for (const scene::PaddleWave& wave : check.waves) {
+        json["waves"].push_back({{"paddle", wave.paddle},
+                                 {"kind", wave.kind},
+                                 {"height", wave.height},
+                                 {"depth", wave.depth},
+                                 {"period", wave.period},
+                                 {"length", wave.length},
+                                 {"celerity", wave.celerity},
+                                 {"stroke", wave.stroke}});
     }
     if (!has_countable_steps(check)) {
         json["steps"] = estimated_steps(check);

@@ -27,9 +27,10 @@ struct CaseCheck {
         std::string gauge, body;
         Vec3 normal;  ///< of the face, out of the body, at the start [-]
     };
-    std::vector<FaceGauge> face_gauges;  ///< what each wall_pressure found
-    double time_step{0};                 ///< [s]
-    double time_step_limit{0};           ///< [s]
+    std::vector<FaceGauge> face_gauges;    ///< what each wall_pressure found
+    std::vector<scene::PaddleWave> waves;  ///< that paddles are to make
+    double time_step{0};                   ///< [s]
+    double time_step_limit{0};             ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};

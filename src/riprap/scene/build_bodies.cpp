@@ -150,9 +150,10 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
     if (maker == nullptr || count == first) {
         return;
     }
-    const Value& depth = get(*maker, "depth");
-    build.paddles.push_back({BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
-                             depth.as_number(), depth.place});
+    WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
+                      get(*maker, "depth").place, paddle_wave(build, *maker)};
+    paddle.wave.paddle = get_text(table, "name");
+    build.paddles.push_back(std::move(paddle));
     auto absorption = paddle_absorption(build, *maker);
     if (!absorption) {
         return;

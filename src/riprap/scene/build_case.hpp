@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "riprap/scene/case_files.hpp"
+#include "riprap/scene/paddle_wave.hpp"
 #include "riprap/scene/value.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -20,8 +21,8 @@ class ShapeLibrary;
 struct WavePaddle {
     BodyId body;
     Vec3 direction;     ///< of the waves
-    double depth;       ///< that the case gives [m]
-    SourcePlace place;  ///< of that
+    SourcePlace place;  ///< of the depth that the case gives
+    PaddleWave wave;
 };
 
 /// What the functions below share while a checked case becomes Model and State. They append problems and go on.
@@ -101,6 +102,8 @@ std::int32_t add_motion(CaseBuild& build, const Value& motion);
 
 /// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
 std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table);
+/// The wave of that table.
+PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
 /// How that paddle takes up waves that come back; nothing where it does not.
 std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
 

@@ -14,6 +14,7 @@
 #include "riprap/scene/build_case.hpp"
 #include "riprap/scene/fluid_warnings.hpp"
 #include "riprap/scene/limits.hpp"
+#include "riprap/scene/paddle_warnings.hpp"
 #include "riprap/scene/shape_library.hpp"
 
 namespace riprap::scene {
@@ -329,7 +330,7 @@ void build_fluid(CaseBuild& build) {
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
     fluid.region_volume = room_for_water(build, fluid.sph.domain, regions);
     warn_of_thin_bodies(build, fluid, filling.particles);
-    warn_of_wave_depths(build, fluid, filling);
+    warn_of_paddles(build, fluid, filling);
     warn_of_scheme(build, fluid.sph);
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);

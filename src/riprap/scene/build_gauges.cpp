@@ -19,15 +19,6 @@ bool needs_end(fluid::GaugeKind kind) {
            kind == GaugeKind::volume;
 }
 
-bool is_in(const Vec3& x, const fluid::Domain& domain) {
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        if (!(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// Corners in order: the lower one first along every axis.
 void order_corners(fluid::Gauge& gauge) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -179,7 +170,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
         gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"))->kind;
         gauge.point = get_vector(table, "point");
         gauge.up = build.up();
-        if (!is_in(gauge.point, *build.domain)) {
+        if (!build.domain->holds(gauge.point)) {
             const Vec3 &x = gauge.point, &low = build.domain->low, &high = build.domain->high;
             build.problem(get(table, "point").place,
                           fmt::format("the gauge '{}' at ({:.6g}, {:.6g}, {:.6g}) m is outside the domain of the water",

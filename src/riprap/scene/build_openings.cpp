@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "riprap/fluid/sph/kick.hpp"
 #include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build_case.hpp"
 #include "riprap/scene/limits.hpp"
@@ -23,23 +24,6 @@ struct Way {
 };
 
 Way way_of(const std::string& text) { return {text.back() - 'x', text.size() == 1}; }
-
-bool is_in(const Vec3& x, const fluid::Domain& domain) {
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        if (!(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis])) {
-            return false;
-        }
-    }
-    return true;
-}
-
-Vec3 weight_of(const CaseBuild& build, const sim::FluidModel& fluid) {
-    Vec3 g = build.model.gravity.value;
-    for (int axis = 0; axis < fluid.sph.domain.dimension; ++axis) {
-        g[axis] = fluid.sph.domain.is_periodic[static_cast<std::size_t>(axis)] ? 0 : g[axis];
-    }
-    return g;
-}
 
 void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
     fluid::Sponge sponge;
@@ -74,7 +58,7 @@ void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
         }
     }
     const Value& rate = get(table, "rate");
-    const double gravity = norm(weight_of(build, fluid));
+    const double gravity = norm(fluid::without_periodic(build.model.gravity.value, fluid.sph.domain));
     if (rate.is_text() && !(gravity * fluid.depth > 0)) {
         build.problem(rate.place, "no rate follows for a sponge where water has no depth", "a rate in 1/s");
         return;
@@ -113,7 +97,7 @@ bool read_opening(CaseBuild& build, const Value& table, const fluid::Domain& dom
         build.problem(get(table, "towards").place, "an opening across a periodic axis", "a domain that ends there");
         return false;
     }
-    if (!is_in(opening.low, domain) || !is_in(opening.high, domain)) {
+    if (!domain.holds(opening.low) || !domain.holds(opening.high)) {
         build.problem(table.place, fmt::format("the opening '{}' lies outside the domain", opening.name),
                       "corners inside it, with room for the fastest water behind");
         return false;
@@ -204,8 +188,9 @@ void warn_of_rows(CaseBuild& build, const Value& table, const fluid::SphSettings
 
 void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
     const fluid::Domain& domain = fluid.sph.domain;
-    const double gravity = norm(weight_of(build, fluid));
-    const Vec3 up = gravity > 0 ? -1 / gravity * weight_of(build, fluid) : Vec3{};
+    const Vec3 weight = fluid::without_periodic(build.model.gravity.value, domain);
+    const double gravity = norm(weight);
+    const Vec3 up = gravity > 0 ? -1 / gravity * weight : Vec3{};
     std::set<std::string> names;
     const auto claim = [&](const Value& entry) {
         if (!names.insert(get_text(entry, "name")).second) {

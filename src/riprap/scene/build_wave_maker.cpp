@@ -17,6 +17,26 @@ constexpr double breaking_share = 0.78;
 /// Waves break above H = 0.142 L tanh kd [Miche1944].
 constexpr double steepest = 0.142;
 
+/// A wave that would break is refused with the lower of its two limits.
+void check_breaking(CaseBuild& build, const Value& table, double g) {
+    const double height = get_number(table, "height"), depth = get_number(table, "depth");
+    double highest = breaking_share * depth;
+    std::string limit = fmt::format("less than {:.4g} m, {} of the depth", highest, breaking_share);
+    std::string length;
+    if (const Value* period = table.find("period"); get_text(table, "wave") != "solitary" && period != nullptr) {
+        const wave::LinearWave wave = wave::linear_wave(height, period->as_number(), depth, g);
+        length = fmt::format(" and {:.4g} m long", wave.length());
+        if (const double steep = steepest * wave.length() * std::tanh(wave.kd()); steep < highest) {
+            highest = steep;
+            limit = fmt::format("less than {:.4g} m, 0.142 L tanh kd, or a longer period", highest);
+        }
+    }
+    if (!(height < highest)) {
+        build.problem(get(table, "height").place,
+                      fmt::format("a wave {:.4g} m high{} in {:.4g} m of water breaks", height, length, depth), limit);
+    }
+}
+
 std::optional<wave::LinearWave> regular_wave(CaseBuild& build, const Value& table, double g) {
     const Value* period = table.find("period");
     if (period == nullptr) {
@@ -25,13 +45,6 @@ std::optional<wave::LinearWave> regular_wave(CaseBuild& build, const Value& tabl
     }
     const wave::LinearWave wave =
         wave::linear_wave(get_number(table, "height"), period->as_number(), get_number(table, "depth"), g);
-    const double highest = steepest * wave.length() * std::tanh(wave.kd());
-    if (!(wave.height <= highest)) {
-        build.problem(period->place,
-                      fmt::format("a wave {:.4g} m high and {:.4g} m long breaks", wave.height, wave.length()),
-                      fmt::format("a height up to 0.142 L tanh kd = {:.4g} m, or a longer period", highest));
-        return std::nullopt;
-    }
     const double ursell_limit = 8 * std::numbers::pi * std::numbers::pi / 3;
     const double ursell = wave.height * wave.length() * wave.length() / std::pow(wave.depth, 3);
     if (get_text(table, "wave") == "second_order" && ursell >= ursell_limit) {
@@ -79,11 +92,8 @@ bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle,
     }
     if (kind != "none" && table.find("height") == nullptr) {
         build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
-    } else if (kind != "none" && get_number(table, "height") >= breaking_share * get_number(table, "depth")) {
-        build.problem(get(table, "height").place,
-                      fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", get_number(table, "height"),
-                                  get_number(table, "depth")),
-                      fmt::format("less than {} of the depth", breaking_share));
+    } else if (kind != "none" && g > 0) {
+        check_breaking(build, table, g);
     }
     if (kind == "none" && table.find("absorb") == nullptr) {
         build.problem(table.place, "a paddle that neither makes nor absorbs waves", "'absorb', or another wave");
@@ -125,6 +135,42 @@ std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const 
         return std::nullopt;
     }
     return motion;
+}
+
+PaddleWave paddle_wave(const CaseBuild& build, const Value& table) {
+    PaddleWave result;
+    result.kind = get_text(table, "wave");
+    result.depth = get_number(table, "depth");
+    if (result.kind == "none") {
+        return result;
+    }
+    const double g = norm(build.model.gravity.value);
+    result.height = get_number(table, "height");
+    if (result.kind == "solitary") {
+        const wave::SolitaryWave wave{result.height, result.depth, g};
+        result.celerity = wave.celerity();
+        result.stroke = wave.volume() / wave.depth;
+        return result;
+    }
+    const wave::LinearWave wave = wave::linear_wave(result.height, get_number(table, "period"), result.depth, g);
+    const auto paddle = get_text(table, "paddle") == "flap" ? wave::Paddle::flap : wave::Paddle::piston;
+    result.period = get_number(table, "period");
+    result.length = wave.length();
+    result.celerity = wave.celerity();
+    result.stroke = wave.height / wave::height_over_stroke(paddle, wave.kd());
+    return result;
+}
+
+std::string text_of(const PaddleWave& wave) {
+    if (wave.kind == "none") {
+        return fmt::format("none, in {:.4g} m of water", wave.depth);
+    }
+    const std::string shape = wave.length > 0
+                                  ? fmt::format("{:.4g} s, {:.4g} m long (kd = {:.3g}), ", wave.period, wave.length,
+                                                2 * std::numbers::pi / wave.length * wave.depth)
+                                  : "";
+    return fmt::format("{}, {:.4g} m high in {:.4g} m of water, {}{:.4g} m/s, stroke {:.4g} m", wave.kind, wave.height,
+                       wave.depth, shape, wave.celerity, wave.stroke);
 }
 
 std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {

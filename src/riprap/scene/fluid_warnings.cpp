@@ -1,46 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/fluid_warnings.hpp"
-#include "riprap/fluid/sph/courant_bound.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
-#include "riprap/core/error.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/fluid/sph/courant_bound.hpp"
+#include "riprap/scene/placed_part.hpp"
 
 namespace riprap::scene {
 
 namespace {
-
-constexpr double touching = 1.5;  ///< spacings; water that lies against a face starts 0.5 to 1.5 of them away from it
-
-/// A part where it is in the world.
-struct PlacedPart {
-    geometry::ConvexView shape;
-    Pose pose;
-};
-
-PlacedPart placed(const CaseBuild& build, const body::Part& part) {
-    const auto b = static_cast<std::size_t>(part.body.value);
-    const Pose body{build.state.bodies.position[b], build.state.bodies.orientation[b]};
-    return {build.model.shapes.view(part.shape),
-            {to_world(body, part.local.position), body.orientation * part.local.orientation}};
-}
-
-/// The face that x lies in front of, not beside, at no more than `distance`; -1 = none.
-std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance) {
-    const double reach = part.shape.circumradius + distance;
-    if (norm_squared(x - part.pose.position) > reach * reach) {
-        return -1;
-    }
-    const geometry::SurfacePoint near = geometry::closest_surface_point(part.shape, to_body(part.pose, x));
-    const bool is_before = dot(near.normal, part.shape.normal(near.face)) > 1 - 1e-9;
-    return near.distance > 0 && near.distance < distance && is_before ? near.face : -1;
-}
 
 /// Whether water touches two opposite faces that are less than `thickness` apart.
 bool is_between_water(const PlacedPart& part, const std::vector<Vec3>& water, double spacing, double thickness) {
@@ -128,45 +99,6 @@ void warn_of(CaseBuild& build, const std::vector<ThinEntry>& entries, double spa
         fmt::format(fmt::runtime(text), is_one ? "it" : "them", layers), floor_of(low->thickness / layers)));
 }
 
-/// Depth of the water in front of a paddle, in the columns that touch its face [m]; nothing where it cannot be known.
-std::optional<double> depth_before(const CaseBuild& build, const WavePaddle& paddle, double spacing,
-                                   const coupling::Filling& filling) {
-    std::vector<PlacedPart> parts;
-    for (const body::Part& part : build.model.bodies.parts) {
-        if (part.body == paddle.body) {
-            parts.push_back(placed(build, part));
-        }
-    }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double nearest = infinity, farthest = -infinity, surface = -infinity;
-    const std::vector<Vec3>& water = filling.particles.position;
-    for (std::size_t i = 0; i < water.size(); ++i) {
-        const bool touches = std::any_of(parts.begin(), parts.end(), [&](const PlacedPart& part) {
-            const std::int32_t face = face_before(part, water[i], touching * spacing);
-            return face >= 0 && dot(rotate(part.pose.orientation, part.shape.normal(face)), paddle.direction) > 0.5;
-        });
-        if (!touches) {
-            continue;
-        }
-        const double level = filling.regions[static_cast<std::size_t>(filling.region[i])].surface;
-        if (std::isfinite(surface) && std::abs(level - surface) > 1e-6 * spacing) {
-            return std::nullopt;
-        }
-        surface = level;
-        nearest = std::min(nearest, dot(paddle.direction, water[i]));
-        farthest = std::max(farthest, dot(paddle.direction, water[i]));
-    }
-    if (!std::isfinite(surface)) {
-        return std::nullopt;
-    }
-    double lowest = infinity;  // a paddle may hang above the bed
-    for (const Vec3& x : water) {
-        const double along = dot(paddle.direction, x);
-        lowest = along >= nearest && along <= farthest ? std::min(lowest, dot(build.up(), x)) : lowest;
-    }
-    return surface - (lowest - 0.5 * spacing);
-}
-
 /// Corrected gradients tell the inside of the water from its rim by numbers that hold at h/dp = 1.5
 /// (docs/theory/sph.md, 4).
 void warn_of_smoothing_ratio(CaseBuild& build, const fluid::SphSettings& sph) {
@@ -235,30 +167,12 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const f
             "feel the other through {0} (below {1})");
 }
 
-void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling) {
-    for (const WavePaddle& paddle : build.paddles) {
-        const auto depth = depth_before(build, paddle, fluid.sph.spacing, filling);
-        if (depth && std::abs(*depth - paddle.depth) > (1 + 1e-6) * fluid.sph.spacing) {
-            build.warnings.push_back(to_string(Diagnostic{
-                paddle.place,
-                fmt::format("the wave maker '{}' has depth = {:.6g} m, but water stands {:.4g} m deep before it",
-                            build.model.bodies.name(paddle.body), paddle.depth, *depth),
-                "its stroke, and the wave, are those of the depth it is given"}));
-        }
-    }
-}
-
 void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
     const fluid::Domain& domain = fluid.sph.domain;
     std::size_t count = 0, first = 0;
     for (std::size_t b = build.state.bodies.position.size(); b-- > 0;) {
         const Vec3& x = build.state.bodies.position[b];
-        bool is_outside = false;
-        for (int axis = 0; axis < domain.dimension; ++axis) {
-            is_outside = is_outside || (!domain.is_periodic[at(axis)] &&
-                                        !(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis]));
-        }
-        if (is_outside && build.model.bodies.drive[b] == body::Drive::free && fluid.is_dry[b] == 0) {
+        if (!domain.admits(x) && build.model.bodies.drive[b] == body::Drive::free && fluid.is_dry[b] == 0) {
             first = b;
             ++count;
         }

@@ -17,10 +17,6 @@ double room_for_water(const CaseBuild& build, const fluid::Domain& domain,
 /// there, and those with water on one side.
 void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const fluid::ParticleState& water);
 
-/// Wave makers that are told another depth than the water at their face has, by more than a spacing. Says nothing where
-/// no water touches the face, or regions of different levels do.
-void warn_of_wave_depths(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling);
-
 /// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
 void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid);
 

@@ -143,6 +143,9 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     loaded.model.shapes.shrink_to_fit();
     body::shrink_to_fit(loaded.model.bodies, loaded.state.bodies);
     loaded.inputs = files.inputs();
+    for (WavePaddle& paddle : build.paddles) {
+        loaded.waves.push_back(std::move(paddle.wave));
+    }
     loaded.model.case_hash = hash_of(resolved, loaded.inputs);
     loaded.resolved_toml = write_toml(resolved);
     loaded.resolved_json = write_json(resolved);

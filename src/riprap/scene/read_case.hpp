@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
+#include "riprap/scene/paddle_wave.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
@@ -43,6 +44,7 @@ struct LoadedCase {
     std::vector<InputFile> inputs;       ///< other files read, sorted by path
     std::vector<std::string> warnings;   ///< worth knowing, no reason to stop
     std::vector<std::string> overrides;  ///< as they were given
+    std::vector<PaddleWave> waves;       ///< that paddles are to make
 };
 
 /// Reads a case file (docs/reference/case-file.md) into Model and State.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "riprap/core/vec3.hpp"
 
@@ -14,6 +15,23 @@ struct Domain {
     Vec3 high{};                        ///< [m]
     std::array<bool, 3> is_periodic{};  ///< per axis
     int dimension{3};                   ///< 2 or 3
+
+    /// Whether x lies between low and high, both included; what is not finite does not.
+    bool holds(const Vec3& x) const { return is_between(x, false); }
+
+    /// Whether a particle may be at x: the same, but along periodic axes every place has its image in the box.
+    bool admits(const Vec3& x) const { return is_between(x, true); }
+
+ private:
+    bool is_between(const Vec3& x, bool leaves_out_periodic) const {
+        for (int axis = 0; axis < dimension; ++axis) {
+            const bool counts = !(leaves_out_periodic && is_periodic[static_cast<std::size_t>(axis)]);
+            if (counts && !(x[axis] >= low[axis] && x[axis] <= high[axis])) {
+                return false;
+            }
+        }
+        return true;
+    }
 };
 
 }  // namespace riprap::fluid

@@ -60,16 +60,6 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
         id, what, time, x.x, x.y, x.z, v.x, v.y, v.z, state.density[entry]);
 }
 
-bool is_inside(const Domain& domain, const Vec3& x) {
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        if (!domain.is_periodic[static_cast<std::size_t>(axis)] &&
-            !(x[axis] >= domain.low[axis] && x[axis] <= domain.high[axis])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 }  // namespace
 
 Vec3 without_periodic(const Vec3& gravity, const Domain& domain) {
@@ -145,8 +135,7 @@ void find_lost_particle(const SphSettings& settings, const ParticleState& state,
                            }),
              time, "has no finite place or no density", report);
     if (report.problem.empty()) {
-        describe(state,
-                 first_unsound(state, [&](std::size_t i) { return is_inside(settings.domain, state.position[i]); }),
+        describe(state, first_unsound(state, [&](std::size_t i) { return settings.domain.admits(state.position[i]); }),
                  time, "has left the domain", report);
     }
 }
