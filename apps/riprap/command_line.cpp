@@ -23,6 +23,7 @@
 #include "riprap/scene/suggest.hpp"
 #include "riprap/validation/validate.hpp"
 #include "riprap/view/render.hpp"
+#include "riprap/view/wave_report.hpp"
 
 namespace riprap {
 
@@ -223,6 +224,31 @@ void add_plot(CLI::App& app, Action& action) {
     });
 }
 
+void add_waves(CLI::App& app, Action& action) {
+    auto request = std::make_shared<view::WaveRequest>();
+    auto folder = std::make_shared<std::filesystem::path>();
+    auto as_json = std::make_shared<bool>(false);
+    CLI::App* command =
+        app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
+    command->add_option("RUN", *folder, "The run folder")->required();
+    command->add_option("--gauge", request->gauges, "Of kind level or surface; once for each (default: all)")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    command->add_option("--from", request->from, "Start of the stretch looked at [s] (default: half of the record)");
+    command->add_option("--to", request->to, "End of it [s] (default: of the record)");
+    command->add_option("--period", request->period, "Of the regular wave to take apart [s] (default: the wave maker's)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--json", *as_json, "As JSON");
+    command->callback([&action, folder, request, as_json] {
+        action = [folder, request, as_json] {
+            end_with_reader();
+            return print_waves(*folder, *request, *as_json);
+        };
+    });
+}
+
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -335,6 +361,7 @@ int command_line(int argument_count, char** arguments) {
     add_view(app, action);
     add_render(app, action);
     add_plot(app, action);
+    add_waves(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);

@@ -10,6 +10,7 @@ struct ValidateOptions;
 }
 namespace riprap::view {
 struct RenderOptions;
+struct WaveRequest;
 }
 
 namespace riprap {
@@ -47,6 +48,9 @@ struct PlotOptions {
 
 /// Curves over time from the tables of a run.
 int plot_run(const PlotOptions& options);
+
+/// The waves that the level and surface gauges of a run recorded, and how much of them was reflected.
+int print_waves(const std::filesystem::path& folder, const view::WaveRequest& request, bool as_json);
 
 /// Validates and writes one page with every result and plot into a folder.
 int validate_with_report(const validation::ValidateOptions& options, const std::filesystem::path& folder);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
@@ -11,6 +10,7 @@
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/scene/suggest.hpp"
 #include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/bad_request.hpp"
 #include "riprap/view/browser.hpp"
 #include "riprap/view/recorded_run.hpp"
 
@@ -51,12 +51,6 @@ std::string remedy(const view::RecordedRun& run, const std::string& wanted) {
     return meant.empty() ? "it has:" + list : fmt::format("did you mean '{}'?", meant);
 }
 
-/// What was asked for cannot be drawn: a bad command line.
-class BadRequest : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
-
 /// The columns named. @throws BadRequest where there is no such column
 std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::string>& wanted) {
     std::vector<Source> chosen;
@@ -71,7 +65,7 @@ std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::
             }
         }
         if (chosen.size() == before) {
-            throw BadRequest(fmt::format("the run has no column '{}'; {}", name, remedy(run, name)));
+            throw view::BadRequest(fmt::format("the run has no column '{}'; {}", name, remedy(run, name)));
         }
     }
     return chosen;
@@ -113,7 +107,7 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
     for (const Source& source : sources) {
         const std::string& unit = source.heading().unit;
         if (unit != sources.front().heading().unit) {
-            throw BadRequest(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
+            throw view::BadRequest(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
                                          sources.front().heading().name, sources.front().heading().unit,
                                          source.heading().name, unit));
         }
@@ -126,6 +120,8 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
             curve.x.push_back(source.table->values[0][i]);
             curve.y.push_back(values[i] - start);
         }
+        const bool is_color_taken = plot.curves.size() / validation::color_count % 2 == 1;
+        curve.style = is_color_taken ? validation::CurveStyle::dashed : curve.style;
         plot.curves.push_back(std::move(curve));
     }
     return plot;
@@ -164,7 +160,7 @@ int draw(const PlotOptions& options) {
 int plot_run(const PlotOptions& options) {
     try {
         return draw(options);
-    } catch (const BadRequest& problem) {
+    } catch (const view::BadRequest& problem) {
         fmt::print(stderr, "riprap: {}\n", problem.what());
         return static_cast<int>(ExitCode::usage);
     }

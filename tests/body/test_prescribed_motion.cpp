@@ -25,8 +25,10 @@ TEST(PrescribedMotion, EveryLawStartsAtTheInitialPoseAndMovesAtItsStatedVelocity
     const PrescribedMotion motions[] = {
         {LinearMotion{{1, -2, 0.5}}},
         {SinusoidalMotion{{0.1, 0, 0.2}, 0.7, 0.3}},
+        {SinusoidalMotion{{0.1, 0, 0.2}, 0.7, 0.3, 1.1}},
         {TableMotion{{0, 1, 3}, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}}},
         {RotatingMotion{{0, 0, 1}, {0, 0.6, 0.8}, 0.3, 0.1, 1.5, 0.2}},
+        {RotatingMotion{{0, 0, 1}, {0, 0.6, 0.8}, 0.3, 0.1, 1.5, 0.2, 1.1}},
         {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}}},
         {SplineMotion{{0, 1, 3}, {0, 0.4, -0.2}, {0.1, 0.5, 0}, {0.6, 0, 0.8}, {0, 1, 0}, true}},
         {HarmonicMotion{.amplitude = {0.1, 0.03}, .angular_frequency = 4, .phase = 0.3, .ramp = 1}},
@@ -40,6 +42,19 @@ TEST(PrescribedMotion, EveryLawStartsAtTheInitialPoseAndMovesAtItsStatedVelocity
             expect_velocity_is_derivative_of_pose(motion, start, time);
         }
     }
+}
+
+TEST(PrescribedMotion, AnOscillationWithARampGrowsFromRestIntoThePlainSine) {
+    const PrescribedMotion sine{SinusoidalMotion{{0.1, 0, 0}, 0.7, 0.3, 1.1}};
+    const PrescribedMotion swing{RotatingMotion{{0, 0, 0}, {0, 0, 1}, 0, 0.1, 0.7, 0.3, 1.1}};
+    EXPECT_NEAR(norm(evaluate(sine, Pose{}, 0).velocity), 0, 1e-15);
+    EXPECT_NEAR(norm(evaluate(swing, Pose{}, 0).angular_velocity), 0, 1e-15);
+    const double half = 0.05 * std::sin(2 * std::numbers::pi * 0.55 / 0.7 + 0.3);  // half of its size at half of the ramp
+    EXPECT_NEAR(evaluate(sine, Pose{}, 0.55).pose.position.x, half, 1e-15);
+    const double angle = 2 * std::numbers::pi * 3 / 0.7 + 0.3, omega = 2 * std::numbers::pi / 0.7;
+    EXPECT_NEAR(evaluate(sine, Pose{}, 3).pose.position.x, 0.1 * std::sin(angle), 1e-15);
+    EXPECT_NEAR(evaluate(sine, Pose{}, 3).velocity.x, 0.1 * omega * std::cos(angle), 1e-14);
+    EXPECT_NEAR(evaluate(swing, Pose{}, 3).angular_velocity.z, 0.1 * omega * std::cos(angle), 1e-14);
 }
 
 TEST(PrescribedMotion, ABodyRestsBeforeItsStartAndAfterItsStop) {

@@ -69,6 +69,15 @@ TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
     EXPECT_THAT(ending.err, Not(HasSubstr("contact_count")));
 }
 
+TEST_F(Looking, WavesOfARunWithoutLevelGaugesAreABadCommandLine) {
+    have_run();
+    const Ending ending = run({"waves", out("run")});
+    EXPECT_EQ(ending.code, 2);
+    EXPECT_THAT(ending.err, HasSubstr("no gauge of kind 'level'"));
+    EXPECT_EQ(run({"waves", out("run"), "--period", "-1"}).code, 2);
+    EXPECT_EQ(run({"waves", out("nothing")}).code, 5);
+}
+
 TEST_F(Looking, ColumnsOfUnlikeUnitsAreABadCommandLine) {
     have_run();
     const Ending ending = plot({"--column", "kinetic_energy", "--column", "max_speed"});

@@ -59,6 +59,27 @@ TEST(Expects, EveryReductionSeesEveryStep) {
     EXPECT_EQ(results[0].unit, "m");
 }
 
+TEST(Expects, TellsWhenAFigureWasThere) {
+    const auto results =
+        follow({expect("last"), expect("min"), expect("max"), expect("mean"), expect("at", 1.5), expect("at", 9)}, true);
+    EXPECT_EQ(results[0].time, 2);
+    EXPECT_EQ(results[1].time, 0);
+    EXPECT_EQ(results[2].time, 1);
+    EXPECT_TRUE(std::isnan(results[3].time));
+    EXPECT_EQ(results[4].time, 1.5);
+    EXPECT_TRUE(std::isnan(results[5].time));  // never reached
+    EXPECT_THAT(verdict_table(results), HasSubstr("at [s]"));
+}
+
+TEST(Expects, TellsWhenATriggerReachedItsLevel) {
+    sim::Expect passing = expect("when");
+    passing.when = "high.position.x";
+    passing.reaches = 1.5;
+    const auto results = follow({passing}, true);
+    EXPECT_EQ(results[0].value, 1.5);
+    EXPECT_EQ(results[0].time, 0.5);  // on the way from 0 to 3, not on the way back
+}
+
 TEST(Expects, AMeanIsOverTimeHoweverUnevenTheSteps) {
     scene::LoadedCase loaded = falling_blocks();
     loaded.model.expects = {expect("mean")};

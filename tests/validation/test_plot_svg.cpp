@@ -55,6 +55,25 @@ TEST(PlotSvg, is_well_formed_and_shows_labels_with_units) {
     EXPECT_THAT(svg, HasSubstr(">theory<"));
 }
 
+double number_after(const std::string& text, const std::string& name) {
+    const std::size_t at = text.find(name);
+    return at == std::string::npos ? 0 : std::stod(text.substr(at + name.size()));
+}
+
+TEST(PlotSvg, grows_until_every_name_in_the_legend_is_inside) {
+    Plot plot = simple_plot();
+    const double width = number_after(to_svg(plot), "width='"), height = number_after(to_svg(plot), "height='");
+    plot.curves[0].label = std::string(60, 'w');
+    EXPECT_NEAR(number_after(to_svg(plot), "width='"), width - 220 + 47 + 7 * 60 + 8, 1e-9);
+    for (int i = 0; i < 38; ++i) {
+        plot.curves.push_back({"one more", {0, 1}, {0, 1}, CurveStyle::line, -1});
+    }
+    const std::string svg = to_svg(plot);
+    const double last = std::stod(svg.substr(svg.rfind(" y='") + 4));  // of the last name
+    EXPECT_GT(last, height);
+    EXPECT_GT(number_after(svg, "height='"), last + 5);
+}
+
 TEST(PlotSvg, leaves_out_what_is_not_finite) {
     const std::string svg = to_svg(simple_plot());
     EXPECT_THAT(svg, Not(HasSubstr("nan")));

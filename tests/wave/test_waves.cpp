@@ -113,6 +113,36 @@ TEST(WaveAnalysis, a_sine_has_its_height_and_period) {
     }
 }
 
+TEST(WaveAnalysis, statistics_take_the_highest_third_of_the_waves) {
+    // Nine waves of 1 s, one after another, 0.1 to 0.9 m high, rows unevenly apart. The record begins in the first one
+    // and the last has no end: seven are whole.
+    std::vector<double> time, level;
+    for (int i = 250; i < 9000; ++i) {
+        const double t = 0.001 * i + 2e-4 * std::sin(i);
+        time.push_back(t);
+        level.push_back(2 + 0.05 * (1 + std::floor(t)) * std::sin(2 * std::numbers::pi * t));
+    }
+    const WaveStatistics waves = statistics_of(time, level);
+    EXPECT_NEAR(waves.mean_level, 2 - 0.05 / (2 * std::numbers::pi) / 8.75, 1e-4);  // a quarter wave is missing
+    EXPECT_EQ(waves.count, 7);
+    EXPECT_NEAR(waves.highest, 0.8, 1e-3);
+    EXPECT_NEAR(waves.mean_height, 0.5, 1e-3);
+    EXPECT_NEAR(waves.significant_height, 0.75, 1e-3);  // of 0.8 and 0.7
+    EXPECT_NEAR(waves.mean_period, 1, 1e-3);
+    // m_0 = mean of a^2/2 over a = 0.05 ... 0.45, a quarter of the first left out.
+    EXPECT_NEAR(waves.spectral_height, 4 * std::sqrt(0.05 * 0.05 * (285 - 0.25) / 8.75 / 2), 1e-3);
+}
+
+TEST(WaveAnalysis, a_record_without_a_wave_has_a_level_and_no_heights) {
+    const std::vector<double> time{0, 1, 2, 3}, level{0.5, 0.5, 0.5, 0.5};
+    const WaveStatistics waves = statistics_of(time, level);
+    EXPECT_EQ(waves.mean_level, 0.5);
+    EXPECT_EQ(waves.spectral_height, 0);
+    EXPECT_EQ(waves.count, 0);
+    EXPECT_TRUE(std::isnan(waves.mean_height) && std::isnan(waves.significant_period));
+    EXPECT_TRUE(std::isnan(statistics_of({}, {}).mean_level));
+}
+
 TEST(WaveAnalysis, incident_and_reflected_waves_come_apart_exactly) {
     const LinearWave wave = linear_wave(0.2, 1.5, 0.7, g);
     const double place[] = {3.0, 3.4, 4.1};

@@ -16,10 +16,29 @@ struct Offset {
 
 Offset offset_at(const LinearMotion& law, double t) { return {t * law.velocity, law.velocity}; }
 
+struct Stroke {
+    double value, rate;
+};
+
+/// An oscillation that grows over `ramp`, or starts at once, from the value `start` that it has at t = 0.
+Stroke grown(const Stroke& full, double start, double ramp, double t) {
+    if (t < ramp) {
+        const double rise = std::numbers::pi / ramp;
+        const double share = 0.5 * (1 - std::cos(rise * t)), share_rate = 0.5 * rise * std::sin(rise * t);
+        return {share * full.value, share * full.rate + share_rate * full.value};
+    }
+    return {full.value - (ramp > 0 ? 0.0 : start), full.rate};
+}
+
+/// s(t) of SinusoidalMotion.
+Stroke sine_at(double omega, double phase, double ramp, double t) {
+    const double angle = omega * t + phase;
+    return grown({std::sin(angle), omega * std::cos(angle)}, std::sin(phase), ramp, t);
+}
+
 Offset offset_at(const SinusoidalMotion& law, double t) {
-    const double omega = 2 * std::numbers::pi / law.period;
-    const double phase = omega * t + law.phase;
-    return {(std::sin(phase) - std::sin(law.phase)) * law.amplitude, (omega * std::cos(phase)) * law.amplitude};
+    const Stroke sine = sine_at(2 * std::numbers::pi / law.period, law.phase, law.ramp, t);
+    return {sine.value * law.amplitude, sine.rate * law.amplitude};
 }
 
 Offset offset_at(const TableMotion& law, double t) {
@@ -47,15 +66,10 @@ DrivenState turned(const Pose& initial, const Vec3& center, const Vec3& axis, do
 }
 
 DrivenState apply(const RotatingMotion& law, const Pose& initial, double t) {
-    const double omega = 2 * std::numbers::pi / law.period;
-    const double angle = law.rate * t + law.amplitude * (std::sin(omega * t + law.phase) - std::sin(law.phase));
-    const double rate = law.rate + law.amplitude * omega * std::cos(omega * t + law.phase);
-    return turned(initial, law.center, law.axis, angle, rate);
+    const Stroke sine = sine_at(2 * std::numbers::pi / law.period, law.phase, law.ramp, t);
+    return turned(initial, law.center, law.axis, law.rate * t + law.amplitude * sine.value,
+                  law.rate + law.amplitude * sine.rate);
 }
-
-struct Stroke {
-    double value, rate;
-};
 
 Stroke stroke_at(const SplineMotion& law, double t) {
     if (law.time.empty()) {
@@ -93,13 +107,7 @@ Stroke stroke_at(const HarmonicMotion& law, double t) {
     const auto [a, b] = law.amplitude;
     const double full = a * std::sin(angle) + b * std::sin(2 * angle);
     const double full_rate = w * (a * std::cos(angle) + 2 * b * std::cos(2 * angle));
-    if (t < law.ramp) {
-        const double rise = std::numbers::pi / law.ramp;
-        const double share = 0.5 * (1 - std::cos(rise * t)), share_rate = 0.5 * rise * std::sin(rise * t);
-        return {share * full, share * full_rate + share_rate * full};
-    }
-    const double start = law.ramp > 0 ? 0.0 : a * std::sin(law.phase) + b * std::sin(2 * law.phase);
-    return {full - start, full_rate};
+    return grown({full, full_rate}, a * std::sin(law.phase) + b * std::sin(2 * law.phase), law.ramp, t);
 }
 
 DrivenState apply(const HarmonicMotion& law, const Pose& initial, double t) {

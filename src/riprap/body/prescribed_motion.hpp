@@ -15,11 +15,15 @@ struct LinearMotion {
     Vec3 velocity;  ///< [m/s]
 };
 
-/// x(t) = x0 + amplitude * (sin(2 pi t/period + phase) - sin(phase)), over [start, stop]; held outside.
+/// x(t) = x0 + amplitude * s(t), over [start, stop]; held outside.
+///
+///     s(t) = sin(2 pi t/period + phase) - sin(phase), or, where it grows from rest over a time `ramp`,
+///     s(t) = r(t) sin(2 pi t/period + phase),   r = (1 - cos(pi t/ramp))/2 up to `ramp`, then 1.
 struct SinusoidalMotion {
     Vec3 amplitude;    ///< [m]
     double period{1};  ///< [s]
     double phase{0};   ///< [rad]
+    double ramp{0};    ///< [s]
 };
 
 /// x(t) = x0 + displacement(t), piecewise linear between rows, constant beyond both ends.
@@ -28,7 +32,7 @@ struct TableMotion {
     std::vector<Vec3> displacement;  ///< [m]
 };
 
-/// Turns about a fixed axis through `center`: angle(t) = rate * t + amplitude * sin(2 pi t/period + phase) - ....
+/// Turns about a fixed axis through `center`: angle(t) = rate * t + amplitude * s(t), s that of SinusoidalMotion.
 struct RotatingMotion {
     Vec3 center;          ///< a point of the axis [m]
     Vec3 axis{0, 0, 1};   ///< unit vector [-]
@@ -36,6 +40,7 @@ struct RotatingMotion {
     double amplitude{0};  ///< of an oscillation added to the steady turn [rad]
     double period{1};     ///< [s]
     double phase{0};      ///< [rad]
+    double ramp{0};       ///< in which the oscillation grows from rest [s]
 };
 
 /// A stroke known with its rate at rows, cubic Hermite between them, at rest beyond both ends: smooth where a linear

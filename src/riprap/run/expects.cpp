@@ -17,7 +17,8 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0, 0, missing, missing, missing, missing, missing};
+constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0,       missing, missing,
+                                      missing, missing,  missing,   missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
 constexpr std::array<std::string_view, 6> reduces{"last", "min", "max", "mean", "at", "when"};
 
@@ -28,6 +29,7 @@ double between(const RunningFigures& f, double value, double x0, double x1, doub
 
 void look_at_time(RunningFigures& f, double time, double value, double at) {
     constexpr double forgiven = 1e-9;  // of a step: the end of a run may miss `at` by round-off
+    f.at_time = at;
     if (time == at) {
         f.at = value;
     } else if (std::isnan(f.at) && f.previous_time < at && at <= time + forgiven * (time - f.previous_time)) {
@@ -36,12 +38,15 @@ void look_at_time(RunningFigures& f, double time, double value, double at) {
 }
 
 /// Keeps the value of the first moment at which the trigger reaches its level.
-void look_at_trigger(RunningFigures& f, double trigger, double value, double level) {
+void look_at_trigger(RunningFigures& f, double time, double trigger, double value, double level) {
     if (std::isnan(f.at)) {
         if (trigger == level) {
             f.at = value;
+            f.at_time = time;
         } else if ((f.previous_trigger < level) != (trigger < level) && !std::isnan(f.previous_trigger)) {
             f.at = between(f, value, f.previous_trigger, trigger, level);
+            f.at_time = f.previous_time + (time - f.previous_time) * (level - f.previous_trigger) /
+                                              (trigger - f.previous_trigger);
         }
     }
     f.previous_trigger = trigger;
@@ -54,8 +59,14 @@ void add(RunningFigures& f, double time, double value) {
         f.first_time = time;
     }
     f.last = value;
-    f.minimum = std::min(f.minimum, value);
-    f.maximum = std::max(f.maximum, value);
+    if (value < f.minimum) {
+        f.minimum = value;
+        f.minimum_time = time;
+    }
+    if (value > f.maximum) {
+        f.maximum = value;
+        f.maximum_time = time;
+    }
     f.count += 1;
     f.previous_time = time;
     f.previous = value;
@@ -76,6 +87,20 @@ double reduce(const RunningFigures& f, const std::string& how) {
         return duration > 0 ? f.integral / duration : f.last;
     }
     return how == "at" || how == "when" ? f.at : f.last;
+}
+
+/// When the figure that `reduce` gives was there; missing for a mean [s].
+double time_of(const RunningFigures& f, const std::string& how) {
+    if (how == "min") {
+        return f.minimum_time;
+    }
+    if (how == "max") {
+        return f.maximum_time;
+    }
+    if (how == "last") {
+        return f.previous_time;
+    }
+    return how == "mean" || std::isnan(f.at) ? missing : f.at_time;
 }
 
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
@@ -128,7 +153,8 @@ void ExpectWatch::look(const sim::Moment& moment) {
             if (expect.reduce == "at") {
                 look_at_time(figures_[i], moment.state.time, value, expect.at);
             } else if (expect.reduce == "when") {
-                look_at_trigger(figures_[i], evaluate(triggers_[i], moment), value, expect.reaches);
+                look_at_trigger(figures_[i], moment.state.time, evaluate(triggers_[i], moment), value,
+                                expect.reaches);
             }
             add(figures_[i], moment.state.time, value);
         }
@@ -145,6 +171,7 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
                             .unit = columns_[i].unit,
                             .citation = expect.citation,
                             .value = reduce(figures_[i], expect.reduce),
+                            .time = time_of(figures_[i], expect.reduce),
                             .low = expect.low,
                             .high = expect.high};
         if (at_end) {
@@ -166,7 +193,7 @@ std::vector<double> ExpectWatch::save() const {
 
 void ExpectWatch::load(const std::vector<double>& numbers) {
     if (numbers.size() != figures_.size() * numbers_each) {
-        throw CheckpointError("the checkpoint follows another number of expected answers than the case");
+        throw CheckpointError("the checkpoint follows expected answers in another way, or other ones, than this Riprap does for the case");
     }
     if (!numbers.empty()) {
         std::memcpy(static_cast<void*>(figures_.data()), numbers.data(), numbers.size() * sizeof(double));
@@ -182,10 +209,11 @@ std::string verdict_table(const std::vector<ExpectResult>& results) {
         width = std::max(width, result.name.size());
     }
     std::string text =
-        fmt::format("{:<{}}  {:>14}  {:>29}  {:<8}  verdict\n", "expect", width, "value", "band", "unit");
+        fmt::format("{:<{}}  {:>14}  {:>10}  {:>29}  {:<8}  verdict\n", "expect", width, "value", "at [s]", "band", "unit");
     for (const ExpectResult& result : results) {
-        text += fmt::format("{:<{}}  {:>14.7g}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width, result.value,
-                            result.low, result.high, result.unit, to_string(result.verdict));
+        const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
+        text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
+                            result.value, time, result.low, result.high, result.unit, to_string(result.verdict));
     }
     return text;
 }

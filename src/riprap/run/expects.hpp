@@ -16,6 +16,7 @@ struct RunningFigures {
     double last, minimum, maximum;
     double integral;  ///< over time, by the trapezoidal rule [its unit times s]: steps may differ in length
     double count, first_time, previous_time, previous, previous_trigger, at;
+    double minimum_time, maximum_time, at_time;  ///< when these were first there [s]
 };
 
 /// Judgement of one [[expect]].
@@ -29,6 +30,7 @@ std::string_view to_string(Verdict verdict);
 struct ExpectResult {
     std::string name, quantity, reduce, unit, citation;
     double value{0};  ///< NaN when never seen
+    double time{0};   ///< when it was that; NaN for a mean, and when never seen [s]
     double low{0}, high{0};
     Verdict verdict{Verdict::not_judged};
 };

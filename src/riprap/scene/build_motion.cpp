@@ -56,11 +56,12 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
         motion.law = body::LinearMotion{get_vector(*linear, "velocity")};
     } else if (const Value* sine = table.find("sinusoidal")) {
         motion.law = body::SinusoidalMotion{get_vector(*sine, "amplitude"), get_number(*sine, "period"),
-                                            get_number(*sine, "phase")};
+                                            get_number(*sine, "phase"), get_number(*sine, "ramp")};
     } else if (const Value* rotation = table.find("rotation")) {
         motion.law = body::RotatingMotion{get_vector(*rotation, "center"), normalized(get_vector(*rotation, "axis")),
                                           get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
-                                          get_number(*rotation, "period"), get_number(*rotation, "phase")};
+                                          get_number(*rotation, "period"), get_number(*rotation, "phase"),
+                                          get_number(*rotation, "ramp")};
     } else if (const Value* maker = table.find("wave_maker")) {
         std::optional<body::PrescribedMotion> paddle = wave_maker_motion(build, *maker);
         if (!paddle) {

@@ -133,10 +133,15 @@ const Table& sinusoidal_table() {
                              "motion = { sinusoidal = { ... } }",
                              "x(t) = x0 + amplitude (sin(2 pi t/period + phase) - sin(phase)). It starts with its "
                              "speed at that phase, as if "
-                             "struck; from rest with phase = \"90 deg\", on one side of its start then.",
+                             "struck; from rest with phase = \"90 deg\", on one side of its start then, or with a "
+                             "ramp: x0 + r(t) amplitude sin(2 pi t/period + phase), r growing from 0 to 1.",
                              {{"amplitude", {vector(dimension::length)}, "Amplitude of the displacement.", {}, true},
                               {"period", {number(dimension::time, positive())}, "Period.", {}, true},
-                              {"phase", {phase}, "Phase at the start.", Value::of(0.0)}}};
+                              {"phase", {phase}, "Phase at the start.", Value::of(0.0)},
+                              {"ramp",
+                               {number(dimension::time, non_negative())},
+                               "Time in which it grows from rest to its full size.",
+                               Value::of(0.0)}}};
     return table;
 }
 const Table& motion_data_table() {
@@ -157,13 +162,18 @@ const Table& rotation_table() {
     static const Table table{
         "motion.rotation",
         "motion = { rotation = { ... } }",
-        "A turn about a fixed axis: angle(t) = rate t + amplitude (sin(2 pi t/period + phase) - sin(phase)).",
+        "A turn about a fixed axis: angle(t) = rate t + amplitude (sin(2 pi t/period + phase) - sin(phase)), with a "
+        "ramp rate t + r(t) amplitude sin(2 pi t/period + phase), r growing from 0 to 1.",
         {{"center", {vector(dimension::length)}, "A point of the axis.", {}, true},
          {"axis", {form::axis()}, "Direction of the axis.", Value::of(Vec3{0, 0, 1})},
          {"rate", {number(dimension::angular_velocity)}, "Angular velocity of the steady turn.", Value::of(0.0)},
          {"amplitude", {phase}, "Amplitude of an oscillation added to it.", Value::of(0.0)},
          {"period", {number(dimension::time, positive())}, "Period of the oscillation.", Value::of(1.0)},
-         {"phase", {phase}, "Phase of the oscillation at the start.", Value::of(0.0)}}};
+         {"phase", {phase}, "Phase of the oscillation at the start.", Value::of(0.0)},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time in which the oscillation grows from rest to its full size.",
+          Value::of(0.0)}}};
     return table;
 }
 

@@ -15,10 +15,10 @@ namespace riprap::validation {
 
 namespace {
 
-// The drawing, in pixels.
+// The drawing, in pixels; it grows to the right and down where titles or the legend need it.
 constexpr double width = 820, height = 500;
 constexpr double left = 84, right = 220, top = 62, bottom = 58;  // margins; the legend stands on the right
-constexpr std::array<const char*, 8> palette{"#1f5fa8", "#c8501e", "#2b8a4b", "#8a3fa0",
+constexpr std::array<const char*, color_count> palette{"#1f5fa8", "#c8501e", "#2b8a4b", "#8a3fa0",
                                              "#b8860b", "#00808a", "#a02040", "#555555"};
 
 std::string escaped(const std::string& text) {
@@ -181,6 +181,30 @@ void draw_legend(const Curve& curve, const char* color, std::size_t line, std::s
     out += fmt::format("<text x='{}' y='{}'>{}</text>\n", x + 31, y + 4, escaped(curve.label));
 }
 
+/// Characters of a text in UTF-8.
+double length_of(const std::string& text) {
+    return static_cast<double>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+struct Size {
+    double width, height;
+};
+
+/// Room for every name in full: letters of 13 px are some 7 px wide, those of the title 9.
+Size size_of(const Plot& plot) {
+    Size size{std::max({width, left + 9 * length_of(plot.title), left + 7 * length_of(plot.subtitle)}), height};
+    double lines = 0;
+    for (const Curve& curve : plot.curves) {
+        if (!curve.label.empty()) {
+            lines += 1;
+            size.width = std::max(size.width, width - right + 47 + 7 * length_of(curve.label) + 8);
+        }
+    }
+    size.height = std::max(height, top + 20 * lines + 16);
+    return size;
+}
+
 }  // namespace
 
 std::vector<double> axis_ticks(double low, double high, int count) {
@@ -203,13 +227,14 @@ std::string to_svg(const Plot& plot) {
     if (plot.has_equal_scales) {
         make_equal(x, y);
     }
+    const Size size = size_of(plot);
     std::string out = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}'>\n"
         "<style>text {{ font: 13px sans-serif; fill: #222222; }} .title {{ font-size: 16px; font-weight: bold; }}\n"
         ".subtitle {{ fill: #555555; }} .grid {{ stroke: #e4e4e4; }} .frame {{ fill: none; stroke: #777777; "
         "}}</style>\n"
         "<rect width='{0}' height='{1}' fill='#ffffff'/>\n",
-        width, height);
+        size.width, size.height);
     out += fmt::format("<text class='title' x='{}' y='26'>{}</text>\n", left, escaped(plot.title));
     out += fmt::format("<text class='subtitle' x='{}' y='46'>{}</text>\n", left, escaped(plot.subtitle));
     draw_axes(plot, x, y, out);

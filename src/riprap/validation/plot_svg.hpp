@@ -7,6 +7,9 @@
 
 namespace riprap::validation {
 
+/// Colours that curves get in turn.
+constexpr std::size_t color_count = 8;
+
 /// How a curve is drawn: theory as a line, ours as markers on it; `points` draws every point, for scenes.
 enum class CurveStyle { line, dashed, markers, points };
 

@@ -38,6 +38,53 @@ std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, 
 
 namespace {
 
+/// Mean over time by the trapezoidal rule; rows need not be equally far apart.
+template <class Value>
+double mean_over(std::span<const double> time, std::size_t n, const Value& value) {
+    double integral = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+        integral += 0.5 * (value(i - 1) + value(i)) * (time[i] - time[i - 1]);
+    }
+    return integral / (time[n - 1] - time[0]);
+}
+
+}  // namespace
+
+WaveStatistics statistics_of(std::span<const double> time, std::span<const double> elevation) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    WaveStatistics result{none, 0, none, none, none, none, none, none};
+    const std::size_t n = std::min(time.size(), elevation.size());
+    if (n < 2) {
+        return result;
+    }
+    const double mean = mean_over(time, n, [&](std::size_t i) { return elevation[i]; });
+    const auto square = [&](std::size_t i) { return (elevation[i] - mean) * (elevation[i] - mean); };
+    result.mean_level = mean;
+    result.spectral_height = 4 * std::sqrt(mean_over(time, n, square));
+    std::vector<ZeroCrossingWave> waves = zero_crossing_waves(time, elevation);
+    result.count = static_cast<std::int64_t>(waves.size());
+    if (waves.empty()) {
+        return result;
+    }
+    std::sort(waves.begin(), waves.end(), [](const auto& a, const auto& b) { return a.height > b.height; });
+    const auto average = [&](std::size_t count, double ZeroCrossingWave::* what) {
+        double sum = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            sum += waves[i].*what;
+        }
+        return sum / static_cast<double>(count);
+    };
+    const std::size_t third = std::max<std::size_t>(1, waves.size() / 3);
+    result.highest = waves.front().height;
+    result.mean_height = average(waves.size(), &ZeroCrossingWave::height);
+    result.mean_period = average(waves.size(), &ZeroCrossingWave::period);
+    result.significant_height = average(third, &ZeroCrossingWave::height);
+    result.significant_period = average(third, &ZeroCrossingWave::period);
+    return result;
+}
+
+namespace {
+
 /// Solves a 3 x 3 system by Cramer's rule.
 std::array<double, 3> solve(const std::array<std::array<double, 3>, 3>& m, const std::array<double, 3>& b) {
     const auto det = [](const std::array<std::array<double, 3>, 3>& a) {
@@ -93,11 +140,17 @@ Separation separate_reflection(std::span<const double> place, std::span<const st
     const double determinant = count * count - std::norm(twice);
     if (!(determinant > 1e-6 * count * count)) {
         const double none = std::numeric_limits<double>::quiet_NaN();
-        return {none, none, none};
+        return {none, none, none, none};
     }
-    const double incident = std::abs(count * with_incident - std::conj(twice) * with_reflected) / determinant;
-    const double reflected = std::abs(count * with_reflected - twice * with_incident) / determinant;
-    return {incident, reflected, reflected / incident};
+    const Complex incident = (count * with_incident - std::conj(twice) * with_reflected) / determinant;
+    const Complex reflected = (count * with_reflected - twice * with_incident) / determinant;
+    double left = 0;
+    for (std::size_t m = 0; m < n; ++m) {
+        const Complex forward = std::polar(1.0, wave_number * place[m]);
+        left += std::norm(amplitude[m] - incident * forward - reflected * std::conj(forward));
+    }
+    return {std::abs(incident), std::abs(reflected), std::abs(reflected) / std::abs(incident),
+            std::sqrt(left / count) / std::abs(incident)};
 }
 
 }  // namespace riprap::wave

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,21 @@ struct ZeroCrossingWave {
 /// @param time, elevation  equally long, time increasing [s], [m]
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, std::span<const double> elevation);
 
+/// What a record of the surface is by its waves and by its variance. What needs a wave is not a number without one.
+struct WaveStatistics {
+    double mean_level;          ///< over time [m]
+    std::int64_t count;         ///< of zero-crossing waves
+    double mean_height;         ///< H_m [m]
+    double significant_height;  ///< H_1/3, mean of the highest third of the waves, one at least [m]
+    double highest;             ///< H_max [m]
+    double mean_period;         ///< T_m [s]
+    double significant_period;  ///< T_1/3, mean period of the highest third [s]
+    double spectral_height;     ///< H_m0 = 4 sqrt(m_0), m_0 the variance over time [m]; of a sine 1.41 H
+};
+
+/// @param time, elevation  equally long, time increasing [s], [m]
+WaveStatistics statistics_of(std::span<const double> time, std::span<const double> elevation);
+
 /// Amplitude and phase of one frequency in a record: a in eta = mean + Re(a exp(-i omega t)), by least squares for
 /// mean, cosine and sine, so that the record need not hold whole periods [m].
 std::complex<double> harmonic(std::span<const double> time, std::span<const double> elevation,
@@ -30,6 +46,7 @@ struct Separation {
     double incident;    ///< amplitude [m]
     double reflected;   ///< amplitude [m]
     double reflection;  ///< reflected / incident [-]
+    double misfit;      ///< root mean square of what the two leave of the gauges' amplitudes / incident [-]; 0 for two
 };
 
 /// Splits a wave of one frequency into parts that run towards +x and -x by least squares over two or more gauges

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/view/bad_request.hpp"
+#include "riprap/view/wave_report.hpp"
+
+namespace riprap {
+
+int print_waves(const std::filesystem::path& folder, const view::WaveRequest& request, bool as_json) {
+    const view::RecordedRun run = view::read_run(folder);
+    for (const std::string& notice : run.notices) {
+        fmt::print(stderr, "riprap: {}\n", notice);
+    }
+    try {
+        const view::WaveReport report = view::analyse_waves(run, request);
+        fmt::print("{}", as_json ? view::wave_json(report) + '\n' : view::wave_text(report));
+        return 0;
+    } catch (const view::BadRequest& problem) {
+        fmt::print(stderr, "riprap: {}\n", problem.what());
+        return static_cast<int>(ExitCode::usage);
+    }
+}
+
+}  // namespace riprap

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "riprap/view/wave_report.hpp"
+
+namespace riprap::view {
+
+namespace {
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+/// A number, or null where there is none.
+nlohmann::ordered_json json_of(double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr; }
+
+std::string reflection_text(const WaveReport& report) {
+    if (!report.reflection) {
+        return fmt::format("no reflection: {}\n", report.why_no_reflection);
+    }
+    const Reflection& found = *report.reflection;
+    const std::size_t count = report.gauges.size();
+    return fmt::format(
+        "reflection over {} gauges, {:.4g} m long waves in {:.4g} m of water: incident H {:.4g} m, reflected H {:.4g} "
+        "m, K_r = {:.3g}{}\n",
+        count, found.length, found.depth, 2 * found.parts.incident, 2 * found.parts.reflected, found.parts.reflection,
+        count > 2 ? fmt::format("; the two leave {:.2g} % of the incident wave", 100 * found.parts.misfit) : "");
+}
+
+}  // namespace
+
+std::string wave_text(const WaveReport& report) {
+    std::size_t width = 5;
+    for (const GaugeWaves& gauge : report.gauges) {
+        width = std::max(width, gauge.name.size());
+    }
+    std::string text = fmt::format("waves from {:.6g} to {:.6g} s", report.from, report.to);
+    if (report.period) {
+        text += fmt::format(", {:.0f} periods of {:.4g} s", (report.to - report.from) / *report.period, *report.period);
+    }
+    text += fmt::format("\n{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9}{}\n", "gauge", width, "at [m]",
+                        "mean [m]", "waves", "H_m [m]", "H_1/3", "H_max", "T_m [s]", "T_1/3", "H_m0 [m]",
+                        report.period ? fmt::format(" {:>9}", "H_T [m]") : "");
+    for (const GaugeWaves& gauge : report.gauges) {
+        const wave::WaveStatistics& w = gauge.waves;
+        text += fmt::format("{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9}{}\n", gauge.name, width,
+                            number(gauge.place), number(w.mean_level), w.count, number(w.mean_height),
+                            number(w.significant_height), number(w.highest), number(w.mean_period),
+                            number(w.significant_period), number(w.spectral_height),
+                            report.period ? fmt::format(" {:>9}", number(2 * std::abs(gauge.amplitude))) : "");
+    }
+    return text + reflection_text(report);
+}
+
+std::string wave_json(const WaveReport& report) {
+    nlohmann::ordered_json json{{"from", report.from}, {"to", report.to}};
+    json["period"] = report.period ? json_of(*report.period) : nullptr;
+    json["gauges"] = nlohmann::ordered_json::array();
+    for (const GaugeWaves& gauge : report.gauges) {
+        const wave::WaveStatistics& w = gauge.waves;
+        json["gauges"].push_back(
+            {{"name", gauge.name},
+             {"place", gauge.place},
+             {"mean_level", json_of(w.mean_level)},
+             {"waves", w.count},
+             {"mean_height", json_of(w.mean_height)},
+             {"significant_height", json_of(w.significant_height)},
+             {"highest", json_of(w.highest)},
+             {"mean_period", json_of(w.mean_period)},
+             {"significant_period", json_of(w.significant_period)},
+             {"spectral_height", json_of(w.spectral_height)},
+             {"height_at_period", report.period ? json_of(2 * std::abs(gauge.amplitude)) : nullptr}});
+    }
+    if (report.reflection) {
+        const Reflection& found = *report.reflection;
+        json["reflection"] = {{"length", found.length},
+                              {"depth", found.depth},
+                              {"incident_height", 2 * found.parts.incident},
+                              {"reflected_height", 2 * found.parts.reflected},
+                              {"coefficient", json_of(found.parts.reflection)},
+                              {"misfit", json_of(found.parts.misfit)}};
+    } else {
+        json["reflection"] = nullptr;
+        json["why_no_reflection"] = report.why_no_reflection;
+    }
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace riprap::view
