@@ -236,7 +236,8 @@ void add_waves(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     command->add_option("--from", request->from, "Start of the stretch looked at [s] (default: half of the record)");
     command->add_option("--to", request->to, "End of it [s] (default: of the record)");
-    command->add_option("--period", request->period, "Of the regular wave to take apart [s] (default: the wave maker's)")
+    command
+        ->add_option("--period", request->period, "Of the regular wave to take apart [s] (default: the wave maker's)")
         ->check(CLI::PositiveNumber);
     command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)")
         ->check(CLI::PositiveNumber);

@@ -11,7 +11,7 @@ struct ValidateOptions;
 namespace riprap::view {
 struct RenderOptions;
 struct WaveRequest;
-}
+}  // namespace riprap::view
 
 namespace riprap {
 

@@ -108,8 +108,8 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
         const std::string& unit = source.heading().unit;
         if (unit != sources.front().heading().unit) {
             throw view::BadRequest(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
-                                         sources.front().heading().name, sources.front().heading().unit,
-                                         source.heading().name, unit));
+                                               sources.front().heading().name, sources.front().heading().unit,
+                                               source.heading().name, unit));
         }
         validation::Curve curve;
         curve.label = source.heading().name;

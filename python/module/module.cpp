@@ -29,6 +29,7 @@ PYBIND11_MODULE(_riprap, module) {
     riprap::python::define_case(module);
     riprap::python::define_simulation(module);
     riprap::python::define_run(module);
+    riprap::python::define_waves(module);
     module.def("set_threads", &set_threads, "Threads that steps use from now on. No result depends on it.", "count"_a);
     module.def("threads", &riprap::parallel::thread_count, "Threads that steps use; at first all of the machine.");
     module.def(

@@ -60,5 +60,6 @@ void define_simulation(pybind11::module_& module);
 void define_views(pybind11::module_& module, pybind11::class_<Simulation>& simulation);
 /// The run folder: riprap.run.
 void define_run(pybind11::module_& module);
+void define_waves(pybind11::module_& module);
 
 }  // namespace riprap::python

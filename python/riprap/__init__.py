@@ -28,6 +28,7 @@ from ._riprap import (  # noqa: E402
     run,
     set_threads,
     threads,
+    waves,
 )
 from .errors import (  # noqa: E402
     CaseError,
@@ -49,4 +50,5 @@ if hasattr(_os, "register_at_fork"):
 __all__ = [
     "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
     "Problem", "Simulation", "__version__", "build", "build_info", "load", "loads", "run", "set_threads", "threads",
+    "waves",
 ]

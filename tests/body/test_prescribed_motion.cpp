@@ -49,7 +49,8 @@ TEST(PrescribedMotion, AnOscillationWithARampGrowsFromRestIntoThePlainSine) {
     const PrescribedMotion swing{RotatingMotion{{0, 0, 0}, {0, 0, 1}, 0, 0.1, 0.7, 0.3, 1.1}};
     EXPECT_NEAR(norm(evaluate(sine, Pose{}, 0).velocity), 0, 1e-15);
     EXPECT_NEAR(norm(evaluate(swing, Pose{}, 0).angular_velocity), 0, 1e-15);
-    const double half = 0.05 * std::sin(2 * std::numbers::pi * 0.55 / 0.7 + 0.3);  // half of its size at half of the ramp
+    const double half =
+        0.05 * std::sin(2 * std::numbers::pi * 0.55 / 0.7 + 0.3);  // half of its size at half of the ramp
     EXPECT_NEAR(evaluate(sine, Pose{}, 0.55).pose.position.x, half, 1e-15);
     const double angle = 2 * std::numbers::pi * 3 / 0.7 + 0.3, omega = 2 * std::numbers::pi / 0.7;
     EXPECT_NEAR(evaluate(sine, Pose{}, 3).pose.position.x, 0.1 * std::sin(angle), 1e-15);

@@ -12,7 +12,7 @@ import unittest
 import numpy as np
 
 import riprap
-from scenes import falling_block
+from scenes import POOL, falling_block
 
 
 class Interrupts(unittest.TestCase):
@@ -75,6 +75,21 @@ class RunFolders(unittest.TestCase):
             with self.assertRaisesRegex(RuntimeError, "one at a time"):
                 riprap.run(falling_block(), pathlib.Path(folder, "outer"), callback=nested)
             riprap.run(falling_block(), pathlib.Path(folder, "next"))
+
+    def test_waves_are_read_from_the_gauges_of_a_run(self):
+        gauges = "".join(f'[[output.gauge]]\nname = "g{i}"\nkind = "level"\npoint = [{x}, 0.0, 0.0]\n'
+                         for i, x in enumerate((0.3, 0.5)))
+        with tempfile.TemporaryDirectory() as folder:
+            riprap.run(riprap.loads(POOL + gauges), folder)
+            found = riprap.waves(folder)
+            self.assertEqual([gauge["name"] for gauge in found["gauges"]], ["g0", "g1"])
+            self.assertAlmostEqual(found["gauges"][0]["mean_level"], 0.5, delta=0.02)
+            self.assertIsNone(found["reflection"])
+            self.assertIsNotNone(riprap.waves(folder, period=0.01, depth=0.5)["reflection"])
+            with self.assertRaisesRegex(ValueError, "no level or surface gauge 'g7'"):
+                riprap.waves(folder, ["g7"])
+            with self.assertRaisesRegex(ValueError, "above 0"):
+                riprap.waves(folder, period=-1.0)
 
     def test_a_refused_step_and_a_failing_callback_come_out_of_a_run(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -60,8 +60,8 @@ TEST(Expects, EveryReductionSeesEveryStep) {
 }
 
 TEST(Expects, TellsWhenAFigureWasThere) {
-    const auto results =
-        follow({expect("last"), expect("min"), expect("max"), expect("mean"), expect("at", 1.5), expect("at", 9)}, true);
+    const auto results = follow(
+        {expect("last"), expect("min"), expect("max"), expect("mean"), expect("at", 1.5), expect("at", 9)}, true);
     EXPECT_EQ(results[0].time, 2);
     EXPECT_EQ(results[1].time, 0);
     EXPECT_EQ(results[2].time, 1);

@@ -45,8 +45,8 @@ void look_at_trigger(RunningFigures& f, double time, double trigger, double valu
             f.at_time = time;
         } else if ((f.previous_trigger < level) != (trigger < level) && !std::isnan(f.previous_trigger)) {
             f.at = between(f, value, f.previous_trigger, trigger, level);
-            f.at_time = f.previous_time + (time - f.previous_time) * (level - f.previous_trigger) /
-                                              (trigger - f.previous_trigger);
+            f.at_time = f.previous_time +
+                        (time - f.previous_time) * (level - f.previous_trigger) / (trigger - f.previous_trigger);
         }
     }
     f.previous_trigger = trigger;
@@ -153,8 +153,7 @@ void ExpectWatch::look(const sim::Moment& moment) {
             if (expect.reduce == "at") {
                 look_at_time(figures_[i], moment.state.time, value, expect.at);
             } else if (expect.reduce == "when") {
-                look_at_trigger(figures_[i], moment.state.time, evaluate(triggers_[i], moment), value,
-                                expect.reaches);
+                look_at_trigger(figures_[i], moment.state.time, evaluate(triggers_[i], moment), value, expect.reaches);
             }
             add(figures_[i], moment.state.time, value);
         }
@@ -193,7 +192,9 @@ std::vector<double> ExpectWatch::save() const {
 
 void ExpectWatch::load(const std::vector<double>& numbers) {
     if (numbers.size() != figures_.size() * numbers_each) {
-        throw CheckpointError("the checkpoint follows expected answers in another way, or other ones, than this Riprap does for the case");
+        throw CheckpointError(
+            "the checkpoint follows expected answers in another way, or other ones, than this Riprap does for the "
+            "case");
     }
     if (!numbers.empty()) {
         std::memcpy(static_cast<void*>(figures_.data()), numbers.data(), numbers.size() * sizeof(double));
@@ -208,8 +209,8 @@ std::string verdict_table(const std::vector<ExpectResult>& results) {
     for (const ExpectResult& result : results) {
         width = std::max(width, result.name.size());
     }
-    std::string text =
-        fmt::format("{:<{}}  {:>14}  {:>10}  {:>29}  {:<8}  verdict\n", "expect", width, "value", "at [s]", "band", "unit");
+    std::string text = fmt::format("{:<{}}  {:>14}  {:>10}  {:>29}  {:<8}  verdict\n", "expect", width, "value",
+                                   "at [s]", "band", "unit");
     for (const ExpectResult& result : results) {
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
         text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,

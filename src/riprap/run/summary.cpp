@@ -40,11 +40,10 @@ Json to_json(const sim::Ledger& ledger) {
 }
 
 Json to_json(const ExpectResult& result) {
-    return {{"name", result.name},        {"quantity", result.quantity},
-            {"reduce", result.reduce},    {"unit", result.unit},
-            {"value", result.value},      {"time", result.time},
-            {"low", result.low},          {"high", result.high},
-            {"verdict", to_string(result.verdict)}, {"citation", result.citation}};
+    return {{"name", result.name},        {"quantity", result.quantity}, {"reduce", result.reduce},
+            {"unit", result.unit},        {"value", result.value},       {"time", result.time},
+            {"low", result.low},          {"high", result.high},         {"verdict", to_string(result.verdict)},
+            {"citation", result.citation}};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr double width = 820, height = 500;
 constexpr double left = 84, right = 220, top = 62, bottom = 58;  // margins; the legend stands on the right
 constexpr std::array<const char*, color_count> palette{"#1f5fa8", "#c8501e", "#2b8a4b", "#8a3fa0",
-                                             "#b8860b", "#00808a", "#a02040", "#555555"};
+                                                       "#b8860b", "#00808a", "#a02040", "#555555"};
 
 std::string escaped(const std::string& text) {
     std::string out;

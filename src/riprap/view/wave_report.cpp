@@ -61,7 +61,8 @@ CaseWaves waves_of_case(const RecordedRun& run) {
     if (const scene::Value* gauges = at_path(root, {"output", "gauge"})) {
         for (const scene::Value& gauge : gauges->items) {
             const scene::Value *kind = gauge.find("kind"), *name = gauge.find("name"), *point = gauge.find("point");
-            if (kind != nullptr && (kind->text == "level" || kind->text == "surface") && name != nullptr && point != nullptr) {
+            if (kind != nullptr && (kind->text == "level" || kind->text == "surface") && name != nullptr &&
+                point != nullptr) {
                 waves.gauges.push_back({name->text, scene::to_vector(*point)});
             }
         }
@@ -129,9 +130,10 @@ Record record_of(const io::CsvTable& table, const std::string& gauge, double fro
 void cut_to_periods(WaveReport& report) {
     const double periods = std::floor((report.to - report.from) / *report.period * (1 + 1e-9));
     if (periods < 1) {
-        throw BadRequest(fmt::format("from {:.6g} to {:.6g} s is less than one period of {:.6g} s: a longer stretch "
-                                     "(--from, --to) or another --period",
-                                     report.from, report.to, *report.period));
+        throw BadRequest(
+            fmt::format("from {:.6g} to {:.6g} s is less than one period of {:.6g} s: ask for a "
+                        "longer stretch or another period",
+                        report.from, report.to, *report.period));
     }
     report.from = report.to - periods * *report.period;
 }
@@ -158,12 +160,12 @@ void take_apart(const RecordedRun& run, const WaveRequest& request, const CaseWa
     const std::optional<double> depth = request.depth ? request.depth : known.depth;
     const double gravity = norm(run.gravity);
     if (!report.period) {
-        report.why_no_reflection = "no regular wave maker in the case gives a period: --period and --depth would";
+        report.why_no_reflection = "no regular wave maker in the case gives a period: give one, and a depth";
     } else if (report.gauges.size() < 2) {
         report.why_no_reflection = "it takes two gauges or more";
     } else if (!depth || !(gravity > 0)) {
-        report.why_no_reflection = gravity > 0 ? "the case has no wave maker with a depth: --depth would give it"
-                                               : "the case has no gravity";
+        report.why_no_reflection =
+            gravity > 0 ? "no wave maker in the case gives a depth: give one" : "the case has no gravity";
     } else {
         separate(report, *depth, gravity);
     }
@@ -191,7 +193,8 @@ WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request) {
     }
     for (const CaseWaves::Place& gauge : gauges) {
         const Record record = record_of(run.probes, gauge.gauge, report.from, report.to);
-        GaugeWaves waves{gauge.gauge, dot(known.direction, gauge.point), wave::statistics_of(record.time, record.level)};
+        GaugeWaves waves{gauge.gauge, dot(known.direction, gauge.point),
+                         wave::statistics_of(record.time, record.level)};
         if (report.period) {
             waves.amplitude = wave::harmonic(record.time, record.level, 2 * std::numbers::pi / *report.period);
         }

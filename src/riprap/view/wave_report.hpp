@@ -23,9 +23,9 @@ struct WaveRequest {
 /// What one gauge saw.
 struct GaugeWaves {
     std::string name;
-    double place;                          ///< along the waves [m]
+    double place;  ///< along the waves [m]
     wave::WaveStatistics waves;
-    std::complex<double> amplitude{};      ///< at the period of the wave maker, wave::harmonic [m]
+    std::complex<double> amplitude{};  ///< at the period of the wave maker, wave::harmonic [m]
 };
 
 /// A regular wave taken apart over all gauges.

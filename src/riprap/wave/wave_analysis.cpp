@@ -67,7 +67,7 @@ WaveStatistics statistics_of(std::span<const double> time, std::span<const doubl
         return result;
     }
     std::sort(waves.begin(), waves.end(), [](const auto& a, const auto& b) { return a.height > b.height; });
-    const auto average = [&](std::size_t count, double ZeroCrossingWave::* what) {
+    const auto average = [&](std::size_t count, double ZeroCrossingWave::*what) {
         double sum = 0;
         for (std::size_t i = 0; i < count; ++i) {
             sum += waves[i].*what;
