@@ -236,13 +236,19 @@ void add_waves(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     command->add_option("--from", request->from, "Start of the stretch looked at [s] (default: half of the record)");
     command->add_option("--to", request->to, "End of it [s] (default: of the record)");
-    command
-        ->add_option("--period", request->period, "Of the regular wave to take apart [s] (default: the wave maker's)")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)")
-        ->check(CLI::PositiveNumber);
+    command->add_option("--period", request->period,
+                        "Of the regular wave to take apart [s] (default: the wave maker's)");
+    command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)");
+    auto way = std::make_shared<std::vector<double>>();
+    command->add_option("--direction", *way, "Of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
+        ->delimiter(',')
+        ->expected(2, 3)
+        ->type_name("VECTOR");
     command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, folder, request, as_json] {
+    command->callback([&action, folder, request, as_json, way] {
+        if (!way->empty()) {
+            request->direction = Vec3{way->at(0), way->at(1), way->size() > 2 ? way->at(2) : 0};
+        }
         action = [folder, request, as_json] {
             end_with_reader();
             return print_waves(*folder, *request, *as_json);

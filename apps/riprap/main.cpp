@@ -16,6 +16,7 @@
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/view/bad_request.hpp"
 #include "riprap/view/page_content.hpp"
 
 namespace {
@@ -66,6 +67,8 @@ int guarded_command_line(int argument_count, char** arguments) {
         return report_case_error(error);
     } catch (const riprap::view::Stopped& stopped) {
         return static_cast<int>(ExitCode::signal_base) + stopped.signal();
+    } catch (const riprap::view::BadRequest& error) {
+        return fail(ExitCode::usage, error.what());
     } catch (const riprap::CheckpointError& error) {
         return fail(ExitCode::bad_checkpoint, error.what());
     } catch (const riprap::FileError& error) {

@@ -120,8 +120,9 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
             curve.x.push_back(source.table->values[0][i]);
             curve.y.push_back(values[i] - start);
         }
-        const bool is_color_taken = plot.curves.size() / validation::color_count % 2 == 1;
-        curve.style = is_color_taken ? validation::CurveStyle::dashed : curve.style;
+        constexpr std::array<validation::CurveStyle, 3> styles{
+            validation::CurveStyle::line, validation::CurveStyle::dashed, validation::CurveStyle::markers};
+        curve.style = styles[plot.curves.size() / validation::color_count % styles.size()];
         plot.curves.push_back(std::move(curve));
     }
     return plot;
@@ -139,7 +140,9 @@ std::string png_of(const std::string& svg) {
     return browser.picture();
 }
 
-int draw(const PlotOptions& options) {
+}  // namespace
+
+int plot_run(const PlotOptions& options) {
     const view::RecordedRun run = view::read_run(options.folder);
     for (const std::string& notice : run.notices) {
         fmt::print(stderr, "riprap: {}\n", notice);
@@ -153,17 +156,6 @@ int draw(const PlotOptions& options) {
     fmt::print("{}{}\n", out.string(),
                is_asked ? "" : "; --column NAME draws another column, more of them where it is repeated");
     return 0;
-}
-
-}  // namespace
-
-int plot_run(const PlotOptions& options) {
-    try {
-        return draw(options);
-    } catch (const view::BadRequest& problem) {
-        fmt::print(stderr, "riprap: {}\n", problem.what());
-        return static_cast<int>(ExitCode::usage);
-    }
 }
 
 }  // namespace riprap

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "riprap/core/error.hpp"
-#include "riprap/view/bad_request.hpp"
 #include "riprap/view/wave_report.hpp"
 
 namespace riprap {
@@ -13,14 +11,9 @@ int print_waves(const std::filesystem::path& folder, const view::WaveRequest& re
     for (const std::string& notice : run.notices) {
         fmt::print(stderr, "riprap: {}\n", notice);
     }
-    try {
-        const view::WaveReport report = view::analyse_waves(run, request);
-        fmt::print("{}", as_json ? view::wave_json(report) + '\n' : view::wave_text(report));
-        return 0;
-    } catch (const view::BadRequest& problem) {
-        fmt::print(stderr, "riprap: {}\n", problem.what());
-        return static_cast<int>(ExitCode::usage);
-    }
+    const view::WaveReport report = view::analyse_waves(run, request);
+    fmt::print("{}", as_json ? view::wave_json(report) + '\n' : view::wave_text(report));
+    return 0;
 }
 
 }  // namespace riprap

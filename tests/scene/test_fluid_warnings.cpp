@@ -81,6 +81,14 @@ TEST(FluidWarnings, a_paddle_that_draws_back_out_of_the_domain) {
         return test::with(long_run, "low = [-0.5, -0.2]", "low = [" + low + ", -0.2]") + paddle("0.5");
     };
     EXPECT_THAT(test::read(domain_from("-0.1")).warnings, ElementsAre());
+    // As a piston of a whole plane, and where no water touches it, and whatever part of a period the end of the run is.
+    const std::string plane = test::with(domain_from("-0.08"), "shape = { box = [0.4, 1.0] }\nposition = [-0.2, 0.5]",
+                                         "shape = { half_space = { normal = [1.0, 0.0] } }");
+    EXPECT_THAT(test::read(plane).warnings, ElementsAre(HasSubstr("which ends at -0.08 m")));
+    EXPECT_THAT(test::read(test::with(plane, "low = [0.0, 0.0], high", "low = [0.3, 0.0], high")).warnings,
+                ElementsAre(HasSubstr("which ends at -0.08 m")));
+    EXPECT_THAT(test::read(test::with(plane, "end = 6.0", "end = 2998.5")).warnings,  // 1999 periods
+                ElementsAre(HasSubstr("which ends at -0.08 m")));
     EXPECT_THAT(test::read(domain_from("-0.08")).warnings,
                 ElementsAre(AllOf(HasSubstr("the face of 'paddle' draws back to x = -0.0"),
                                   HasSubstr("which ends at -0.08 m"), HasSubstr("ends the run"))));

@@ -252,7 +252,11 @@ TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, direction = [1, 0, 1]"),
                 ElementsAre(HasSubstr("up or down")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1e-9"),
-                ElementsAre(HasSubstr("of water breaks; less than 2.217e-19 m, 0.142 L tanh kd")));
+                ElementsAre(HasSubstr("waves of 1e-09 s in 0.5 m of water are too short for a paddle")));
+    for (const std::string period : {"1e9", "1e200"}) {
+        EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = " + period),
+                    ElementsAre(HasSubstr("too long for a paddle; a period with kd = 2 pi d/L from 0.0001 to 300")));
+    }
     EXPECT_THAT(problems("depth = 0.5, period = 1"), ElementsAre(HasSubstr("without 'height'")));
     EXPECT_THAT(problems("depth = 0.5, wave = \"none\""), ElementsAre(HasSubstr("neither makes nor absorbs")));
     EXPECT_THAT(problems("height = 0.1, depth = 0.5, period = 1, absorb = [0, 0, 0]"),

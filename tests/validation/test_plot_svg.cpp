@@ -63,8 +63,8 @@ double number_after(const std::string& text, const std::string& name) {
 TEST(PlotSvg, grows_until_every_name_in_the_legend_is_inside) {
     Plot plot = simple_plot();
     const double width = number_after(to_svg(plot), "width='"), height = number_after(to_svg(plot), "height='");
-    plot.curves[0].label = std::string(60, 'w');
-    EXPECT_NEAR(number_after(to_svg(plot), "width='"), width - 220 + 47 + 7 * 60 + 8, 1e-9);
+    plot.curves[0].label = std::string(60, 'e');
+    EXPECT_NEAR(number_after(to_svg(plot), "width='"), width - 220 + 47 + 8.2 * 60 + 8, 1e-9);
     for (int i = 0; i < 38; ++i) {
         plot.curves.push_back({"one more", {0, 1}, {0, 1}, CurveStyle::line, -1});
     }

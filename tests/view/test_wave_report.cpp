@@ -14,6 +14,7 @@
 namespace riprap::view {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -24,8 +25,10 @@ const std::string maker =
     "[[body]]\nname = \"paddle\"\nmotion = { wave_maker = { wave = \"regular\", direction = "
     "[-1.0, 0.0], height = 0.2, period = 1.5, depth = 0.7 } }\n";
 
-std::string gauge(const std::string& name, double x, const std::string& kind = "level") {
-    return fmt::format("[[output.gauge]]\nname = \"{}\"\nkind = \"{}\"\npoint = [{:.17g}, 0.0, 0.0]\n", name, kind, x);
+std::string gauge(const std::string& name, double x, const std::string& kind = "level", double lean = 0) {
+    return fmt::format(
+        "[[output.gauge]]\nname = \"{}\"\nkind = \"{}\"\npoint = [{:.17g}, 0.0, 0.0]\nend = [{:.17g}, 2.0, 0.0]\n",
+        name, kind, x, x + lean);
 }
 
 /// Waves towards -x, and part of them back again, at gauges where x is 3.0, 3.4 and 4.1 m, for 12.7 s; a pressure
@@ -42,7 +45,7 @@ RecordedRun waves_of(const std::string& case_text, const std::vector<double>& pl
     for (std::size_t k = 0; k < places.size(); ++k) {
         const std::string name = fmt::format("g{}", k + 1);
         run.resolved_text += gauge(name, places[k], k == 1 ? "surface" : "level");
-        run.resolved_text += k == 0 ? gauge("p", 3.1, "pressure") : "";
+        run.resolved_text += k == 0 ? gauge("p", 3.1, "pressure") + gauge("slope", 5.0, "surface", 0.1) : "";
         run.probes.columns.push_back({name, "m"});
         std::vector<double> level;
         for (const double t : run.probes.values[0]) {
@@ -64,10 +67,11 @@ TEST(WaveReport, a_reflected_wave_is_found_with_what_the_case_says_of_its_paddle
     EXPECT_NEAR(report.reflection->length, linear.length(), 1e-12);
     EXPECT_EQ(report.gauges.size(), 3U);
     EXPECT_EQ(report.gauges[0].place, -3.0);  // along the waves
-    EXPECT_NEAR(report.gauges[0].waves.mean_level, depth, 1e-6);
-    // Of the second half, 6.35 s, four whole periods are looked at.
+    EXPECT_NEAR(report.gauges[0].waves.mean_level, depth, 2e-3);
+    // Waves of the second half, 6.35 s, and harmonics of the four whole periods in it.
+    EXPECT_NEAR(report.from, 6.35, 1e-12);
     EXPECT_NEAR(report.to, 12.7, 1e-12);
-    EXPECT_NEAR(report.from, 12.7 - 4 * period, 1e-12);
+    EXPECT_NEAR(report.whole_from, 12.7 - 4 * period, 1e-12);
     EXPECT_THAT(wave_text(report), HasSubstr("incident H 0.2 m, reflected H 0.06 m, K_r = 0.3"));
     const nlohmann::json json = nlohmann::json::parse(wave_json(report));
     EXPECT_NEAR(json.at("reflection").at("coefficient").get<double>(), 0.3, 1e-11);
@@ -84,7 +88,8 @@ TEST(WaveReport, without_a_wave_maker_period_and_depth_are_asked_for) {
     const RecordedRun run = waves_of("");
     const WaveReport bare = analyse_waves(run, {});
     EXPECT_FALSE(bare.reflection);
-    EXPECT_THAT(bare.why_no_reflection, HasSubstr("give one, and a depth"));
+    EXPECT_THAT(bare.why_no_reflection,
+                HasSubstr("no wave maker of the case makes regular waves: give a period and a depth"));
     EXPECT_NEAR(bare.from, 6.35, 1e-12);
     EXPECT_NEAR(bare.gauges[0].waves.mean_period, period, 1e-3);
     const WaveReport asked = analyse_waves(run, {.period = period, .depth = depth});
@@ -95,10 +100,45 @@ TEST(WaveReport, without_a_wave_maker_period_and_depth_are_asked_for) {
 
 TEST(WaveReport, gauges_that_cannot_tell_are_said_to_be_so) {
     const RecordedRun half = waves_of(maker, {1.0, 1.0 + 0.5 * linear.length()});
-    EXPECT_THAT(analyse_waves(half, {}).why_no_reflection, HasSubstr("half a wavelength"));
+    EXPECT_THAT(analyse_waves(half, {}).why_no_reflection, HasSubstr("cannot tell the two ways apart"));
     const WaveReport one = analyse_waves(waves_of(maker), {.gauges = {"g2"}});
     EXPECT_EQ(one.gauges.size(), 1U);
     EXPECT_THAT(one.why_no_reflection, HasSubstr("two gauges"));
+}
+
+TEST(WaveReport, a_gauge_without_values_is_named_and_left_out) {
+    RecordedRun run = waves_of(maker);
+    for (double& level : run.probes.values[2]) {
+        level = std::nan("");
+    }
+    run.probes.values[1][1000] = std::nan("");
+    const WaveReport report = analyse_waves(run, {});
+    ASSERT_TRUE(report.reflection) << report.why_no_reflection;
+    EXPECT_THAT(report.reflection->gauges, ElementsAre("g1", "g3"));
+    EXPECT_NEAR(report.reflection->parts.reflection, 0.3, 1e-10);
+    EXPECT_THAT(report.notices, ElementsAre(HasSubstr("'g1' has no value in 1 of 636 rows"),
+                                            HasSubstr("'g2' has no value in 636 of 636 rows"),
+                                            HasSubstr("'g2' has too few values for the reflection")));
+    EXPECT_EQ(report.gauges[0].waves.count, analyse_waves(waves_of(maker), {}).gauges[0].waves.count - 1);
+    EXPECT_THAT(wave_text(report), HasSubstr("'g2' has no value"));
+}
+
+TEST(WaveReport, still_water_reflects_nothing) {
+    RecordedRun run = waves_of(maker);
+    for (std::size_t k = 1; k < run.probes.values.size(); ++k) {
+        for (std::size_t i = 0; i < run.probes.row_count(); ++i) {
+            run.probes.values[k][i] = depth + (i % 3 == k ? 1e-16 : 0);
+        }
+    }
+    EXPECT_THAT(analyse_waves(run, {}).why_no_reflection, HasSubstr("there are no waves of 1.5 s"));
+}
+
+TEST(WaveReport, paddles_that_do_not_agree_give_no_period) {
+    const std::string other = std::string(maker).replace(maker.find("period = 1.5"), 12, "period = 1.6");
+    EXPECT_THAT(analyse_waves(waves_of(maker + other), {}).why_no_reflection, HasSubstr("do not make the same waves"));
+    EXPECT_TRUE(analyse_waves(waves_of(maker + maker), {}).reflection);
+    const std::string damaged = std::string(maker).replace(maker.find("1.5"), 3, "\"x\"");
+    EXPECT_FALSE(analyse_waves(waves_of(damaged), {}).reflection);
 }
 
 TEST(WaveReport, what_cannot_be_answered_is_refused_with_the_reason) {
@@ -109,7 +149,11 @@ TEST(WaveReport, what_cannot_be_answered_is_refused_with_the_reason) {
     refused({.gauges = {"g4"}}, "no level or surface gauge 'g4'");
     refused({.gauges = {"p"}}, "it has g1, g2, g3");
     refused({.from = 20.0}, "the record goes from 0 to 12.7 s");
-    refused({.from = 12.0}, "less than one period of 1.5 s");
+    refused({.period = std::nan("")}, "no time, period or depth");
+    refused({.depth = -1.0}, "above 0");
+    refused({.direction = Vec3{}}, "the waves go nowhere");
+    EXPECT_THAT(analyse_waves(run, {.from = 12.0}).why_no_reflection, HasSubstr("less than one period of 1.5 s"));
+    EXPECT_THAT(analyse_waves(run, {.period = 0.03}).why_no_reflection, HasSubstr("rows are 0.00998 s apart"));
     EXPECT_THAT([] { analyse_waves(waves_of(maker, {}), {}); }, ThrowsMessage<BadRequest>(HasSubstr("no gauge")));
 }
 

@@ -170,5 +170,53 @@ TEST(WaveAnalysis, gauges_half_a_wavelength_apart_cannot_tell_the_parts) {
     EXPECT_TRUE(std::isnan(separate_reflection(place, amplitude, wave.wave_number).incident));
 }
 
+TEST(WaveAnalysis, two_gauges_are_good_from_a_twentieth_of_a_wavelength_to_that_less_than_half) {
+    // An error e of one record comes out e/sin(k dx) times as large: 3.2 e at 0.05 L.
+    const LinearWave wave = linear_wave(0.2, 1.5, 0.7, g);
+    const auto reflected = [&](double share) {
+        const double place[] = {0, share * wave.length()};
+        const std::complex<double> amplitude[] = {
+            0.1, 0.98 * 0.1 * std::polar(1.0, wave.wave_number * place[1])};  // the second reads 2 % too little
+        return separate_reflection(place, amplitude, wave.wave_number).reflected;
+    };
+    for (const double share : {0.01, 0.04, 0.46, 0.49}) {
+        EXPECT_TRUE(std::isnan(reflected(share))) << share;
+    }
+    for (const double share : {0.051, 0.2, 0.449, 0.7}) {
+        EXPECT_LT(reflected(share), 0.1 * 0.02 * 3.3 / 2) << share;
+    }
+}
+
+TEST(WaveAnalysis, rows_half_a_period_apart_have_no_harmonic) {
+    const auto amplitude = [](double step) {
+        std::vector<double> time, level;
+        for (int i = 0; i < 40; ++i) {
+            time.push_back(step * i);
+            level.push_back(0.1 * std::cos(2 * std::numbers::pi / 1.5 * time.back() - 0.4));
+        }
+        return std::abs(harmonic(time, level, 2 * std::numbers::pi / 1.5));
+    };
+    EXPECT_NEAR(amplitude(0.2), 0.1, 1e-12);
+    EXPECT_TRUE(std::isnan(amplitude(0.75)));
+    EXPECT_TRUE(std::isnan(amplitude(1.5)));
+    EXPECT_TRUE(std::isnan(amplitude(1e-4)));  // 40 rows in a four-hundredth of a period
+}
+
+TEST(WaveAnalysis, a_wave_with_missing_rows_is_left_out) {
+    std::vector<double> time, level;
+    for (int i = 25; i < 1000; ++i) {
+        time.push_back(0.01 * i);
+        const bool is_missing = i >= 330 && i < 430;  // from the fourth wave into the fifth
+        level.push_back(is_missing ? std::nan("") : 1 + 0.1 * std::sin(2 * std::numbers::pi * time.back()));
+    }
+    const auto waves = zero_crossing_waves(time, level);
+    EXPECT_EQ(waves.size(), 6U);  // of 1 to 2 s, 2 to 3 s, and 5 to 9 s
+    for (const ZeroCrossingWave& wave : waves) {
+        EXPECT_NEAR(wave.period, 1, 2e-3);
+        EXPECT_NEAR(wave.height, 0.2, 2e-3);
+    }
+    EXPECT_NEAR(2 * std::abs(harmonic(time, level, 2 * std::numbers::pi)), 0.2, 1e-12);
+}
+
 }  // namespace
 }  // namespace riprap::wave

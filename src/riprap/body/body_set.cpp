@@ -73,6 +73,13 @@ DrivenState driven_state(const BodySet& bodies, BodyId body, double time) {
     return evaluate(bodies.motions[static_cast<std::size_t>(entry.motion)], entry.start, time);
 }
 
+std::int64_t look_count(const BodySet& bodies, BodyId body, double end) {
+    const DrivenBody& entry =
+        bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[static_cast<std::size_t>(body.value)])];
+    const double period = shortest_period(bodies.motions[static_cast<std::size_t>(entry.motion)]);
+    return static_cast<std::int64_t>(std::clamp(64 * end / period, 1999.0, 2e5));
+}
+
 void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start) {
     RIPRAP_ASSERT(bodies.driven[static_cast<std::size_t>(body.value)] < 0, "a body is driven by one motion");
     bodies.driven[static_cast<std::size_t>(body.value)] = static_cast<std::int32_t>(bodies.driven_bodies.size());

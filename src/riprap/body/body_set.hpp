@@ -105,6 +105,10 @@ struct NewBody {
 /// Where a driven body is and how it moves at a time, corrections aside.
 DrivenState driven_state(const BodySet& bodies, BodyId body, double time);
 
+/// How often to look at a driven body between 0 and `end` to see its extremes: 64 times in the shortest period of its
+/// motion, 2000 times at least and 200 000 at most.
+std::int64_t look_count(const BodySet& bodies, BodyId body, double end);
+
 /// Gives back memory kept for growth. Worth calling once the scene is read.
 void shrink_to_fit(BodySet& bodies, BodyState& state);
 

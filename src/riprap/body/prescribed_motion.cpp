@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace riprap::body {
@@ -121,12 +122,28 @@ DrivenState apply(const HarmonicMotion& law, const Pose& initial, double t) {
 }
 
 template <class Law>
+double period_of(const Law&) {
+    return std::numeric_limits<double>::infinity();
+}
+double period_of(const SinusoidalMotion& law) { return law.period; }
+double period_of(const RotatingMotion& law) {
+    return law.amplitude != 0 ? law.period : std::numeric_limits<double>::infinity();
+}
+double period_of(const HarmonicMotion& law) {
+    return 2 * std::numbers::pi / law.angular_frequency / (law.amplitude[1] != 0 ? 2 : 1);
+}
+
+template <class Law>
 DrivenState apply(const Law& law, const Pose& initial, double t) {
     const Offset offset = offset_at(law, t);
     return {{initial.position + offset.displacement, initial.orientation}, offset.velocity, {}};
 }
 
 }  // namespace
+
+double shortest_period(const PrescribedMotion& motion) {
+    return std::visit([](const auto& law) { return period_of(law); }, motion.law);
+}
 
 DrivenState evaluate(const PrescribedMotion& motion, const Pose& initial, double time) {
     const double t = std::clamp(time, motion.start, motion.stop) - motion.start;

@@ -85,6 +85,9 @@ struct DrivenState {
     Vec3 angular_velocity;  ///< world axes [rad/s]
 };
 
+/// The shortest period of the law [s]; infinity where it has none.
+double shortest_period(const PrescribedMotion& motion);
+
 /// Evaluates a motion at `time` for a body that starts at `initial`. Exact in time: no accumulated error.
 DrivenState evaluate(const PrescribedMotion& motion, const Pose& initial, double time);
 

@@ -145,15 +145,15 @@ double fastest_start(const CaseBuild& build, const Value& table, const std::vect
         fastest = std::max(fastest, norm(region.velocity));
     }
     const body::BodySet& bodies = build.model.bodies;
-    constexpr int looks =
-        1999;  // times at which a driven body is looked at; prime, so that no period hides between them
     for (std::size_t b = 0; b < bodies.mass.size(); ++b) {
         const double rim = rim_of(build, b);
         const BodyId body{static_cast<std::int32_t>(b)};
         const Vec3 spin = angular_velocity(bodies, build.state.bodies, body);
         fastest = std::max(fastest, norm(build.state.bodies.velocity[b]) + rim * norm(spin));
-        for (int k = 0; bodies.driven[b] >= 0 && k <= looks; ++k) {
-            const auto state = driven_state(bodies, body, build.model.time.end * k / looks);
+        const std::int64_t looks = bodies.driven[b] >= 0 ? look_count(bodies, body, build.model.time.end) : -1;
+        for (std::int64_t k = 0; k <= looks; ++k) {
+            const double share = static_cast<double>(k) / static_cast<double>(looks);
+            const auto state = driven_state(bodies, body, build.model.time.end * share);
             fastest = std::max(fastest, norm(state.velocity) + rim * norm(state.angular_velocity));
         }
     }

@@ -17,14 +17,33 @@ constexpr double breaking_share = 0.78;
 /// Waves break above H = 0.142 L tanh kd [Miche1944].
 constexpr double steepest = 0.142;
 
-/// A wave that would break is refused with the lower of its two limits.
-void check_breaking(CaseBuild& build, const Value& table, double g) {
+/// k d beyond which the transfer function of a paddle is lost in round-off, or in numbers too large.
+constexpr double least_kd = 1e-4, most_kd = 300;
+
+/// Whether a regular wave of the period of `table` can be made at all. A problem, and false, where not.
+bool check_length(CaseBuild& build, const Value& period, const wave::LinearWave& wave) {
+    const double kd = wave.kd();
+    if (kd >= least_kd && kd <= most_kd) {
+        return true;
+    }
+    build.problem(period.place,
+                  fmt::format("waves of {:.4g} s in {:.4g} m of water are too {} for a paddle", period.as_number(),
+                              wave.depth, kd > most_kd ? "short" : "long"),
+                  fmt::format("a period with kd = 2 pi d/L from {:g} to {:g}", least_kd, most_kd));
+    return false;
+}
+
+/// A wave that would break is refused with the lower of its two limits, and one that no paddle can make.
+void check_height(CaseBuild& build, const Value& table, double g) {
     const double height = get_number(table, "height"), depth = get_number(table, "depth");
     double highest = breaking_share * depth;
     std::string limit = fmt::format("less than {:.4g} m, {} of the depth", highest, breaking_share);
     std::string length;
     if (const Value* period = table.find("period"); get_text(table, "wave") != "solitary" && period != nullptr) {
         const wave::LinearWave wave = wave::linear_wave(height, period->as_number(), depth, g);
+        if (!check_length(build, *period, wave)) {
+            return;
+        }
         length = fmt::format(" and {:.4g} m long", wave.length());
         if (const double steep = steepest * wave.length() * std::tanh(wave.kd()); steep < highest) {
             highest = steep;
@@ -93,7 +112,7 @@ bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle,
     if (kind != "none" && table.find("height") == nullptr) {
         build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
     } else if (kind != "none" && g > 0) {
-        check_breaking(build, table, g);
+        check_height(build, table, g);
     }
     if (kind == "none" && table.find("absorb") == nullptr) {
         build.problem(table.place, "a paddle that neither makes nor absorbs waves", "'absorb', or another wave");
@@ -159,18 +178,6 @@ PaddleWave paddle_wave(const CaseBuild& build, const Value& table) {
     result.celerity = wave.celerity();
     result.stroke = wave.height / wave::height_over_stroke(paddle, wave.kd());
     return result;
-}
-
-std::string text_of(const PaddleWave& wave) {
-    if (wave.kind == "none") {
-        return fmt::format("none, in {:.4g} m of water", wave.depth);
-    }
-    const std::string shape = wave.length > 0
-                                  ? fmt::format("{:.4g} s, {:.4g} m long (kd = {:.3g}), ", wave.period, wave.length,
-                                                2 * std::numbers::pi / wave.length * wave.depth)
-                                  : "";
-    return fmt::format("{}, {:.4g} m high in {:.4g} m of water, {}{:.4g} m/s, stroke {:.4g} m", wave.kind, wave.height,
-                       wave.depth, shape, wave.celerity, wave.stroke);
 }
 
 std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {

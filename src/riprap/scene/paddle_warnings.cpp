@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "riprap/core/error.hpp"
 #include "riprap/scene/placed_part.hpp"
@@ -47,11 +48,7 @@ std::optional<WaterBefore> water_before(const CaseBuild& build, const WavePaddle
         if (std::isfinite(found.surface) && std::abs(level - found.surface) > 1e-6 * spacing) {
             return std::nullopt;
         }
-        const double along = dot(paddle.direction, water[i]), slack = 1e-6 * spacing;
-        if (along < found.nearest - slack ||
-            (along < found.nearest + slack && dot(build.up(), water[i]) > dot(build.up(), found.place))) {
-            found.place = water[i];
-        }
+        const double along = dot(paddle.direction, water[i]);
         found.surface = level;
         found.nearest = std::min(found.nearest, along);
         found.farthest = std::max(found.farthest, along);
@@ -94,35 +91,68 @@ void warn_of_height(CaseBuild& build, const WavePaddle& paddle, double spacing) 
     }
 }
 
-/// How far back, against its waves, a point that moves with the paddle comes [m].
+/// How far the paddle reaches towards its waves at the start [m]; nothing for a plane that does not face that way.
+std::optional<double> face_of(const CaseBuild& build, const WavePaddle& paddle) {
+    double face = -infinity;
+    for (const body::Part& part : build.model.bodies.parts) {
+        if (part.body != paddle.body) {
+            continue;
+        }
+        const PlacedPart here = placed(build, part);
+        if (build.model.shapes.is_half_space(part.shape)) {
+            const Vec3 normal = rotate(here.pose.orientation, here.shape.normal(0));
+            if (dot(normal, paddle.direction) < 1 - 1e-9) {
+                return std::nullopt;
+            }
+            face = std::max(face, dot(paddle.direction, here.pose.position) + here.shape.offset[0]);
+        }
+        for (int i = 0; i < here.shape.vertex_count; ++i) {
+            face = std::max(face, dot(paddle.direction, to_world(here.pose, here.shape.vertex(i))));
+        }
+    }
+    return face;
+}
+
+/// How far back, against its waves, a point that moves with the paddle comes, corrections by absorption aside [m].
 double farthest_back(const CaseBuild& build, const WavePaddle& paddle, const Vec3& point) {
-    const auto place_at = [&](double time) {
-        const Pose pose = driven_state(build.model.bodies, paddle.body, time).pose;
-        return to_world(pose, to_body(driven_state(build.model.bodies, paddle.body, 0).pose, point));
-    };
-    constexpr int looks = 1999;  // prime, so that no period hides between them
+    const body::BodySet& bodies = build.model.bodies;
+    const Vec3 local = to_body(driven_state(bodies, paddle.body, 0).pose, point);
+    const std::int64_t looks = look_count(bodies, paddle.body, build.model.time.end);
     double back = infinity;
-    for (int k = 0; k <= looks; ++k) {
-        back = std::min(back, dot(paddle.direction, place_at(build.model.time.end * k / looks)));
+    for (std::int64_t k = 0; k <= looks; ++k) {
+        const double time = build.model.time.end * static_cast<double>(k) / static_cast<double>(looks);
+        const Pose pose = driven_state(bodies, paddle.body, time).pose;
+        back = std::min(back, dot(paddle.direction, to_world(pose, local)));
     }
     return back;
 }
 
-void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::SphSettings& sph,
-                     const WaterBefore& before) {
+/// A point of the face at still water: the stroke of a flap is that of this line.
+Vec3 point_of_face(const CaseBuild& build, const WavePaddle& paddle, double face) {
+    const body::BodySet& bodies = build.model.bodies;
+    const std::int32_t motion =
+        bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[static_cast<std::size_t>(paddle.body.value)])]
+            .motion;
+    const auto* law = std::get_if<body::HarmonicMotion>(&bodies.motions[static_cast<std::size_t>(motion)].law);
+    const Vec3 still = law != nullptr && law->arm > 0 ? law->center + law->arm * build.up() : Vec3{};
+    return still + (face - dot(paddle.direction, still)) * paddle.direction;
+}
+
+void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::SphSettings& sph) {
     const fluid::Domain& domain = sph.domain;
-    for (int axis = 0; axis < domain.dimension; ++axis) {
+    const std::optional<double> face = face_of(build, paddle);
+    for (int axis = 0; face && axis < domain.dimension; ++axis) {
         const double way = paddle.direction[axis];
         if (std::abs(way) < 1 - 1e-9 || domain.is_periodic[static_cast<std::size_t>(axis)]) {
             continue;  // where the domain ends along other ways depends on where along the paddle one looks
         }
-        const double face = farthest_back(build, paddle, before.place) - 0.5 * sph.spacing;
+        const double back = farthest_back(build, paddle, point_of_face(build, paddle, *face));
         const double end = way > 0 ? domain.low[axis] : -domain.high[axis];
-        if (face < end - 1e-6 * sph.spacing) {
+        if (back < end - 1e-6 * sph.spacing) {
             warn(build, paddle,
                  fmt::format("the face of '{}' draws back to {} = {:.4g} m, out of 'fluid.domain', which ends at "
                              "{:.4g} m",
-                             paddle.wave.paddle, "xyz"[axis], way * face, way * end),
+                             paddle.wave.paddle, "xyz"[axis], way * back, way * end),
                  "a domain that reaches behind it: water that leaves the domain ends the run");
         }
     }
@@ -134,10 +164,10 @@ void warn_of_paddles(CaseBuild& build, const sim::FluidModel& fluid, const coupl
     const double spacing = fluid.sph.spacing;
     for (const WavePaddle& paddle : build.paddles) {
         warn_of_height(build, paddle, spacing);
+        warn_of_leaving(build, paddle, fluid.sph);
         if (const auto before = water_before(build, paddle, spacing, filling)) {
             warn_of_depth(build, paddle, spacing,
                           depth_of(build, paddle, spacing, *before, filling.particles.position));
-            warn_of_leaving(build, paddle, fluid.sph, *before);
         }
     }
 }

@@ -10,7 +10,8 @@ namespace riprap::scene {
 /// - a depth other than that of the water at their face, by more than a spacing. Says nothing where no water touches
 ///   the face, or regions of different levels do;
 /// - a wave of less than four spacings from crest to trough, which the water can hardly carry;
-/// - a face that draws back out of the domain of the water, along an axis: what follows it ends the run.
+/// - a face that draws back out of the domain of the water, along an axis, without what absorption adds: water that
+///   follows it ends the run.
 void warn_of_paddles(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling);
 
 }  // namespace riprap::scene

@@ -191,14 +191,14 @@ struct Size {
     double width, height;
 };
 
-/// Room for every name in full: letters of 13 px are some 7 px wide, those of the title 9.
+/// Room for names in full: letters of 13 px are some 8 px wide, those of the title 10.
 Size size_of(const Plot& plot) {
-    Size size{std::max({width, left + 9 * length_of(plot.title), left + 7 * length_of(plot.subtitle)}), height};
+    Size size{std::max({width, left + 10 * length_of(plot.title), left + 8 * length_of(plot.subtitle)}), height};
     double lines = 0;
     for (const Curve& curve : plot.curves) {
         if (!curve.label.empty()) {
             lines += 1;
-            size.width = std::max(size.width, width - right + 47 + 7 * length_of(curve.label) + 8);
+            size.width = std::max(size.width, width - right + 47 + 8.2 * length_of(curve.label) + 8);
         }
     }
     size.height = std::max(height, top + 20 * lines + 16);

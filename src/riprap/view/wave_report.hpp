@@ -3,6 +3,7 @@
 
 // The waves of a run, from what its gauges of the surface recorded.
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,34 +19,40 @@ struct WaveRequest {
     std::optional<double> from{}, to{};  ///< stretch of the record [s]; default: the second half of it
     std::optional<double> period{};      ///< of a regular wave to take apart [s]; default: that of the wave maker
     std::optional<double> depth{};       ///< of still water [m]; default: that of the wave maker
+    std::optional<Vec3> direction{};     ///< of the waves; default: that of the wave maker, or +x
 };
 
 /// What one gauge saw.
 struct GaugeWaves {
     std::string name;
-    double place;  ///< along the waves [m]
-    wave::WaveStatistics waves;
-    std::complex<double> amplitude{};  ///< at the period of the wave maker, wave::harmonic [m]
+    double place;                      ///< along the waves [m]
+    wave::WaveStatistics waves;        ///< over the whole stretch
+    std::int64_t missing;              ///< rows of the stretch without a value
+    std::complex<double> amplitude{};  ///< at the period, over whole periods of the stretch, wave::harmonic [m]
 };
 
-/// A regular wave taken apart over all gauges.
+/// A regular wave taken apart.
 struct Reflection {
-    double period, depth, length;  ///< [s], [m], [m]
+    double depth, length;             ///< [m]
+    std::vector<std::string> gauges;  ///< over these
     wave::Separation parts;
 };
 
 struct WaveReport {
-    double from, to;  ///< of what was looked at: whole periods where a period is known [s]
+    double from, to;  ///< stretch looked at [s]
     std::vector<GaugeWaves> gauges;
-    std::optional<double> period;
+    std::optional<double> period;  ///< of the wave taken apart; none where rows are too far apart for it
+    double whole_from{0};          ///< harmonics are over whole periods from here to the end [s]
     std::optional<Reflection> reflection;
     std::string why_no_reflection;  ///< empty with one
+    std::vector<std::string> notices;
 };
 
 /// Waves between up-crossings of every gauge; where a period is known its harmonic, and, over two gauges or more that
-/// lie apart along the waves, incident and reflected wave (docs/theory/waves.md, analysis of records). The way of the
-/// waves is that of the wave maker, +x without one.
-/// @throws BadRequest  for a gauge that the run does not have, a stretch without rows, a period without a depth
+/// lie apart along the waves, incident and reflected wave (docs/theory/waves.md, analysis of records). What keeps a
+/// wave from being taken apart is said in the report.
+/// @throws BadRequest  for a gauge that the run does not have, a stretch without rows, a number that cannot be meant
+/// @throws FileError   where the tables of the run are not those of its case
 WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request);
 
 /// For people, and as one JSON object.

@@ -21,11 +21,12 @@ std::string reflection_text(const WaveReport& report) {
         return fmt::format("no reflection: {}\n", report.why_no_reflection);
     }
     const Reflection& found = *report.reflection;
-    const std::size_t count = report.gauges.size();
+    const std::size_t count = found.gauges.size();
     return fmt::format(
-        "reflection over {} gauges, {:.4g} m long waves in {:.4g} m of water: incident H {:.4g} m, reflected H {:.4g} "
-        "m, K_r = {:.3g}{}\n",
-        count, found.length, found.depth, 2 * found.parts.incident, 2 * found.parts.reflected, found.parts.reflection,
+        "reflection over {} gauges, {:.0f} periods of {:.4g} s, {:.4g} m long waves in {:.4g} m of water: incident H "
+        "{:.4g} m, reflected H {:.4g} m, K_r = {:.3g}{}\n",
+        count, (report.to - report.whole_from) / *report.period, *report.period, found.length, found.depth,
+        2 * found.parts.incident, 2 * found.parts.reflected, found.parts.reflection,
         count > 2 ? fmt::format("; the two leave {:.2g} % of the incident wave", 100 * found.parts.misfit) : "");
 }
 
@@ -37,9 +38,6 @@ std::string wave_text(const WaveReport& report) {
         width = std::max(width, gauge.name.size());
     }
     std::string text = fmt::format("waves from {:.6g} to {:.6g} s", report.from, report.to);
-    if (report.period) {
-        text += fmt::format(", {:.0f} periods of {:.4g} s", (report.to - report.from) / *report.period, *report.period);
-    }
     text += fmt::format("\n{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9}{}\n", "gauge", width, "at [m]",
                         "mean [m]", "waves", "H_m [m]", "H_1/3", "H_max", "T_m [s]", "T_1/3", "H_m0 [m]",
                         report.period ? fmt::format(" {:>9}", "H_T [m]") : "");
@@ -50,6 +48,9 @@ std::string wave_text(const WaveReport& report) {
                             number(w.significant_height), number(w.highest), number(w.mean_period),
                             number(w.significant_period), number(w.spectral_height),
                             report.period ? fmt::format(" {:>9}", number(2 * std::abs(gauge.amplitude))) : "");
+    }
+    for (const std::string& notice : report.notices) {
+        text += notice + '\n';
     }
     return text + reflection_text(report);
 }
@@ -64,6 +65,7 @@ std::string wave_json(const WaveReport& report) {
             {{"name", gauge.name},
              {"place", gauge.place},
              {"mean_level", json_of(w.mean_level)},
+             {"rows_missing", gauge.missing},
              {"waves", w.count},
              {"mean_height", json_of(w.mean_height)},
              {"significant_height", json_of(w.significant_height)},
@@ -75,7 +77,9 @@ std::string wave_json(const WaveReport& report) {
     }
     if (report.reflection) {
         const Reflection& found = *report.reflection;
-        json["reflection"] = {{"length", found.length},
+        json["reflection"] = {{"gauges", found.gauges},
+                              {"from", report.whole_from},
+                              {"length", found.length},
                               {"depth", found.depth},
                               {"incident_height", 2 * found.parts.incident},
                               {"reflected_height", 2 * found.parts.reflected},
@@ -85,6 +89,7 @@ std::string wave_json(const WaveReport& report) {
         json["reflection"] = nullptr;
         json["why_no_reflection"] = report.why_no_reflection;
     }
+    json["notices"] = report.notices;
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

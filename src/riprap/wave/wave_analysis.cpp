@@ -5,10 +5,28 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace riprap::wave {
+
+namespace {
+
+/// Mean over time by the trapezoidal rule; rows need not be equally far apart, those that are not a number are left
+/// out.
+template <class Value>
+double mean_over(std::span<const double> time, std::size_t n, const Value& value) {
+    double integral = 0, duration = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+        const double middle = 0.5 * (value(i - 1) + value(i));
+        if (!std::isnan(middle)) {
+            integral += middle * (time[i] - time[i - 1]);
+            duration += time[i] - time[i - 1];
+        }
+    }
+    return integral / duration;
+}
+
+}  // namespace
 
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, std::span<const double> elevation) {
     std::vector<ZeroCrossingWave> waves;
@@ -16,11 +34,12 @@ std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, 
     if (n < 3) {
         return waves;
     }
-    const double mean = std::accumulate(elevation.begin(), elevation.end(), 0.0) / static_cast<double>(n);
+    const double mean = mean_over(time, n, [&](std::size_t i) { return elevation[i]; });
     double start = 0, crest = 0, trough = 0;
     bool is_inside = false;
     for (std::size_t i = 1; i < n; ++i) {
         const double before = elevation[i - 1] - mean, now = elevation[i] - mean;
+        is_inside = is_inside && !std::isnan(now);
         if (before < 0 && now >= 0) {
             const double crossing = time[i - 1] + (time[i] - time[i - 1]) * before / (before - now);
             if (is_inside) {
@@ -35,20 +54,6 @@ std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, 
     }
     return waves;
 }
-
-namespace {
-
-/// Mean over time by the trapezoidal rule; rows need not be equally far apart.
-template <class Value>
-double mean_over(std::span<const double> time, std::size_t n, const Value& value) {
-    double integral = 0;
-    for (std::size_t i = 1; i < n; ++i) {
-        integral += 0.5 * (value(i - 1) + value(i)) * (time[i] - time[i - 1]);
-    }
-    return integral / (time[n - 1] - time[0]);
-}
-
-}  // namespace
 
 WaveStatistics statistics_of(std::span<const double> time, std::span<const double> elevation) {
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -85,14 +90,18 @@ WaveStatistics statistics_of(std::span<const double> time, std::span<const doubl
 
 namespace {
 
-/// Solves a 3 x 3 system by Cramer's rule.
-std::array<double, 3> solve(const std::array<std::array<double, 3>, 3>& m, const std::array<double, 3>& b) {
+/// Solves a 3 x 3 system by Cramer's rule; no numbers where its determinant is below `least`.
+std::array<double, 3> solve(const std::array<std::array<double, 3>, 3>& m, const std::array<double, 3>& b,
+                            double least) {
     const auto det = [](const std::array<std::array<double, 3>, 3>& a) {
         return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
                a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
     };
-    const double whole = det(m);
-    std::array<double, 3> x{};
+    const double whole = det(m), none = std::numeric_limits<double>::quiet_NaN();
+    std::array<double, 3> x{none, none, none};
+    if (!(whole >= least)) {
+        return x;
+    }
     for (std::size_t c = 0; c < 3; ++c) {
         auto column = m;
         for (std::size_t r = 0; r < 3; ++r) {
@@ -110,7 +119,12 @@ std::complex<double> harmonic(std::span<const double> time, std::span<const doub
     std::array<std::array<double, 3>, 3> normal{};
     std::array<double, 3> right{};
     const std::size_t n = std::min(time.size(), elevation.size());
+    double rows = 0;
     for (std::size_t i = 0; i < n; ++i) {
+        if (std::isnan(elevation[i])) {
+            continue;
+        }
+        rows += 1;
         const double angle = angular_frequency * time[i];
         const std::array<double, 3> base{1.0, std::cos(angle), std::sin(angle)};
         for (std::size_t r = 0; r < 3; ++r) {
@@ -120,7 +134,8 @@ std::complex<double> harmonic(std::span<const double> time, std::span<const doub
             }
         }
     }
-    const std::array<double, 3> fit = solve(normal, right);
+    constexpr double share = 0.01;  // of the determinant of many whole periods, n^3/4
+    const std::array<double, 3> fit = solve(normal, right, std::max(1.0, share * 0.25 * rows * rows * rows));
     return {fit[1], fit[2]};  // Re((a + ib) exp(-iwt)) = a cos wt + b sin wt
 }
 
@@ -138,7 +153,8 @@ Separation separate_reflection(std::span<const double> place, std::span<const st
     // Normal equations: n I + conj(twice) R = with_incident;  twice I + n R = with_reflected.
     const auto count = static_cast<double>(n);
     const double determinant = count * count - std::norm(twice);
-    if (!(determinant > 1e-6 * count * count)) {
+    constexpr double least = 0.0955;  // sin^2(2 pi 0.05)
+    if (!(determinant >= least * count * count)) {
         const double none = std::numeric_limits<double>::quiet_NaN();
         return {none, none, none, none};
     }

@@ -16,8 +16,8 @@ struct ZeroCrossingWave {
     double crest;   ///< above the mean level [m]
 };
 
-/// Cuts a record of the surface into waves at its up-crossings of the mean, found by linear interpolation. The part
-/// before the first and after the last crossing is left out.
+/// Cuts a record of the surface into waves at its up-crossings of the mean over time, found by linear interpolation.
+/// The part before the first and after the last crossing is left out, and so is a wave with rows that are not a number.
 /// @param time, elevation  equally long, time increasing [s], [m]
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, std::span<const double> elevation);
 
@@ -33,11 +33,13 @@ struct WaveStatistics {
     double spectral_height;     ///< H_m0 = 4 sqrt(m_0), m_0 the variance over time [m]; of a sine 1.41 H
 };
 
+/// Intervals with a row that is not a number count for no mean over time.
 /// @param time, elevation  equally long, time increasing [s], [m]
 WaveStatistics statistics_of(std::span<const double> time, std::span<const double> elevation);
 
 /// Amplitude and phase of one frequency in a record: a in eta = mean + Re(a exp(-i omega t)), by least squares for
-/// mean, cosine and sine, so that the record need not hold whole periods [m].
+/// mean, cosine and sine, so that the record need not hold whole periods; rows that are not a number are left out [m].
+/// Not a number where the rows cannot tell the three apart: too few, or a multiple of half a period apart.
 std::complex<double> harmonic(std::span<const double> time, std::span<const double> elevation,
                               double angular_frequency);
 
@@ -50,9 +52,11 @@ struct Separation {
 };
 
 /// Splits a wave of one frequency into parts that run towards +x and -x by least squares over two or more gauges
-/// [Mansard1980]: a_m = I exp(i k x_m) + R exp(-i k x_m).
-/// @param place  of the gauges along x [m]; no two a multiple of half a wavelength apart, or the answer is empty noise:
-///               incident is then not a number
+/// [Mansard1980]: a_m = I exp(i k x_m) + R exp(-i k x_m). Gauges a multiple of half a wavelength apart cannot tell the
+/// two: with D = 1 - |sum exp(2 i k x_m)|^2/n^2, sin^2(k dx) for two gauges, an error of the records comes out
+/// 1/sqrt(D) times as large. Two gauges are good for dx of 0.05 to 0.45 wavelengths, or that and halves of it more
+/// [Goda1976]: below the D of these, 0.095, the answer is not a number.
+/// @param place  of the gauges along x [m]
 /// @param amplitude  of each gauge, from harmonic() [m]
 Separation separate_reflection(std::span<const double> place, std::span<const std::complex<double>> amplitude,
                                double wave_number);
