@@ -152,8 +152,8 @@ double fastest_start(const CaseBuild& build, const Value& table, const std::vect
         fastest = std::max(fastest, norm(build.state.bodies.velocity[b]) + rim * norm(spin));
         const std::int64_t looks = bodies.driven[b] >= 0 ? look_count(bodies, body, build.model.time.end) : -1;
         for (std::int64_t k = 0; k <= looks; ++k) {
-            const double share = static_cast<double>(k) / static_cast<double>(looks);
-            const auto state = driven_state(bodies, body, build.model.time.end * share);
+            const double time = build.model.time.end * static_cast<double>(k) / static_cast<double>(looks);
+            const auto state = driven_state(bodies, body, time);
             fastest = std::max(fastest, norm(state.velocity) + rim * norm(state.angular_velocity));
         }
     }
