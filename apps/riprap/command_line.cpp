@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "command_line_parts.hpp"
 #include "commands.hpp"
 #include "riprap/bench/bench.hpp"
 #include "riprap/core/error.hpp"
@@ -20,10 +18,7 @@
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/scene/key_text.hpp"
-#include "riprap/scene/suggest.hpp"
 #include "riprap/validation/validate.hpp"
-#include "riprap/view/render.hpp"
-#include "riprap/view/wave_report.hpp"
 
 namespace riprap {
 
@@ -43,11 +38,6 @@ constexpr const char* exit_code_help =
 
 constexpr const char* case_help = "A case file, a folder with a case.toml, or a name from `riprap list`";
 constexpr int max_threads = 1024;
-
-using Action = std::function<int()>;
-
-/// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.
-void end_with_reader() { std::signal(SIGPIPE, SIG_DFL); }
 
 void add_run(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::RunOptions>();
@@ -137,125 +127,6 @@ void add_validate(CLI::App& app, Action& action) {
     });
 }
 
-/// What the file is called says what is written into it; other names would lie.
-void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
-    if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
-        return;
-    }
-    std::string names;
-    for (const char* extension : allowed) {
-        names += fmt::format("{}{}", names.empty() ? "" : " or ", extension);
-    }
-    throw CLI::ValidationError("--out", fmt::format("'{}' must end in {}", file.string(), names));
-}
-
-void add_view(CLI::App& app, Action& action) {
-    auto options = std::make_shared<ViewOptions>();
-    CLI::App* command = app.add_subcommand("view", "Write one page that shows a run in a browser, offline");
-    command->add_option("RUN", options->folder, "The run folder")->required();
-    CLI::Option* out = command->add_option("--out", options->out, "The page (default: RUN/index.html)");
-    CLI::Option* serve = command->add_flag("--serve", options->is_served,
-                                           "Show it to browsers on this machine instead of writing it, until Ctrl-C");
-    serve->excludes(out);
-    command->add_option("--port", options->port, "With --serve (default: a free one)")
-        ->check(CLI::Range(1, 65535))
-        ->needs(serve);
-    command->add_option("--budget", options->budget_mb, "Size of the page [MB]; water is rounded to fit (default: 60)")
-        ->check(CLI::Range(1.0, 2000.0));
-    command->callback([&action, options] {
-        require_extension(options->out, {".html"});
-        action = [options] { return view_run(*options); };
-    });
-}
-
-void read_size(const std::string& text, view::RenderOptions& options) {
-    int end = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &options.width, &options.height, &end) != 2 ||
-        static_cast<std::size_t>(end) != text.size() || options.width < 64 || options.height < 64 ||
-        options.width > 8192 || options.height > 8192) {
-        throw CLI::ValidationError("--size", "WIDTHxHEIGHT in pixels, 64 to 8192 each, such as 1280x720");
-    }
-}
-
-void add_render(CLI::App& app, Action& action) {
-    auto options = std::make_shared<view::RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
-    command->add_option("RUN", options->folder, "The run folder")->required();
-    command->add_option("--out", options->out,
-                        "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
-    CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default)");
-    CLI::Option* time = command->add_option("--time", options->time, "The frame nearest to this time [s]");
-    frame->excludes(time);
-    command->add_flag("--movie", options->is_movie, "All frames, as MP4 where ffmpeg is installed, else as pictures")
-        ->excludes(frame)
-        ->excludes(time);
-    command->add_option_function<std::string>(
-        "--size", [options](const std::string& text) { read_size(text, *options); }, "WIDTHxHEIGHT [pixels]");
-    command->add_option("--camera", options->camera, "Where from")
-        ->check(CLI::IsMember({"corner", "front", "side", "top"}));
-    command->add_option("--water", options->water, "Colour of the water")
-        ->check(CLI::IsMember({"pressure", "speed", "none"}));
-    command->add_option("--blocks", options->blocks, "Colour of the blocks")
-        ->check(CLI::IsMember({"material", "speed", "displacement", "force"}));
-    command->add_flag("--contacts", options->shows_contacts, "Draw contact forces");
-    command->add_flag("--page", options->shows_page, "The whole page, with its plots");
-    command->add_option("--theme", options->theme, "light or dark")->check(CLI::IsMember({"light", "dark"}));
-    command->callback([&action, options] {
-        require_extension(options->out, {options->is_movie ? ".mp4" : ".png"});
-        action = [options] { return print_render(*options); };
-    });
-}
-
-void add_plot(CLI::App& app, Action& action) {
-    auto options = std::make_shared<PlotOptions>();
-    CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
-    command->add_option("RUN", options->folder, "The run folder")->required();
-    command
-        ->add_option(
-            "--column", options->columns,
-            "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x; once for each (default: gauges and bodies, "
-            "else energies)")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
-    command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");
-    command->callback([&action, options] {
-        require_extension(options->out, {".svg", ".png"});
-        action = [options] { return plot_run(*options); };
-    });
-}
-
-void add_waves(CLI::App& app, Action& action) {
-    auto request = std::make_shared<view::WaveRequest>();
-    auto folder = std::make_shared<std::filesystem::path>();
-    auto as_json = std::make_shared<bool>(false);
-    CLI::App* command =
-        app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
-    command->add_option("RUN", *folder, "The run folder")->required();
-    command->add_option("--gauge", request->gauges, "Of kind level or surface; once for each (default: all)")
-        ->type_name("NAME")
-        ->allow_extra_args(false);
-    command->add_option("--from", request->from, "Start of the stretch looked at [s] (default: half of the record)");
-    command->add_option("--to", request->to, "End of it [s] (default: of the record)");
-    command->add_option("--period", request->period,
-                        "Of the regular wave to take apart [s] (default: the wave maker's)");
-    command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)");
-    auto way = std::make_shared<std::vector<double>>();
-    command->add_option("--direction", *way, "Of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
-        ->delimiter(',')
-        ->expected(2, 3)
-        ->type_name("VECTOR");
-    command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, folder, request, as_json, way] {
-        if (!way->empty()) {
-            request->direction = Vec3{way->at(0), way->at(1), way->size() > 2 ? way->at(2) : 0};
-        }
-        action = [folder, request, as_json] {
-            end_with_reader();
-            return print_waves(*folder, *request, *as_json);
-        };
-    });
-}
-
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false);
@@ -304,56 +175,9 @@ void add_version(CLI::App& app, Action& action) {
     });
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-    const std::string meant = scene::nearest(word, known);
-    return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
-}
-
-/// What is wrong with the first word that no command and no option bears; empty where all are known.
-std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
-    if (words.empty() || words.front().empty()) {
-        return {};
-    }
-    const CLI::App* command = &app;
-    std::size_t first = 0;
-    if (words.front().front() != '-') {
-        std::vector<std::string> names;
-        for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; })) {
-            names.push_back(one->get_name());
-            command = one->get_name() == words.front() ? one : command;
-        }
-        if (command == &app) {
-            return fmt::format("there is no command '{}'{}", words.front(), did_you_mean(words.front(), names));
-        }
-        first = 1;
-    }
-    std::vector<std::string> options;
-    for (const CLI::Option* option : command->get_options()) {
-        for (const std::string& name : option->get_lnames()) {
-            options.push_back("--" + name);
-        }
-    }
-    for (std::size_t i = first; i < words.size() && words[i] != "--"; ++i) {
-        const std::string option = words[i].substr(0, words[i].find('='));
-        if (option.rfind("--", 0) == 0 && std::find(options.begin(), options.end(), option) == options.end()) {
-            return fmt::format("`{}` has no option '{}'{}",
-                               command == &app ? "riprap" : "riprap " + command->get_name(), option,
-                               did_you_mean(option, options));
-        }
-    }
-    return {};
-}
-
-int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
-    if (const std::string unknown = unknown_word(app, words); !unknown.empty()) {
-        fmt::print(stderr, "riprap: {}\nRun with --help for more information.\n", unknown);
-    } else {
-        app.exit(error);
-    }
-    return static_cast<int>(ExitCode::usage);
-}
-
 }  // namespace
+
+void end_with_reader() { std::signal(SIGPIPE, SIG_DFL); }
 
 int command_line(int argument_count, char** arguments) {
     CLI::App app("Riprap: discrete solid blocks in and under water", "riprap");
@@ -365,10 +189,7 @@ int command_line(int argument_count, char** arguments) {
     add_check(app, action);
     add_resume(app, action);
     add_validate(app, action);
-    add_view(app, action);
-    add_render(app, action);
-    add_plot(app, action);
-    add_waves(app, action);
+    add_commands_of_runs(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);

@@ -7,7 +7,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/coupling/solid_slopes.hpp"
-#include "riprap/sim/water_step.hpp"
+#include "riprap/sim/water_scratch.hpp"
 
 namespace riprap::sim {
 

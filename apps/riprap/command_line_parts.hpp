@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace riprap {
+
+/// What the command that was named does; returns the exit code.
+using Action = std::function<int()>;
+
+/// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.
+void end_with_reader();
+
+/// Adds the commands that look at the folder of a run: view, render, plot and waves.
+void add_commands_of_runs(CLI::App& app, Action& action);
+
+/// Says what is wrong with `words`, all that follows the name of the program: a command or an option that there is
+/// not, and the nearest there is, or else what `error` says. @returns the exit code for a bad command line.
+int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words);
+
+}  // namespace riprap
