@@ -84,7 +84,7 @@ std::vector<Source> usual(const view::RecordedRun& run) {
     };
     add(run.probes, [&](const std::string& unit) { return chosen.empty() || chosen.front().heading().unit == unit; });
     if (chosen.empty()) {
-        add(run.ledger, [](const std::string& unit) { return unit == "J"; });
+        add(run.ledger, [](const std::string& unit) { return unit == "J" || unit == "J/m"; });
     }
     if (chosen.empty() && run.probes.row_count() + run.ledger.row_count() == 0) {
         throw FileError("there is nothing to plot: neither probes.csv nor ledger.csv has a row that can be read");

@@ -123,7 +123,7 @@ export class Blocks {
     switch (this.colourBy) {
       case 'speed': return {label: 'speed of blocks', unit: 'm/s', high: bodies.most_speed};
       case 'displacement': return {label: 'displacement of blocks', unit: 'm', high: bodies.most_displacement};
-      case 'force': return {label: 'contact force on blocks', unit: 'N', high: bodies.most_force};
+      case 'force': return {label: 'contact force on blocks', unit: this.contents.is_planar ? 'N/m' : 'N', high: bodies.most_force};
       default: return null;
     }
   }

@@ -43,6 +43,7 @@ export function showBody(parent, contents, frame, body) {
     return;
   }
   const b = bodyOf(contents, frame, body);
+  const perWidth = unit => contents.is_planar ? unit + '/m' : unit;
   const [w, x, y, z] = b.orientation;
   const angle = 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w)) * 180 / Math.PI;
   parent.append(element('h2', b.name, {'data-field': 'name'}));
@@ -51,19 +52,19 @@ export function showBody(parent, contents, frame, body) {
     ['position', readings(b.position), 'm', 'position'],
     ['velocity', readings(b.velocity), 'm/s', 'velocity'],
     ['angular velocity', readings(b.angularVelocity), 'rad/s', 'angular_velocity'],
-    ['contact force', readings(b.contactForce), 'N', 'contact_force'],
+    ['contact force', readings(b.contactForce), perWidth('N'), 'contact_force'],
   ];
   parent.append(scrolling(rows(list)));
   parent.append(rows([
     ['speed', reading(Math.hypot(...b.velocity)), 'm/s', 'speed'],
     ['turned by', reading(angle, 4), 'deg', 'angle'],
-    ['mass', b.isFree || b.mass > 0 ? reading(b.mass) : 'fixed', b.mass > 0 ? 'kg' : '', 'mass'],
+    ['mass', b.isFree || b.mass > 0 ? reading(b.mass) : 'fixed', b.mass > 0 ? perWidth('kg') : '', 'mass'],
   ]));
   const contacts = contactsOf(frame, body);
   parent.append(element('h3', `${contacts.length} contact${contacts.length === 1 ? '' : 's'}`));
   if (contacts.length > 0) {
     const table = element('table');
-    table.innerHTML = '<tr><th>with</th><th>force [N]</th><th>overlap [m]</th><th></th></tr>';
+    table.innerHTML = `<tr><th>with</th><th>force [${perWidth('N')}]</th><th>overlap [m]</th><th></th></tr>`;
     for (const contact of contacts.slice(0, 20)) {
       const row = table.insertRow();
       row.append(element('td', contents.bodies.names?.[contact.other] ?? `body ${contact.other}`),

@@ -236,11 +236,14 @@ export class Plots {
   }
 }
 
+/** Of joules, in planar scenes per metre of width. */
+const isEnergy = unit => unit === 'J' || unit === 'J/m';
+
 /** What a column is of: "position" for B1.position.x, "water" for a column of water in the ledger. */
 function kindOf({name, unit}) {
   const parts = name.split('.'), last = parts.length > 1 && 'xyz'.includes(parts.at(-1)) ? -1 : undefined;
   const quantity = parts.slice(parts.length > 2 ? 1 : 0, last).join(' ').replaceAll('_', ' ');
-  if (unit === 'J') {
+  if (isEnergy(unit)) {
     return name.includes('water') ? 'energy of water since the start' : 'energy of blocks since the start';
   }
   return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' : 'gauges';
@@ -249,12 +252,12 @@ function kindOf({name, unit}) {
 /** An energy is drawn as its change: a large one that is constant would flatten all others. */
 function sinceStart(column) {
   const start = column.values.find(v => Number.isFinite(v)) ?? 0;
-  return column.unit === 'J' ? {...column, values: column.values.map(v => v - start)} : column;
+  return isEnergy(column.unit) ? {...column, values: column.values.map(v => v - start)} : column;
 }
 
 /** What is looked at first: energies, then quantities with a unit, then counts and ratios. */
 function rank(unit) {
-  return unit === 'J' ? 0 : unit === '-' ? 2 : 1;
+  return isEnergy(unit) ? 0 : unit === '-' ? 2 : 1;
 }
 
 function groupBy(list, key) {

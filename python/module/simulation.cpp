@@ -201,7 +201,7 @@ py::object value(const Simulation& self, const std::string& name) {
 py::dict ledger(const Simulation& self) {
     const run::Simulation& simulation = self.read();
     py::dict values;
-    for (const sim::Column& column : run::scene_columns()) {
+    for (const sim::Column& column : run::scene_columns(simulation.model().bodies.is_planar)) {
         values[py::str(column.name)] = evaluate(column, simulation.now());
     }
     return values;

@@ -99,5 +99,21 @@ TEST(Quantity, EveryLineOfTheTableHasAUnitAHelpAndAName) {
     }
 }
 
+TEST(Quantity, OfMatterIsPerMetreOfWidthInAPlanarScene) {
+    for (const QuantityInfo& info : quantities()) {
+        const bool is_of_matter =
+            info.unit.find_first_of("NJW") != std::string_view::npos || info.unit.starts_with("kg");
+        EXPECT_EQ(unit_in(info.unit, true), std::string(info.unit) + (is_of_matter ? "/m" : "")) << info.name;
+        EXPECT_EQ(unit_in(info.unit, false), info.unit) << info.name;
+    }
+    EXPECT_EQ(unit_in("m^3/s", true), "m^3/s/m");  // as overtopping is told
+    EXPECT_EQ(unit_in("Pa", true), "Pa");
+    Scene scene;
+    scene.model.bodies.is_planar = true;
+    EXPECT_EQ(find_column(scene.model, "kinetic_energy")->unit, "J/m");
+    EXPECT_EQ(find_column(scene.model, "block.contact_force.x")->unit, "N/m");
+    EXPECT_EQ(find_column(scene.model, "block.speed")->unit, "m/s");
+}
+
 }  // namespace
 }  // namespace riprap::sim

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "riprap/io/csv.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::io {
 
@@ -219,10 +220,12 @@ PolyData draw_contacts(const sim::Model& model, const contact::ContactRows& cont
 
 void write_bodies_csv(const std::filesystem::path& path, const sim::Model& model, const sim::State& initial,
                       const sim::State& state, std::span<const Vec3> contact_force) {
+    const std::string mass = sim::unit_in("kg", model.bodies.is_planar);
+    const std::string force = sim::unit_in("N", model.bodies.is_planar);
     const std::array<CsvColumn, 27> columns{{{"time", "s"},
                                              {"body", "-"},
                                              {"name", "-"},
-                                             {"mass", "kg"},
+                                             {"mass", mass},
                                              {"position.x", "m"},
                                              {"position.y", "m"},
                                              {"position.z", "m"},
@@ -242,9 +245,9 @@ void write_bodies_csv(const std::filesystem::path& path, const sim::Model& model
                                              {"rotation_vector.x", "rad"},
                                              {"rotation_vector.y", "rad"},
                                              {"rotation_vector.z", "rad"},
-                                             {"contact_force.x", "N"},
-                                             {"contact_force.y", "N"},
-                                             {"contact_force.z", "N"},
+                                             {"contact_force.x", force},
+                                             {"contact_force.y", force},
+                                             {"contact_force.z", force},
                                              {"is_free", "-"}}};
     const bool has_force = contact_force.size() == state.bodies.position.size();
     AtomicFile file(path);

@@ -57,7 +57,7 @@ class Outputs {
 };
 
 /// Every quantity of the scene except time, vectors by component: the columns of ledger.csv.
-std::vector<sim::Column> scene_columns();
+std::vector<sim::Column> scene_columns(bool is_planar);
 
 /// The intervals of a case with their defaults: end/100 between frames, end/1000 between rows [s].
 double frame_interval(const sim::Model& model);

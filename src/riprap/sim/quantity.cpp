@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/quantity.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "riprap/fluid/gauge/gauge.hpp"
@@ -62,11 +64,12 @@ double read_face_gauge(const Moment& moment, const coupling::FaceGauge& gauge) {
 }
 
 /// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.
-std::optional<Column> make_column(std::string_view text, BodyId body, const QuantityInfo* quantity, int component) {
+std::optional<Column> make_column(std::string_view text, BodyId body, const QuantityInfo* quantity, int component,
+                                  bool is_planar) {
     if (quantity == nullptr || (quantity->components > 1) != (component >= 0)) {
         return std::nullopt;
     }
-    return Column{std::string(text), std::string(quantity->unit), body, quantity, component < 0 ? 0 : component};
+    return Column{std::string(text), unit_in(quantity->unit, is_planar), body, quantity, component < 0 ? 0 : component};
 }
 
 }  // namespace
@@ -100,13 +103,20 @@ double evaluate(const Column& column, const Moment& moment) {
     return value[column.component];
 }
 
-std::vector<Column> columns_of(const Probe& probe) {
+std::string unit_in(std::string_view unit, bool is_planar) {
+    constexpr std::array<std::string_view, 12> extensive{"N",  "N m",    "N s",    "N m s",    "J",   "W",
+                                                         "kg", "kg m/s", "kg m^2", "kg m^2/s", "m^3", "m^3/s"};
+    const bool is_extensive = std::find(extensive.begin(), extensive.end(), unit) != extensive.end();
+    return std::string(unit) + (is_planar && is_extensive ? "/m" : "");
+}
+
+std::vector<Column> columns_of(const Probe& probe, bool is_planar) {
     std::vector<Column> columns;
     const QuantityInfo* quantity = find_quantity(probe.quantity, probe.body.is_valid());
     if (quantity != nullptr) {
         for (int c = 0; c < quantity->components; ++c) {
-            columns.push_back(
-                {with_component(probe.name, *quantity, c), std::string(quantity->unit), probe.body, quantity, c});
+            columns.push_back({with_component(probe.name, *quantity, c), unit_in(quantity->unit, is_planar), probe.body,
+                               quantity, c});
         }
     }
     return columns;
@@ -115,7 +125,7 @@ std::vector<Column> columns_of(const Probe& probe) {
 std::vector<Column> record_columns(const Model& model) {
     std::vector<Column> columns;
     for (const Probe& probe : model.output.probes) {
-        for (Column& column : columns_of(probe)) {
+        for (Column& column : columns_of(probe, model.bodies.is_planar)) {
             columns.push_back(std::move(column));
         }
     }
@@ -124,7 +134,8 @@ std::vector<Column> record_columns(const Model& model) {
         const fluid::GaugeInfo& info = fluid::info_of(gauge.kind);
         for (int c = 0; c < info.components; ++c) {
             const std::string name = info.components > 1 ? gauge.name + '.' + static_cast<char>('x' + c) : gauge.name;
-            columns.push_back({name, std::string(info.unit), BodyId{}, nullptr, c, static_cast<std::int32_t>(g)});
+            columns.push_back(
+                {name, unit_in(info.unit, model.bodies.is_planar), BodyId{}, nullptr, c, static_cast<std::int32_t>(g)});
         }
     }
     return columns;
@@ -136,9 +147,10 @@ std::optional<Column> find_column(const Model& model, std::string_view text) {
             return column;
         }
     }
+    const bool is_planar = model.bodies.is_planar;
     std::string_view rest = text;
     const int component = split_component(rest);
-    if (std::optional<Column> column = make_column(text, BodyId{}, find_quantity(rest, false), component)) {
+    if (std::optional<Column> column = make_column(text, BodyId{}, find_quantity(rest, false), component, is_planar)) {
         return column;
     }
     const std::size_t dot = rest.rfind('.');
@@ -149,7 +161,7 @@ std::optional<Column> find_column(const Model& model, std::string_view text) {
     if (!body.is_valid()) {
         return std::nullopt;
     }
-    return make_column(text, body, find_quantity(rest.substr(dot + 1), true), component);
+    return make_column(text, body, find_quantity(rest.substr(dot + 1), true), component, is_planar);
 }
 
 BodyId find_body(const body::BodySet& bodies, std::string_view name) {

@@ -52,8 +52,12 @@ struct Column {
 /// The value of a column [its unit]; NaN where it does not exist yet (contact forces before the first step).
 double evaluate(const Column& column, const Moment& moment);
 
+/// A unit as it is in a scene: of what grows with the amount of matter ("N", "J", "kg", "m^3/s"), that per metre of
+/// width in a planar one ("N/m").
+std::string unit_in(std::string_view unit, bool is_planar);
+
 /// The columns of one probe, named after it: one for a scalar, three for a vector.
-std::vector<Column> columns_of(const Probe& probe);
+std::vector<Column> columns_of(const Probe& probe, bool is_planar);
 
 /// The columns of probes.csv: probes, then gauges, in the order of the case.
 std::vector<Column> record_columns(const Model& model);
