@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -85,6 +86,21 @@ stop = 3
     // out.
     EXPECT_LT(norm(loads[0].point - Vec3{-0.1, -0.3, 0.6}), 1e-12);
     EXPECT_LT(norm(loads[2].point - Vec3{-0.2, -0.6, 1.2}), 1e-12);
+}
+
+TEST(ReadCase, copies_lie_in_bond_along_a_slope) {
+    const LoadedCase loaded = read(minimal_case + R"(
+position = [10, 0, 0]
+repeat = { counts = [2, 1, 3], pitch = [2, 9, 1], stagger = 0.5, orientation = { axis_angle = { axis = [0, -1, 0], angle_deg = 90 } } }
+)");
+    // Along the row is now up, across the rows is now back.
+    const std::array<Vec3, 6> expected{{{10, 0, 0}, {10, 0, 2}, {9, 0, 0.5}, {9, 0, 2.5}, {8, 0, 0}, {8, 0, 2}}};
+    ASSERT_EQ(loaded.state.bodies.position.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_LT(norm(loaded.state.bodies.position[i] - expected[i]), 1e-12) << i;
+        EXPECT_EQ(loaded.state.bodies.orientation[i], loaded.state.bodies.orientation[0]);
+    }
+    EXPECT_EQ(rotate(loaded.state.bodies.orientation[0], Vec3{1, 0, 0}), (Vec3{1, 0, 0}));
 }
 
 TEST(ReadCase, the_resolved_case_reads_back_to_the_same_model) {

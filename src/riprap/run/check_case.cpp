@@ -16,6 +16,7 @@
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
 #include "riprap/sim/advance.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::run {
 
@@ -167,13 +168,14 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
 }
 
 std::string check_text(const CaseCheck& check) {
+    const std::string mass_unit = sim::unit_in("kg", check.is_planar);
     std::string text = fmt::format(
-        "{}\n  bodies        {} ({} free, {:.6g} kg), {} convex parts, {} shapes\n"
+        "{}\n  bodies        {} ({} free, {:.6g} {}), {} convex parts, {} shapes\n"
         "  time step     {:.6g} s of at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
         "  at time 0     {} contacts, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
         "  memory        {}\n  output        {} in {} frames and the tables\n",
-        check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, check.parts,
-        check.shapes, check.time_step, check.time_step_limit, check.limited_by,
+        check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, mass_unit,
+        check.parts, check.shapes, check.time_step, check.time_step_limit, check.limited_by,
         has_countable_steps(check) ? fmt::format("{}", check.steps)
                                    : fmt::format("about {:.2g}", estimated_steps(check)),
         check.end, check.contacts, check.max_overlap, 100 * check.max_potential,
@@ -183,8 +185,8 @@ std::string check_text(const CaseCheck& check) {
         text += fmt::format(
             "  water         {} particles, {:.6g} {}, {} boundary particles{}\n"
             "  sound speed   {:.6g} m/s ({})\n",
-            check.particles, check.water_mass, check.is_planar ? "kg/m" : "kg", check.samples, room_text(check),
-            check.sound_speed, check.sound_speed_reason);
+            check.particles, check.water_mass, mass_unit, check.samples, room_text(check), check.sound_speed,
+            check.sound_speed_reason);
     }
     for (const scene::PaddleWave& wave : check.waves) {
         text += fmt::format("  wave          of {}: {}\n", wave.paddle, scene::text_of(wave));

@@ -96,6 +96,7 @@ void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& b
 /// Copies of `body` on a lattice.
 void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
     const Lattice lattice(repeat);
+    const Quat slope = orientation_of(repeat.find("orientation"));
     const bool is_turned = get_boolean(repeat, "random_orientation");
     const double jitter = get_number(repeat, "jitter");
     const double turn = get_number(repeat, "turn");
@@ -105,7 +106,7 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
         body::NewBody copy = body;
         RandomStream random(build.model.seed, body.name, static_cast<std::uint64_t>(i));
         copy.name_index = static_cast<std::int32_t>(i);
-        copy.pose.position += lattice.point(i);
+        copy.pose.position += rotate(slope, lattice.point(i));
         if (turn != 0) {
             const Quat by = from_rotation_vector(static_cast<double>(i) * turn * axis);
             copy.pose.position = center + rotate(by, copy.pose.position - center);
@@ -182,7 +183,9 @@ void build_body(CaseBuild& build, const Value& table) {
     body.pose = {get_vector(table, "position"), orientation_of(table.find("orientation"))};
     const Value& shape = get(table, "shape");
     const Value* repeat = table.find("repeat");
-    const bool is_turned_well = check_planar_turn(build, table, body.pose.orientation);
+    const bool is_turned_well =
+        check_planar_turn(build, table, body.pose.orientation) &&
+        (repeat == nullptr || check_planar_turn(build, *repeat, orientation_of(repeat->find("orientation"))));
     const bool is_driven_well = read_drive(build, table, body);
     if (repeat != nullptr && ShapeLibrary::is_half_space(shape)) {
         build.problem(repeat->place, "a half-space cannot be repeated", "");
@@ -251,7 +254,8 @@ void check_overlaps(CaseBuild& build) {
     }
 }
 
-Lattice::Lattice(const Value& table) : pitch_(get_vector(table, "pitch")) {
+Lattice::Lattice(const Value& table)
+    : pitch_(get_vector(table, "pitch")), stagger_(get_number_or(table, "stagger", 0)) {
     const auto& counts = get(table, "counts").items;
     nx_ = counts[0].integer;
     ny_ = counts[1].integer;
@@ -259,8 +263,9 @@ Lattice::Lattice(const Value& table) : pitch_(get_vector(table, "pitch")) {
 }
 
 Vec3 Lattice::point(std::int64_t i) const {
-    const std::int64_t row = i / nx_, layer = row / ny_;
-    return {pitch_.x * static_cast<double>(i % nx_), pitch_.y * static_cast<double>(row % ny_),
+    const std::int64_t row = i / nx_ % ny_, layer = i / nx_ / ny_;
+    const double shift = (row + layer) % 2 != 0 ? stagger_ : 0;
+    return {pitch_.x * static_cast<double>(i % nx_) + shift, pitch_.y * static_cast<double>(row),
             pitch_.z * static_cast<double>(layer)};
 }
 

@@ -78,7 +78,8 @@ void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
 
-/// Point `i` of the lattice with the counts of `table` (2 or 3 of them) and its pitch, x fastest, from its first point.
+/// Point `i` of the lattice with the counts of `table` (2 or 3 of them), its pitch and, where it has one, its stagger,
+/// x fastest, from its first point.
 class Lattice {
  public:
     explicit Lattice(const Value& table);
@@ -89,6 +90,7 @@ class Lattice {
  private:
     std::int64_t nx_, ny_, nz_;
     Vec3 pitch_;
+    double stagger_;
 };
 
 /// Refuses bodies that start inside each other.
