@@ -71,6 +71,41 @@ TEST(Expects, TellsWhenAFigureWasThere) {
     EXPECT_THAT(verdict_table(results), HasSubstr("at [s]"));
 }
 
+TEST(Expects, AnExtremeIsFarthestFromZeroToEitherSide) {
+    const auto up = follow({expect("extreme")}, true);
+    EXPECT_EQ(up[0].value, 3);
+    EXPECT_EQ(up[0].time, 1);
+    sim::Expect down = expect("extreme");
+    down.quantity = "high.velocity.z";  // stays at 0
+    EXPECT_EQ(follow({down}, false)[0].value, 0);
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("extreme")};
+    ExpectWatch watch(loaded.model);
+    sim::State state = loaded.state;
+    for (const double x : {2.0, -4.0, 3.0}) {
+        state.bodies.position[2].x = x;
+        watch.look({loaded.model, loaded.state, state, nullptr, nullptr});
+        state.time += 1;
+    }
+    EXPECT_EQ(watch.judge(true)[0].value, -4);
+    EXPECT_EQ(watch.judge(true)[0].time, 1);
+}
+
+TEST(Expects, OnlyStepsFromOneTimeToAnotherCount) {
+    sim::Expect late = expect("max"), early = expect("last"), never = expect("mean"), mean = expect("mean");
+    late.from = 1.5;
+    early.to = 1;
+    never.from = 7;
+    mean.from = 1;
+    const auto results = follow({late, early, never, mean}, true);
+    EXPECT_EQ(results[0].value, 1);
+    EXPECT_EQ(results[1].value, 3);
+    EXPECT_EQ(results[1].time, 1);
+    EXPECT_TRUE(std::isnan(results[2].value));
+    EXPECT_EQ(results[2].verdict, Verdict::failed);  // what was not seen is not met
+    EXPECT_EQ(results[3].value, 2);                  // of 3 and 1
+}
+
 TEST(Expects, TellsWhenATriggerReachedItsLevel) {
     sim::Expect passing = expect("when");
     passing.when = "high.position.x";

@@ -183,6 +183,12 @@ TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused)
                 ElementsAre(HasSubstr("did you mean 'kinetic_energy'?")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\n"),
                 ElementsAre(HasSubstr("'at' goes with")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.6\nto = 0.5\n"),
+                ElementsAre(HasSubstr("no step lies between from = 0.6 s and to = 0.5 s")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 1.5\n"),
+                ElementsAre(HasSubstr("and the end = 1 s")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\nat = 0.5\nto = 0.7\n"),
+                ElementsAre(HasSubstr("say nothing where reduce = \"at\"")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\n"), IsEmpty());
 }
 

@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0,       missing, missing,
                                       missing, missing,  missing,   missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
-constexpr std::array<std::string_view, 6> reduces{"last", "min", "max", "mean", "at", "when"};
+constexpr std::array<std::string_view, 7> reduces{"last", "min", "max", "extreme", "mean", "at", "when"};
 
 /// The value at a moment between the last look and this one, where x went from x0 to x1 and passed `level`.
 double between(const RunningFigures& f, double value, double x0, double x1, double level) {
@@ -72,6 +72,9 @@ void add(RunningFigures& f, double time, double value) {
     f.previous = value;
 }
 
+/// Whether the lowest value is farther from zero than the highest.
+bool is_lower_extreme(const RunningFigures& f) { return -f.minimum > f.maximum; }
+
 double reduce(const RunningFigures& f, const std::string& how) {
     if (f.count == 0) {
         return missing;
@@ -82,6 +85,9 @@ double reduce(const RunningFigures& f, const std::string& how) {
     if (how == "max") {
         return f.maximum;
     }
+    if (how == "extreme") {
+        return is_lower_extreme(f) ? f.minimum : f.maximum;
+    }
     if (how == "mean") {
         const double duration = f.previous_time - f.first_time;
         return duration > 0 ? f.integral / duration : f.last;
@@ -91,10 +97,10 @@ double reduce(const RunningFigures& f, const std::string& how) {
 
 /// When the figure that `reduce` gives was there; missing for a mean [s].
 double time_of(const RunningFigures& f, const std::string& how) {
-    if (how == "min") {
+    if (how == "min" || (how == "extreme" && is_lower_extreme(f))) {
         return f.minimum_time;
     }
-    if (how == "max") {
+    if (how == "max" || how == "extreme") {
         return f.maximum_time;
     }
     if (how == "last") {
@@ -125,7 +131,7 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
     for (const sim::Expect& expect : model.expects) {
         if (std::find(reduces.begin(), reduces.end(), expect.reduce) == reduces.end()) {
             problems.push_back(problem_of(expect, "reduce = '" + expect.reduce + "' is unknown",
-                                          "one of last, min, max, mean, at, when"));
+                                          fmt::format("one of {}", fmt::join(reduces, ", "))));
         }
         const auto find = [&](const std::string& quantity) {
             const std::optional<sim::Column> column = sim::find_column(model, quantity);
@@ -148,8 +154,8 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
 void ExpectWatch::look(const sim::Moment& moment) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const double value = evaluate(columns_[i], moment);
-        if (!std::isnan(value)) {
-            const sim::Expect& expect = model_.expects[i];
+        const sim::Expect& expect = model_.expects[i];
+        if (!std::isnan(value) && moment.state.time >= expect.from && moment.state.time <= expect.to) {
             if (expect.reduce == "at") {
                 look_at_time(figures_[i], moment.state.time, value, expect.at);
             } else if (expect.reduce == "when") {

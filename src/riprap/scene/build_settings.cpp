@@ -135,6 +135,29 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     return false;
 }
 
+/// From when to when steps count.
+void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    const Value* from = table.find("from");
+    const Value* to = table.find("to");
+    const Value* given = from != nullptr ? from : to;
+    if (given == nullptr) {
+        return;
+    }
+    if (expect.reduce == "at" || expect.reduce == "when") {
+        build.problem(given->place, fmt::format("'from' and 'to' say nothing where reduce = \"{}\"", expect.reduce),
+                      "with last, min, max, extreme or mean");
+    }
+    expect.from = get_number_or(table, "from", expect.from);
+    expect.to = get_number_or(table, "to", expect.to);
+    const double last = std::min(expect.to, build.model.time.end);
+    if (expect.from > last) {
+        build.problem(given->place,
+                      fmt::format("no step lies between from = {:.6g} s and {} = {:.6g} s", expect.from,
+                                  last < expect.to ? "the end" : "to", last),
+                      "from before to, and before the end of the run");
+    }
+}
+
 void read_expect(CaseBuild& build, const Value& table) {
     sim::Expect expect;
     expect.name = get_text(table, "name");
@@ -155,6 +178,7 @@ void read_expect(CaseBuild& build, const Value& table) {
                           fmt::format("at most end = {} s", build.model.time.end));
         }
     }
+    read_window(build, table, expect);
     const Value* when = table.find("when");
     if ((expect.reduce == "when") != (when != nullptr)) {
         build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");

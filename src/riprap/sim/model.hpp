@@ -105,7 +105,7 @@ struct OutputSettings {
 struct Expect {
     std::string name;
     std::string quantity;        ///< probe column or ledger/summary quantity
-    std::string reduce{"last"};  ///< last, min, max, mean, at, when
+    std::string reduce{"last"};  ///< last, min, max, extreme, mean, at, when
     double at{0};                ///< time for reduce = at [s]
     double value{0};
     double low{0}, high{0};  ///< accepted band
@@ -113,6 +113,7 @@ struct Expect {
     std::string place;   ///< file:line:column, for messages
     std::string when{};  ///< for reduce = when: the value at the moment at which this quantity first
     double reaches{0};   ///< ... reaches this level, from above or below
+    double from{0}, to{std::numeric_limits<double>::infinity()};  ///< steps looked at, not for at and when [s]
 };
 
 /// What the case says. Built once by scene/, then const.

@@ -82,6 +82,8 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "couette", "Flow between plates starts with one of them", false, water::couette},
         ValidationCase{"water", "solitary_wave", "A solitary wave travels and runs up a wall", false,
                        water::solitary_wave},
+        ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
+                       water::wave_run_up},
         ValidationCase{"water", "sloshing", "Water in a pitching tank", false, water::sloshing},
         ValidationCase{"water", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, water::sway},
         ValidationCase{"water", "cylinder_entry", "A cylinder falls into water (Greenhow and Lin)", false,

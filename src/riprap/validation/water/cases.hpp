@@ -23,6 +23,7 @@ void submerged_cube(const CaseSetting& setting, CaseReport& report);
 void poiseuille(const CaseSetting& setting, CaseReport& report);
 void couette(const CaseSetting& setting, CaseReport& report);
 void solitary_wave(const CaseSetting& setting, CaseReport& report);
+void wave_run_up(const CaseSetting& setting, CaseReport& report);
 void sloshing(const CaseSetting& setting, CaseReport& report);
 void sway(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
