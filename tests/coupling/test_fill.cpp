@@ -49,7 +49,7 @@ TEST(Fill, a_region_below_whose_level_nothing_lies_does_not_move_the_lattice_of_
     EXPECT_EQ(filling.lattice_corner, (Vec3{0, 0, 0}));
 }
 
-TEST(Fill, water_stays_half_a_spacing_away_from_every_solid) {
+TEST(Fill, water_stays_a_quarter_of_a_spacing_away_from_every_solid) {
     Scene scene;
     scene.add(geometry::icosahedron(0.2), {{0.5, 0.5, 0.5}, from_rotation_vector({0.3, 0.2, 0.1})});
     scene.add(geometry::cube(0.21), {{0.3, 0.7, 0.3}, from_rotation_vector({0.1, -0.5, 0.4})});
@@ -65,8 +65,28 @@ TEST(Fill, water_stays_half_a_spacing_away_from_every_solid) {
         }
         EXPECT_LE(x.z, 0.8 - 0.5 * dp + 1e-6 * dp);
     }
-    EXPECT_GE(nearest, (0.5 - 1e-6) * dp);
-    EXPECT_LT(nearest, 0.6 * dp);  // and fills the rest
+    EXPECT_GE(nearest, (0.25 - 1e-6) * dp);
+    EXPECT_LT(nearest, 0.35 * dp);  // and fills the rest
+}
+
+TEST(Fill, beside_slopes_a_quarter_of_a_layer_is_left_out_on_the_average) {
+    double left_out = 0;  // layers
+    constexpr int slopes = 40;
+    for (int k = 0; k < slopes; ++k) {
+        Scene scene;
+        const double angle = 0.1 + 0.025 * k;
+        const Vec3 normal{-std::sin(angle), 0, std::cos(angle)};
+        scene.add_half_space(normal, 0.45 * normal.z + 0.5 * normal.x + 1e-3 * k * dp);  // through the tank
+        const Filling filling = fill(scene, settings_of({0, 0, 0}, {1, 0.25, 4}), {{{box({0, 0, 0}, {1, 0.25, 4})}}});
+        const double mean_height = (0.45 * normal.z + 1e-3 * k * dp) / normal.z;  // of the slope, in the tank
+        const double low = mean_height - 0.5 * std::tan(angle), high = mean_height + 0.5 * std::tan(angle);
+        const double over = low < 0 ? 0.5 * low * low / std::tan(angle) : 0;  // of the line below the floor
+        ASSERT_LT(high, 4);
+        const double room = 0.25 * (4 - mean_height - over);
+        const double length = (low < 0 ? high : high - low) / std::sin(angle);
+        left_out += (room - filling.regions[0].volume) / (0.25 * length * dp) / slopes;
+    }
+    EXPECT_NEAR(left_out, 0.25, 0.05);
 }
 
 TEST(Fill, regions_that_overlap_share_one_lattice_and_the_first_gives_its_velocity) {

@@ -76,7 +76,7 @@ TEST(Expects, AnExtremeIsFarthestFromZeroToEitherSide) {
     EXPECT_EQ(up[0].value, 3);
     EXPECT_EQ(up[0].time, 1);
     sim::Expect down = expect("extreme");
-    down.quantity = "high.velocity.z";  // stays at 0
+    down.quantity = "high.velocity.y";  // stays at 0
     EXPECT_EQ(follow({down}, false)[0].value, 0);
     scene::LoadedCase loaded = falling_blocks();
     loaded.model.expects = {expect("extreme")};

@@ -279,6 +279,13 @@ TEST(FluidCase, a_gauge_inside_a_block_is_warned_of) {
                 Contains(HasSubstr("'g' lies inside 'block' at the start")));
 }
 
+TEST(FluidCase, a_run_up_that_ends_at_a_block_is_warned_of) {
+    const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"run_up\"\npoint = ";
+    EXPECT_THAT(test::read(gauge + "[0.2, 0.5]\nend = [0.9, 0.5]\n").warnings,
+                Contains(HasSubstr("the run_up gauge 'g' meets 'block' at the start")));
+    EXPECT_THAT(test::read(gauge + "[0.2, 0.1]\nend = [0.2, 0.5]\n").warnings, Each(Not(HasSubstr("meets"))));
+}
+
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
     const auto warnings = [](const char* point) {
         const auto all =

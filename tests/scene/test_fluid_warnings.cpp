@@ -55,6 +55,22 @@ TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
                                   HasSubstr("water stands 0.5 m deep before it"))));
 }
 
+TEST(FluidWarnings, a_region_that_the_domain_cuts_and_water_that_no_wall_holds_there) {
+    const std::string wide = test::with(flume, "high = [2.0, 0.5] }", "high = [4.0, 0.5] }");
+    EXPECT_THAT(test::read(wide).warnings,
+                ElementsAre(AllOf(HasSubstr("case.toml:11:1"), HasSubstr("reaches 1.5 m out of 'fluid.domain'")),
+                            AllOf(HasSubstr("case.toml:10:10"), HasSubstr("water stands at the side x = 2.5 m"))));
+    const std::string wall =
+        "[[body]]\nname = \"wall\"\nmaterial = \"rock\"\nfixed = true\nposition = [2.5, 0.0]\n"
+        "shape = { half_space = { normal = [-1.0, 0.0] } }\n";
+    EXPECT_THAT(test::read(wide + wall).warnings, ElementsAre(HasSubstr("reaches 1.5 m out")));
+    const std::string tall = test::with(flume, "high = [2.0, 0.5] }", "high = [2.0, 5.0] }");
+    EXPECT_THAT(test::read(test::with(tall, "high = [2.0, 5.0] }", "high = [2.0, 5.0] }\nlevel = 0.5")).warnings,
+                ElementsAre());  // above its level it is empty
+    EXPECT_THAT(test::read(tall + paddle("1.5")).warnings,
+                Not(Contains(HasSubstr("has depth"))));  // 1.5 m deep is what the domain leaves of it
+}
+
 TEST(FluidWarnings, of_several_levels_that_of_the_water_at_the_paddle_counts) {
     const std::string two = test::with(flume, "high = [2.0, 0.5] }",
                                        "high = [1.0, 0.5] }\n[[fluid.region]]\nbox = { low = [1.0, 0.0], high = "

@@ -88,6 +88,10 @@ stop = 3
     EXPECT_LT(norm(loads[2].point - Vec3{-0.2, -0.6, 1.2}), 1e-12);
 }
 
+TEST(ReadCase, a_byte_order_mark_is_no_part_of_the_text) {
+    EXPECT_EQ(read("\xEF\xBB\xBF" + minimal_case).model.case_hash, read(minimal_case).model.case_hash);
+}
+
 TEST(ReadCase, copies_lie_in_bond_along_a_slope) {
     const LoadedCase loaded = read(minimal_case + R"(
 position = [10, 0, 0]

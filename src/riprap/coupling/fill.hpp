@@ -43,8 +43,8 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 /// Fills regions with particles on one lattice of spacing dp for all of them, so regions that touch or overlap join
 /// without a seam; a place in several regions belongs to the first. The lattice starts half a spacing inside the low
 /// corner of the first region. A place is filled when it lies in a region, half a spacing below its level at least,
-/// outside every solid and no nearer than half a spacing to its faces: water never starts inside a solid. Dry bodies
-/// count too. Particles get the ids 0, 1, ... along the lattice, x fastest.
+/// outside every solid and no nearer than a quarter of a spacing to its faces: water never starts inside a solid. Dry
+/// bodies count too. Particles get the ids 0, 1, ... along the lattice, x fastest.
 ///
 /// Density is that of rest without pressure: see set_hydrostatic_density.
 /// @param up     unit vector against gravity, along which levels count

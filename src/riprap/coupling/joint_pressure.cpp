@@ -21,6 +21,8 @@ constexpr std::int64_t grain = 64;
 constexpr double uneven = 0.1;
 /// Share of what is open at a wall that moving water fills with particles, at least.
 constexpr double filled = 0.85;
+/// Of the pressure in crowded water that a wall feels, at most.
+constexpr double most_felt = 1.2;
 
 /// Joints are between a loose solid and another, or all that is not loose: where a floor meets a wall water goes on.
 std::int32_t partner_of(const JointMember& member) { return member.is_loose ? member.solid : still_solid; }
@@ -95,10 +97,12 @@ void JointPressure::find_rims(const SampleView& near, const fluid::WaterAtWalls&
         const auto sample = at(member.sample);
         const double strength = h * norm(t) - uneven;
         if (strength > 0 && near.depth(sample) < settings.spacing) {
-            const double share = std::clamp(-dot(t, water.slope[sample]) / (filled * dot(t, t)), 0.0, 1.0);
+            const double covered = std::max(0.0, -dot(t, water.slope[sample]) / dot(t, t));
+            const double share = std::min(1.0, covered / filled);
             const double weight = strength * near.volume(sample);
+            const double felt = share > 0 ? std::min(most_felt, covered / share) : 0;
             rims_[at(side.joint)].push_back(
-                {member.place, weight * share, weight * (1 - share), water.pressure[sample]});
+                {member.place, weight * share, weight * (1 - share), felt * water.pressure[sample]});
         }
     }
     // A dry piece higher than any water of the rim can rise drains nothing.

@@ -243,9 +243,12 @@ void check_overlaps(CaseBuild& build) {
         const InitialOverlap& overlap = overlaps[i];
         const std::string& name =
             bodies.names[static_cast<std::size_t>(bodies.name_id[static_cast<std::size_t>(overlap.b.value)])];
-        build.problem(build.names[name],
-                      fmt::format("'{}' starts {:.3g} m deep in '{}', {:.3g} % of the smaller inscribed radius",
-                                  bodies.name(overlap.b), overlap.depth, bodies.name(overlap.a), 100 * overlap.share),
+        const std::string how_deep =
+            std::isfinite(overlap.depth)
+                ? fmt::format("starts {:.3g} m deep in '{}', {:.3g} % of the smaller inscribed radius", overlap.depth,
+                              bodies.name(overlap.a), 100 * overlap.share)
+                : fmt::format("starts inside '{}', in a part that has no outer face", bodies.name(overlap.a));
+        build.problem(build.names[name], fmt::format("'{}' {}", bodies.name(overlap.b), how_deep),
                       fmt::format("at most {:.3g} % (max_initial_overlap of [contact])", 100 * max_share));
     }
     if (overlaps.size() > most) {

@@ -125,6 +125,7 @@ void build_fluid(CaseBuild& build) {
     build_joints(build, *table, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         check_level(build, list.items[r], regions[r], fluid.sph);
+        warn_of_cut_region(build, list.items[r].place, regions[r], fluid.sph.domain, fluid.sph.spacing);
     }
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
@@ -140,6 +141,9 @@ void build_fluid(CaseBuild& build) {
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
     warn_of_scheme(build, fluid.sph);
+    if (get(*table, "inflow").items.empty() && get(*table, "outflow").items.empty()) {
+        warn_of_open_sides(build, get(*table, "domain").place, fluid, filling.particles.position);
+    }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);
     build.state.fluid = std::move(filling.particles);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build_case.hpp"
+#include "riprap/scene/placed_part.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
@@ -129,25 +129,33 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
     build.model.output.faces.push_back(*face);
 }
 
-/// A point in a solid has no water to look at until the solid has left.
-void warn_of_buried(CaseBuild& build, const fluid::Gauge& gauge) {
-    const bool is_point = gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
-                          gauge.kind == fluid::GaugeKind::level;
-    if (!is_point || !build.model.fluid) {
-        return;
+/// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
+void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
+    if (!build.model.fluid || build.model.fluid->is_dry.size() != build.state.bodies.position.size()) {
+        return;  // no water, or it has a problem
     }
-    const sim::FluidModel& water = *build.model.fluid;
-    const body::BodyState& bodies = build.state.bodies;
-    if (water.is_dry.size() != bodies.position.size()) {
-        return;  // the water has a problem
-    }
-    for (const body::Part& part : build.model.bodies.parts) {
-        const auto b = static_cast<std::size_t>(part.body.value);
-        const Vec3 x = to_body(part.local, to_body({bodies.position[b], bodies.orientation[b]}, gauge.point));
-        if (water.is_dry[b] == 0 && geometry::contains(build.model.shapes.view(part.shape), x, -water.sph.spacing)) {
-            build.warnings.push_back(fmt::format("the gauge '{}' lies inside '{}' at the start and reads 0 there",
-                                                 gauge.name, build.model.bodies.name(part.body)));
-            return;
+    const auto warn = [&](BodyId solid, std::string_view text) {
+        build.warnings.push_back(to_string(
+            Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
+    };
+    const double spacing = build.model.fluid->sph.spacing;
+    const std::vector<std::uint8_t>& is_dry = build.model.fluid->is_dry;
+    if (gauge.kind == fluid::GaugeKind::run_up) {
+        constexpr double touched = 0.25;  // of a spacing
+        const Vec3 along = gauge.end - gauge.point;
+        const double steps = std::ceil(norm(along) / (0.5 * spacing));
+        for (double k = 0; k <= steps; ++k) {
+            const BodyId solid = solid_at(build, is_dry, gauge.point + (k / steps) * along, touched * spacing);
+            if (solid.is_valid()) {
+                warn(solid, "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
+                return;
+            }
+        }
+    } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
+               gauge.kind == fluid::GaugeKind::level) {
+        const BodyId solid = solid_at(build, is_dry, gauge.point, spacing);
+        if (solid.is_valid()) {
+            warn(solid, "the gauge '{}' lies inside '{}' at the start and reads 0 there");
         }
     }
 }
@@ -184,7 +192,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
-        warn_of_buried(build, gauge);  // before its point is its body's
+        warn_of_buried(build, get(table, "point").place, gauge);  // before its point is its body's
         if (const auto body = find_carrier(build, table, gauge)) {
             find_wall(build, table, *body, gauge);
         }

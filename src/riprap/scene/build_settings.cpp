@@ -195,6 +195,10 @@ void read_expect(CaseBuild& build, const Value& table) {
                           "tolerance or relative_tolerance");
             return;
         }
+        if (absolute == nullptr && expect.value == 0) {
+            build.problem(relative->place, "a relative_tolerance of value = 0 is no band", "tolerance");
+            return;
+        }
         const double band =
             absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
         expect.low = expect.value - band;

@@ -93,10 +93,11 @@ void warn_of(CaseBuild& build, const std::vector<ThinEntry>& entries, double spa
     const std::string thinnest = fmt::format("{:.3g}", low->thickness / spacing);
     const std::string thickest = fmt::format("{:.3g}", high->thickness / spacing);
     const bool is_one = entries.size() == 1;
-    build.warnings.push_back(fmt::format(
-        "{} {} {} spacings thick: {}; fluid.spacing = {:.3g} or less would do", names_of(build, entries),
-        is_one ? "is" : "are", thinnest == thickest ? thinnest : thinnest + " to " + thickest,
-        fmt::format(fmt::runtime(text), is_one ? "it" : "them", layers), floor_of(low->thickness / layers)));
+    warn_at(build, entries.front().name,
+            fmt::format(
+                "{} {} {} spacings thick: {}; fluid.spacing = {:.3g} or less would do", names_of(build, entries),
+                is_one ? "is" : "are", thinnest == thickest ? thinnest : thinnest + " to " + thickest,
+                fmt::format(fmt::runtime(text), is_one ? "it" : "them", layers), floor_of(low->thickness / layers)));
 }
 
 /// Corrected gradients tell the inside of the water from its rim by numbers that hold at h/dp = 1.5
@@ -151,6 +152,11 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
 
 }  // namespace
 
+void warn_at(CaseBuild& build, std::int32_t name, std::string text) {
+    const SourcePlace& place = build.names[build.model.bodies.names[static_cast<std::size_t>(name)]];
+    build.warnings.push_back(to_string(Diagnostic{place, std::move(text), ""}));
+}
+
 void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const fluid::ParticleState& water) {
     constexpr double layers = 4;  // spacings: two layers under each of two opposite faces
     const double spacing = fluid.sph.spacing, least = (layers - 1e-6) * spacing;
@@ -165,26 +171,6 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const f
     warn_of(build, beside, spacing, layers,
             "that is no harm while water stays on one side, but should it come to the other side as well, each would "
             "feel the other through {0} (below {1})");
-}
-
-void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
-    const fluid::Domain& domain = fluid.sph.domain;
-    std::size_t count = 0, first = 0;
-    for (std::size_t b = build.state.bodies.position.size(); b-- > 0;) {
-        const Vec3& x = build.state.bodies.position[b];
-        if (!domain.admits(x) && build.model.bodies.drive[b] == body::Drive::free && fluid.is_dry[b] == 0) {
-            first = b;
-            ++count;
-        }
-    }
-    if (count > 0) {  // one line for all: a slide may begin far above its lake
-        const Vec3& x = build.state.bodies.position[first];
-        const std::string others = count > 1 ? fmt::format(" and {} more", count - 1) : "";
-        build.warnings.push_back(
-            fmt::format("'{}' at ({:.6g}, {:.6g}, {:.6g}) m{} outside of 'fluid.domain', where no water comes",
-                        build.model.bodies.name(BodyId{static_cast<std::int32_t>(first)}), x.x, x.y, x.z,
-                        others.empty() ? " starts" : others + " start"));
-    }
 }
 
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "riprap/scene/limits.hpp"
+#include "riprap/scene/suggest.hpp"
 #include "riprap/scene/toml_reader.hpp"
 #include "riprap/scene/units.hpp"
 
@@ -73,6 +74,24 @@ Value* list_entry(Value& list, const std::string& step) {
     return nullptr;
 }
 
+/// What a step that no entry of `list` is called by could have been.
+std::string what_entries(const Value& list, const std::string& step) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (const Value& item : list.items) {
+        if (const Value* name = item.find("name")) {
+            names.push_back(name->text);
+        }
+    }
+    if (const std::string meant = nearest(step, names); !meant.empty()) {
+        return fmt::format("did you mean '{}'?", meant);
+    }
+    const bool is_long = names.size() > most;
+    names.resize(std::min(names.size(), most));
+    return fmt::format("entries are chosen by their number, from 0{}{}{}",
+                       names.empty() ? "" : ", or name: ", fmt::join(names, ", "), is_long ? " and more" : "");
+}
+
 /// A key given with a unit suffix ("spacing_mm") replaces the same key with another suffix or none.
 void set_key(Value& table, const std::string& key, Value value, const SourcePlace& place) {
     const auto base_of = [](std::string_view k) {
@@ -108,10 +127,11 @@ void apply_override(Value& root, const std::string& assignment, std::vector<Diag
     Value* at = &root;
     for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
         if (at->is_array()) {
+            const Value* const list = at;
             at = list_entry(*at, steps[i]);
             if (at == nullptr) {
-                problems.push_back({place, fmt::format("the list has no entry '{}'", steps[i]),
-                                    "entries are chosen by their name or by their number, from 0"});
+                problems.push_back(
+                    {place, fmt::format("the list has no entry '{}'", steps[i]), what_entries(*list, steps[i])});
                 return;
             }
             continue;

@@ -59,12 +59,16 @@ std::optional<WaterBefore> water_before(const CaseBuild& build, const WavePaddle
 /// Depth of that water [m]; a paddle may hang above the bed.
 double depth_of(const CaseBuild& build, const WavePaddle& paddle, double spacing, const WaterBefore& before,
                 const std::vector<Vec3>& water) {
-    double lowest = infinity;
+    double lowest = infinity, highest = -infinity;
     for (const Vec3& x : water) {
-        const double along = dot(paddle.direction, x);
-        lowest = along >= before.nearest && along <= before.farthest ? std::min(lowest, dot(build.up(), x)) : lowest;
+        const double along = dot(paddle.direction, x), height = dot(build.up(), x);
+        if (along >= before.nearest && along <= before.farthest) {
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+        }
     }
-    return before.surface - (lowest - 0.5 * spacing);
+    // A level between two rows is known better than by its particles, one above the domain or in a solid is not there.
+    return std::min(before.surface, highest + spacing) - (lowest - 0.5 * spacing);
 }
 
 void warn(CaseBuild& build, const WavePaddle& paddle, std::string what, std::string why) {

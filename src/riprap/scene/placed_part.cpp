@@ -22,4 +22,15 @@ std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance)
     return near.distance > 0 && near.distance < distance && is_before ? near.face : -1;
 }
 
+BodyId solid_at(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& x, double depth) {
+    for (const body::Part& part : build.model.bodies.parts) {
+        const PlacedPart solid = placed(build, part);
+        if (is_dry[static_cast<std::size_t>(part.body.value)] == 0 &&
+            geometry::contains(solid.shape, to_body(solid.pose, x), -depth)) {
+            return part.body;
+        }
+    }
+    return {};
+}
+
 }  // namespace riprap::scene

@@ -19,4 +19,8 @@ PlacedPart placed(const CaseBuild& build, const body::Part& part);
 /// The face that x lies in front of, not beside, at no more than `distance` [m]; -1 = none.
 std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance);
 
+/// The solid that water does not enter and that x is at least `depth` inside of [m]; invalid where there is none.
+/// @param is_dry  per body
+BodyId solid_at(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& x, double depth);
+
 }  // namespace riprap::scene

@@ -83,6 +83,10 @@ class Copier {
 }  // namespace
 
 Value parse_toml(std::string_view text, const std::string& name, std::vector<Diagnostic>& problems) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with one
+    if (text.starts_with(byte_order_mark)) {
+        text.remove_prefix(byte_order_mark.size());
+    }
     const std::size_t before = problems.size();
     scan_toml(text, name, problems);
     if (problems.size() > before) {

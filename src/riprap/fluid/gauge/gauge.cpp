@@ -44,6 +44,7 @@ double level(const Gauge& gauge, const SphSettings& settings, const ParticleStat
         }
         return weight;
     };
+    const double rest_volume = settings.particle_mass / settings.rest_density;
     const PeriodicImages images(settings.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
@@ -52,7 +53,7 @@ double level(const Gauge& gauge, const SphSettings& settings, const ParticleStat
         for (const Vec3& shift : images.shifts()) {
             weight += weight_at(d + shift);
         }
-        sum += weight > 0 ? settings.particle_mass / state.density[j] * weight : 0.0;
+        sum += weight > 0 ? rest_volume * weight : 0.0;
     }
     return sum;
 }
@@ -127,6 +128,7 @@ double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState
     const int axis = settings.domain.dimension == 2
                          ? (std::abs(gauge.end.x - gauge.point.x) < std::abs(gauge.end.y - gauge.point.y) ? 0 : 1)
                          : normal_axis(gauge);
+    const double rest_volume = settings.particle_mass / settings.rest_density;
     const PeriodicImages images(settings.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
@@ -137,12 +139,13 @@ double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState
                 weight = std::max(weight, spline_weight(x[axis] - gauge.point[axis], settings.spacing));
             }
         }
-        sum += weight > 0 ? settings.particle_mass / state.density[j] * weight * state.velocity[j][axis] : 0.0;
+        sum += weight > 0 ? rest_volume * weight * state.velocity[j][axis] : 0.0;
     }
     return sum;
 }
 
 double volume(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+    const double rest_volume = settings.particle_mass / settings.rest_density;
     const PeriodicImages images(settings.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state.position.size(); ++j) {
@@ -150,7 +153,7 @@ double volume(const Gauge& gauge, const SphSettings& settings, const ParticleSta
             return is_between(state.position[j] + shift, gauge.point, gauge.end, -1, settings.domain.dimension);
         };
         if (std::any_of(images.shifts().begin(), images.shifts().end(), is_in)) {
-            sum += settings.particle_mass / state.density[j];
+            sum += rest_volume;
         }
     }
     return sum;

@@ -59,6 +59,8 @@ const GaugeInfo* find_gauge_kind(std::string_view name);
 /// pressure, velocity: moving least squares of first order with the kernel as weight, exact for linear fields also on a
 /// wall, where one half of the support is empty; where too few particles lie near, their weighted mean [Liu2006]. Where
 /// water hits a wall in single particles, that mean is the pressure in one of them, not what the wall feels.
+/// level, flow, volume: with V_j = m/rho_0, what the water takes without the compression that its sound speed, lower
+/// than nature's, gives it.
 /// level: integral of the water fraction along the vertical, sum_j V_j B(a_j) B(b_j) with a_j, b_j the horizontal
 /// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
 /// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.
