@@ -286,6 +286,11 @@ TEST(FluidCase, a_run_up_that_ends_at_a_block_is_warned_of) {
     EXPECT_THAT(test::read(gauge + "[0.2, 0.1]\nend = [0.2, 0.5]\n").warnings, Each(Not(HasSubstr("meets"))));
 }
 
+TEST(FluidCase, a_run_up_line_of_any_length_is_looked_along_at_a_bounded_cost) {
+    const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"run_up\"\npoint = [0.2, 0.1]\nend = ";
+    EXPECT_THAT(test::read(gauge + "[0.2, 1e12]\n").warnings, Each(Not(HasSubstr("meets"))));
+}
+
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
     const auto warnings = [](const char* point) {
         const auto all =

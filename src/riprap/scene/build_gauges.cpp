@@ -141,9 +141,9 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
     const double spacing = build.model.fluid->sph.spacing;
     const std::vector<std::uint8_t>& is_dry = build.model.fluid->is_dry;
     if (gauge.kind == fluid::GaugeKind::run_up) {
-        constexpr double touched = 0.25;  // of a spacing
+        constexpr double touched = 0.25, most_steps = 1e4;  // of a spacing; a line may be any length
         const Vec3 along = gauge.end - gauge.point;
-        const double steps = std::ceil(norm(along) / (0.5 * spacing));
+        const double steps = std::clamp(std::ceil(norm(along) / (0.5 * spacing)), 1.0, most_steps);
         for (double k = 0; k <= steps; ++k) {
             const BodyId solid = solid_at(build, is_dry, gauge.point + (k / steps) * along, touched * spacing);
             if (solid.is_valid()) {
