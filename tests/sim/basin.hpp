@@ -15,6 +15,8 @@ inline constexpr double dp = 0.05;
 
 /// Water about blocks in two dimensions.
 struct Basin : SmallScene {
+    double sound_speed = 30;  ///< [m/s]; before water is filled in
+
     Basin() { model.bodies.is_planar = true; }
 
     BodyId add_square(double edge, double density, const Vec3& place, const Vec3& velocity = {}, double spin = 0) {
@@ -33,7 +35,7 @@ struct Basin : SmallScene {
         FluidModel& water = model.fluid.emplace();
         water.sph.spacing = dp;
         water.sph.particle_mass = 1000 * dp * dp;
-        water.sph.sound_speed = 30;
+        water.sph.sound_speed = sound_speed;
         water.sph.domain = {low - margin, high + margin, {}, 2};
         water.is_dry.assign(static_cast<std::size_t>(model.bodies.size()), 0);
         const coupling::FillRegion region{

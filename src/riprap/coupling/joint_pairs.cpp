@@ -15,6 +15,8 @@ namespace {
 constexpr std::int64_t grain = 64;
 /// Share of a spacing that two samples may come nearer before pairs are looked for again.
 constexpr double skin = 0.5;
+/// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
+constexpr double most_gap = 2;
 
 }  // namespace
 
@@ -25,19 +27,28 @@ JointKernel::JointKernel(const fluid::SphSettings& settings)
       square_of_reach_(reach_ * reach_),
       spacing_(settings.spacing) {}
 
-JointLink JointKernel::closed(const JointMember& i, const JointMember& j, const JointLink& link) const {
-    const double farthest = reach_ + spacing_;
+std::optional<JointGap> JointKernel::gap(const JointMember& i, const JointMember& j, const JointLink& link) const {
+    const double farthest = reach_ + most_gap * spacing_;
     if (norm_squared(link.apart) > farthest * farthest || !(dot(i.normal, j.normal) < -0.5)) {
-        return link;
+        return std::nullopt;
     }
     const Vec3 across = i.normal - j.normal, n = across / norm(across);
-    const double gap = -dot(link.apart, n) - (i.depth + j.depth);  // between the faces; s of it: see JointPressure
-    const double shift = std::clamp(std::min(gap, 2 * spacing_ - gap), 0.0, spacing_);
-    if (shift == 0) {
-        return link;
-    }
-    const Vec3 apart = link.apart + shift * n;
+    const double width = -dot(link.apart, n) - (i.depth + j.depth);
+    return width < most_gap * spacing_ ? std::optional(JointGap{n, width}) : std::nullopt;
+}
+
+JointLink JointKernel::nearer(const JointLink& link, const Vec3& shift) const {
+    const Vec3 apart = link.apart + shift;
     return {apart, kernel_.slope_over_r(norm(apart))};
+}
+
+JointLink JointKernel::closed(const JointLink& link, const JointGap& gap) const {
+    const double shift = std::clamp(std::min(gap.width, most_gap * spacing_ - gap.width), 0.0, spacing_);
+    return shift > 0 ? nearer(link, shift * gap.across) : link;
+}
+
+JointLink JointKernel::touching(const JointLink& link, const JointGap& gap) const {
+    return gap.width > 0 ? nearer(link, gap.width * gap.across) : link;
 }
 
 double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {

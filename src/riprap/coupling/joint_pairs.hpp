@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,10 +32,22 @@ struct JointMember {
 };
 inline constexpr std::int32_t still_solid = -1;
 
+/// Joints are between a loose solid and another, or all that is not loose: where a floor meets a wall water goes on.
+inline std::int32_t partner_of(const JointMember& member) { return member.is_loose ? member.solid : still_solid; }
+
+/// Share of what is open at a wall that moving water fills with particles, at least.
+inline constexpr double well_filled = 0.85;
+
 /// What joins two members i and j, with faces as they are or brought together.
 struct JointLink {
     Vec3 apart;    ///< x_i - x_j, or the same + s n_ij, see JointPressure [m]
     double slope;  ///< (dW/dr)/r there; 0 = not in reach
+};
+
+/// Between faces that look at each other.
+struct JointGap {
+    Vec3 across;   ///< n_ij, unit
+    double width;  ///< negative where they overlap [m]
 };
 
 /// What links are found with, made once for many.
@@ -46,10 +59,16 @@ class JointKernel {
         const double square = norm_squared(apart);
         return {apart, square < square_of_reach_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
     }
-    /// The same with faces that look at each other brought together.
-    JointLink closed(const JointMember& i, const JointMember& j, const JointLink& link) const;
+    /// Nothing where faces do not look at each other or are too far apart to share a joint.
+    std::optional<JointGap> gap(const JointMember& i, const JointMember& j, const JointLink& link) const;
+    /// The link with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
+    JointLink closed(const JointLink& link, const JointGap& gap) const;
+    /// The same with faces brought together whole.
+    JointLink touching(const JointLink& link, const JointGap& gap) const;
 
  private:
+    JointLink nearer(const JointLink& link, const Vec3& shift) const;
+
     fluid::WendlandC2 kernel_;
     fluid::NearestImage nearest_;
     double reach_, square_of_reach_, spacing_;

@@ -19,14 +19,6 @@ namespace {
 constexpr std::int64_t grain = 64;
 /// h |t| that uneven samples leave inside a joint, at most: at seams sums are off by 4 % of those at a plane wall.
 constexpr double uneven = 0.1;
-/// Share of what is open at a wall that moving water fills with particles, at least.
-constexpr double filled = 0.85;
-/// Of the pressure in crowded water that a wall feels, at most.
-constexpr double most_felt = 1.2;
-
-/// Joints are between a loose solid and another, or all that is not loose: where a floor meets a wall water goes on.
-std::int32_t partner_of(const JointMember& member) { return member.is_loose ? member.solid : still_solid; }
-
 /// Whether some loose body meets water.
 bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
     return parallel::reduce(
@@ -36,37 +28,6 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
 }
 
 }  // namespace
-
-void JointPressure::find_openings(const SampleView& near, std::span<const Vec3> slopes, const BodyMotion& motion,
-                                  const fluid::WaterAtWalls& water, const JointKernel& kernel) {
-    const std::vector<JointMember>& members = pairs_.members();
-    openings_.resize(members.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
-        const JointMember& member = members[at(index)];
-        Opening& opening = openings_[at(index)];
-        std::vector<std::int32_t>& others = opening.others;
-        others.clear();
-        Vec3 slope_of_others{};
-        for (const std::int32_t j : pairs_.met_by(at(index))) {
-            const JointMember& other = members[at(j)];
-            const JointLink link = kernel.link(member, other);
-            slope_of_others += other.volume * link.slope * link.apart;
-            const bool is_joint = member.is_loose || other.is_loose;
-            if (is_joint && std::find(others.begin(), others.end(), partner_of(other)) == others.end() &&
-                (link.slope != 0 || kernel.closed(member, other, link).slope != 0)) {
-                others.push_back(partner_of(other));
-            }
-        }
-        const auto sample = at(member.sample);
-        const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
-        const Vec3 own =
-            member.solid == still_solid ? slopes[near.number(sample)] : rotate(turn, slopes[near.number(sample)]);
-        const Vec3 slope = own + slope_of_others;
-        opening.rim = slope - dot(slope, member.normal) * member.normal;
-        const double into_solid = -dot(own, member.normal), into_water = dot(water.slope[sample], member.normal);
-        opening.dry_share = into_water > 0 && into_solid > 0 ? std::max(0.0, 1 - into_water / into_solid) : 1;
-    });
-}
 
 void JointPressure::list_sides() {
     const std::vector<JointMember>& members = pairs_.members();
@@ -85,24 +46,48 @@ void JointPressure::list_sides() {
     rims_.resize(joints.size());
 }
 
-void JointPressure::find_rims(const SampleView& near, const fluid::WaterAtWalls& water,
-                              const fluid::SphSettings& settings, const Vec3& gravity) {
+double JointPressure::felt_about(std::size_t member, const fluid::SphSettings& settings, const Vec3& gravity) const {
+    const std::vector<JointMember>& members = pairs_.members();
+    const fluid::NearestImage nearest(settings.domain);
+    const double reach = JointPairs::reach(settings, false);
+    double sum = 0, weights = 0;
+    const auto add = [&](std::size_t k) {
+        const JointOpening& opening = openings_[k];
+        const Vec3 d = nearest(members[member].place - members[k].place);
+        const double weight = opening.weight * std::max(0.0, 1 - norm(d) / reach);
+        weights += weight;
+        sum += weight > 0 ? weight * (opening.felt + settings.rest_density * dot(gravity, d)) : 0;
+    };
+    add(member);
+    for (const std::int32_t k : pairs_.met_by(member)) {
+        add(at(k));
+    }
+    return weights > 0 ? std::max(0.0, sum / weights) : 0;
+}
+
+JointPressure::RimPiece JointPressure::rim_piece(const SampleView& near, std::size_t member,
+                                                 const fluid::SphSettings& settings, const Vec3& gravity) const {
+    const JointMember& self = pairs_.members()[member];
+    const JointOpening& opening = openings_[member];
+    const double strength = settings.smoothing_length() * norm(opening.rim) - uneven;
+    if (!(strength > 0) || near.depth(at(self.sample)) >= settings.spacing) {
+        return {};
+    }
+    const double share = std::min(1.0, opening.covered / well_filled), weight = strength * self.volume;
+    return {self.place, weight * share, weight * (1 - share), share > 0 ? felt_about(member, settings, gravity) : 0};
+}
+
+void JointPressure::find_rims(const SampleView& near, const fluid::SphSettings& settings, const Vec3& gravity) {
     for (std::vector<RimPiece>& rim : rims_) {
         rim.clear();
     }
-    const double h = settings.smoothing_length();
-    for (const Side& side : sides_) {
-        const JointMember& member = pairs_.members()[at(side.member)];
-        const Vec3& t = openings_[at(side.member)].rim;
-        const auto sample = at(member.sample);
-        const double strength = h * norm(t) - uneven;
-        if (strength > 0 && near.depth(sample) < settings.spacing) {
-            const double covered = std::max(0.0, -dot(t, water.slope[sample]) / dot(t, t));
-            const double share = std::min(1.0, covered / filled);
-            const double weight = strength * near.volume(sample);
-            const double felt = share > 0 ? std::min(most_felt, covered / share) : 0;
-            rims_[at(side.joint)].push_back(
-                {member.place, weight * share, weight * (1 - share), felt * water.pressure[sample]});
+    pieces_.resize(sides_.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(sides_.size()), grain, [&](std::int64_t k) {
+        pieces_[at(k)] = rim_piece(near, at(sides_[at(k)].member), settings, gravity);
+    });
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+        if (pieces_[k].wet + pieces_[k].dry > 0) {
+            rims_[at(sides_[k].joint)].push_back(pieces_[k]);
         }
     }
     // A dry piece higher than any water of the rim can rise drains nothing.
@@ -146,12 +131,12 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
     }
     pairs_.update(near, solids, motion, walls, settings);
     const JointKernel kernel(settings);
-    find_openings(near, slopes, motion, water, kernel);
+    find_joint_openings(pairs_, near, slopes, motion, water, settings, openings_);
     list_sides();
     if (sides_.empty()) {
         return;
     }
-    find_rims(near, water, settings, gravity);
+    find_rims(near, settings, gravity);
     const std::vector<JointMember>& members = pairs_.members();
     const fluid::NearestImage nearest(settings.domain);
     const double blur = 0.25 * settings.spacing * settings.spacing;  // a piece of the rim is no point
@@ -179,7 +164,8 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
             }
             const JointLink link = kernel.link(member, other);
             const double share = 0.5 * (openings_[at(index)].dry_share + openings_[at(j)].dry_share);
-            const JointLink closed = share > 0 ? kernel.closed(member, other, link) : link;
+            const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
+            const JointLink closed = gap ? kernel.closed(link, *gap) : link;
             sum -=
                 other.volume * pressure * ((1 - share) * link.slope * link.apart + share * closed.slope * closed.apart);
         }
@@ -188,8 +174,8 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
 }
 
 std::size_t JointPressure::bytes() const {
-    std::size_t bytes = pairs_.bytes() + bytes_of(openings_, side_begin_, sides_, rims_);
-    for (const Opening& opening : openings_) {
+    std::size_t bytes = pairs_.bytes() + bytes_of(openings_, side_begin_, sides_, pieces_, rims_);
+    for (const JointOpening& opening : openings_) {
         bytes += bytes_of(opening.others);
     }
     return bytes;

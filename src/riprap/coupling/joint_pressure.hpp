@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joint_pairs.hpp"
+#include "riprap/coupling/joint_openings.hpp"
 
 namespace riprap::coupling {
 
@@ -21,7 +21,7 @@ namespace riprap::coupling {
 /// The second term brings faces that look at each other, n_i . n_j < -1/2, together along
 /// n_ij = (n_i - n_j)/|n_i - n_j|, s being the gap between them up to dp, from there on 2 dp less the gap and at last
 /// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
-/// found in the joint leaves to do: 1 + n . G_water/(n . G_solid).
+/// found in the joint leaves to do, see JointOpening.
 ///
 /// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
 /// (linear between its ends) or a disk (Poisson's formula) of even opening:
@@ -29,11 +29,10 @@ namespace riprap::coupling {
 ///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r (c_r + e_r (1 - c_r))),
 ///     w_r = s_r V_r/(|x_i - x_r|^2 + dp^2/4)^((D-1)/2).
 ///
-/// G_solid and G_water are the sums of V grad W at a sample over its own solid and of V B grad W over the water. With t
-/// the part along the face of the sum of V grad W over all solids, s_r = max(0, h |t| - 0.1) says how much of a rim a
-/// sample r of the first layer is; c_r = -t . G_water/(0.85 t^2), from 0 to 1, how much of what is open there is water;
-/// e_r is 1 where the head of some water at the rim reaches r and 0 where it does not: a dry rim above the water of an
-/// upright joint takes nothing from it. p_r is the mean pressure of the water about r.
+/// s_r = max(0, h |t| - 0.1) says how much of a rim a sample r of the first layer is, t being the part along the face
+/// of the sum of V grad W over all solids; c_r = -t . G_water/(0.85 t^2), from 0 to 1, how much of what is open there
+/// is water; e_r is 1 where the head of some water at the rim reaches r and 0 where it does not: a dry rim above the
+/// water of an upright joint takes nothing from it. p_r is the mean of what walls feel about r.
 class JointPressure {
  public:
     /// Forces on the samples `near` where `walls` are.
@@ -51,12 +50,6 @@ class JointPressure {
     std::size_t bytes() const;
 
  private:
-    /// What a member finds about itself.
-    struct Opening {
-        Vec3 rim;                          ///< t [1/m]
-        double dry_share;                  ///< u [-]
-        std::vector<std::int32_t> others;  ///< loose solids that it shares a joint with, still_solid for all others
-    };
     /// A member as part of the joint with one of those.
     struct Side {
         std::int32_t member, other;
@@ -70,17 +63,20 @@ class JointPressure {
         double pressure;  ///< of the water there [Pa]
     };
 
-    void find_openings(const SampleView& near, std::span<const Vec3> slopes, const BodyMotion& motion,
-                       const fluid::WaterAtWalls& water, const JointKernel& kernel);
     void list_sides();
-    void find_rims(const SampleView& near, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
-                   const Vec3& gravity);
+    /// The piece of a rim that a member is; nothing where it is none.
+    RimPiece rim_piece(const SampleView& near, std::size_t member, const fluid::SphSettings& settings,
+                       const Vec3& gravity) const;
+    void find_rims(const SampleView& near, const fluid::SphSettings& settings, const Vec3& gravity);
+    /// Mean of what walls feel about a member, carried to it as in water at rest [Pa].
+    double felt_about(std::size_t member, const fluid::SphSettings& settings, const Vec3& gravity) const;
     double pressure_of(std::size_t member, std::int32_t other) const;
 
     JointPairs pairs_;
-    std::vector<Opening> openings_;         ///< of each member
+    std::vector<JointOpening> openings_;    ///< of each member
     std::vector<std::int32_t> side_begin_;  ///< of each member in sides_, one more at the end
     std::vector<Side> sides_;
+    std::vector<RimPiece> pieces_;             ///< of each side
     std::vector<std::vector<RimPiece>> rims_;  ///< of each joint
 };
 
