@@ -125,12 +125,14 @@ void build_fluid(CaseBuild& build) {
     build_joints(build, *table, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         check_level(build, list.items[r], regions[r], fluid.sph);
-        warn_of_cut_region(build, list.items[r].place, regions[r], fluid.sph.domain, fluid.sph.spacing);
     }
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
     }
     check_filling(build, list, filling, fluid);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
+    }
     if (filling.particles.size() == 0) {
         return;
     }
@@ -141,13 +143,11 @@ void build_fluid(CaseBuild& build) {
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
     warn_of_scheme(build, fluid.sph);
-    if (get(*table, "inflow").items.empty() && get(*table, "outflow").items.empty()) {
-        warn_of_open_sides(build, get(*table, "domain").place, fluid, filling.particles.position);
-    }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);
+    warn_of_open_sides(build, get(*table, "domain").place, fluid, build.state.fluid.position);
     start_openings(fluid.open, fluid.sph, build.state.fluid, build.state.open);
     build.model.fluid = std::move(fluid);
 }

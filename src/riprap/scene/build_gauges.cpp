@@ -129,34 +129,53 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
     build.model.output.faces.push_back(*face);
 }
 
+/// The first solid along the line of a run_up gauge, as far as that is in the domain.
+BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spacing) {
+    constexpr double touched = 0.25;  // of a spacing
+    const fluid::Domain& domain = build.model.fluid->sph.domain;
+    const Vec3 along = gauge.end - gauge.point;
+    double length = norm(along);
+    const Vec3 direction = along / length;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        const double side = direction[axis] > 0 ? domain.high[axis] : domain.low[axis];
+        if (direction[axis] != 0 && !domain.is_periodic[static_cast<std::size_t>(axis)]) {
+            length = std::min(length, std::max(0.0, (side - gauge.point[axis]) / direction[axis]));
+        }
+    }
+    const Vec3 end = gauge.point + length * direction;
+    const PlacedSolids solids(build, build.model.fluid->is_dry, min(gauge.point, end), max(gauge.point, end));
+    constexpr double most_steps = 1e6;  // a line along a period may be any length
+    const double steps = std::clamp(std::ceil(length / (0.5 * spacing)), 1.0, most_steps);
+    for (double k = 0; k <= steps; ++k) {
+        if (const BodyId solid = solids.at(gauge.point + (k / steps * length) * direction, touched * spacing);
+            solid.is_valid()) {
+            return solid;
+        }
+    }
+    return {};
+}
+
 /// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
 void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
     if (!build.model.fluid || build.model.fluid->is_dry.size() != build.state.bodies.position.size()) {
         return;  // no water, or it has a problem
     }
     const auto warn = [&](BodyId solid, std::string_view text) {
-        build.warnings.push_back(to_string(
-            Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
+        if (solid.is_valid()) {
+            build.warnings.push_back(to_string(
+                Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
+        }
     };
     const double spacing = build.model.fluid->sph.spacing;
-    const std::vector<std::uint8_t>& is_dry = build.model.fluid->is_dry;
     if (gauge.kind == fluid::GaugeKind::run_up) {
-        constexpr double touched = 0.25, most_steps = 1e4;  // of a spacing; a line may be any length
-        const Vec3 along = gauge.end - gauge.point;
-        const double steps = std::clamp(std::ceil(norm(along) / (0.5 * spacing)), 1.0, most_steps);
-        for (double k = 0; k <= steps; ++k) {
-            const BodyId solid = solid_at(build, is_dry, gauge.point + (k / steps) * along, touched * spacing);
-            if (solid.is_valid()) {
-                warn(solid, "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
-                return;
-            }
+        if (gauge.end != gauge.point) {
+            warn(first_solid(build, gauge, spacing),
+                 "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
         }
     } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
                gauge.kind == fluid::GaugeKind::level) {
-        const BodyId solid = solid_at(build, is_dry, gauge.point, spacing);
-        if (solid.is_valid()) {
-            warn(solid, "the gauge '{}' lies inside '{}' at the start and reads 0 there");
-        }
+        const PlacedSolids solids(build, build.model.fluid->is_dry, gauge.point, gauge.point);
+        warn(solids.at(gauge.point, spacing), "the gauge '{}' lies inside '{}' at the start and reads 0 there");
     }
 }
 

@@ -12,6 +12,7 @@
 #include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build_case.hpp"
 #include "riprap/scene/limits.hpp"
+#include "riprap/scene/placed_part.hpp"
 
 namespace riprap::scene {
 
@@ -105,22 +106,6 @@ bool read_opening(CaseBuild& build, const Value& table, const fluid::Domain& dom
     return true;
 }
 
-/// The wet body that x lies in, if any.
-std::optional<std::string> solid_at(const CaseBuild& build, const sim::FluidModel& fluid, const Vec3& x) {
-    constexpr double slack = 1e-6;  // of a spacing: faces may touch
-    for (const body::Part& part : build.model.bodies.parts) {
-        const auto b = static_cast<std::size_t>(part.body.value);
-        const Pose body{build.state.bodies.position[b], build.state.bodies.orientation[b]};
-        const Pose pose{to_world(body, part.local.position), body.orientation * part.local.orientation};
-        const geometry::ConvexView shape = build.model.shapes.view(part.shape);
-        if (fluid.is_dry[b] == 0 && norm(x - pose.position) <= shape.circumradius &&
-            geometry::depth_below_faces(shape, to_body(pose, x)) > slack * fluid.sph.spacing) {
-            return build.model.bodies.name(part.body);
-        }
-    }
-    return std::nullopt;
-}
-
 /// Refuses solids among the layers behind an opening, and water that is there already.
 /// @param side  +1 where layers lie past the plane (outflow), -1 where before it
 /// @param rows  of its layers
@@ -128,19 +113,22 @@ void check_behind(CaseBuild& build, const Value& table, const sim::FluidModel& f
                   double side, const std::vector<Vec3>& rows) {
     const double dp = fluid.sph.spacing;
     const auto layers = static_cast<int>(std::ceil(fluid.sph.support_radius() / dp - 1e-9)) + 1;
-    const Vec3 away = side * opening.direction();
+    const Vec3 away = side * opening.direction(), behind = layers * dp * away, before = dp * away;
+    const PlacedSolids solids(build, fluid.is_dry, min(opening.low - before, opening.low + behind),
+                              max(opening.high - before, opening.high + behind));
+    const double slack = 1e-6 * dp;  // faces may touch
     for (const Vec3& row : rows) {
-        auto solid = solid_at(build, fluid, row - 0.5 * dp * away);
-        if (solid && side > 0) {
+        BodyId solid = solids.at(row - 0.5 * dp * away, slack);
+        if (solid.is_valid() && side > 0) {
             continue;  // no water comes to the plane there
         }
-        for (int layer = 0; layer < layers && !solid; ++layer) {
-            solid = solid_at(build, fluid, row + (layer + 0.5) * dp * away);
+        for (int layer = 0; layer < layers && !solid.is_valid(); ++layer) {
+            solid = solids.at(row + (layer + 0.5) * dp * away, slack);
         }
-        if (solid) {
+        if (solid.is_valid()) {
             build.problem(table.place,
-                          fmt::format("'{}' stands in the opening '{}' or in the {:.3g} m behind it", *solid,
-                                      opening.name, layers * dp),
+                          fmt::format("'{}' stands in the opening '{}' or in the {:.3g} m behind it",
+                                      build.model.bodies.name(solid), opening.name, layers * dp),
                           "no solid there, or a body with wet = false");
             return;
         }

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "riprap/geometry/clip.hpp"
 #include "riprap/scene/fluid_warnings.hpp"
 #include "riprap/scene/placed_part.hpp"
 
@@ -29,20 +31,82 @@ void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
     }
 }
 
+namespace {
+
+/// Outward unit normal of a side of the domain.
+Vec3 outward(int axis, bool is_high) {
+    Vec3 n{};
+    n[axis] = is_high ? 1 : -1;
+    return n;
+}
+
+/// What of a piece of a region lies beyond a side of the domain, below the level.
+geometry::Polyhedron beyond(const geometry::Polyhedron& piece, double level, const Vec3& up, const Vec3& outward,
+                            double side) {
+    geometry::Polyhedron cut = std::isfinite(level) ? geometry::clip_convex(piece, {up, level}) : piece;
+    return cut.faces.empty() ? cut : geometry::clip_convex(cut, {-outward, -side});
+}
+
+/// Whether some place in it is in no solid. At most 48 places along an axis are looked at.
+bool has_room(const CaseBuild& build, const geometry::Polyhedron& piece, const std::vector<std::uint8_t>& is_dry,
+              int dimension, double spacing) {
+    Vec3 low = piece.vertices.front(), high = low;
+    for (const Vec3& x : piece.vertices) {
+        low = min(low, x);
+        high = max(high, x);
+    }
+    std::vector<geometry::Plane> planes;
+    for (const auto& face : piece.faces) {
+        planes.push_back(geometry::face_plane(piece.vertices, face));
+    }
+    const PlacedSolids solids(build, is_dry, low, high);
+    std::array<std::int64_t, 3> count{1, 1, 1};
+    for (int k = 0; k < dimension; ++k) {
+        count[static_cast<std::size_t>(k)] =
+            static_cast<std::int64_t>(std::clamp((high[k] - low[k]) / spacing, 1.0, 48.0));
+    }
+    for (std::int64_t i = 0; i < count[0] * count[1] * count[2]; ++i) {
+        const std::array<std::int64_t, 3> cell{i % count[0], i / count[0] % count[1], i / (count[0] * count[1])};
+        Vec3 x{};
+        for (int k = 0; k < 3; ++k) {
+            const auto n = static_cast<std::size_t>(k);
+            x[k] = low[k] + (static_cast<double>(cell[n]) + 0.5) / static_cast<double>(count[n]) * (high[k] - low[k]);
+        }
+        const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const geometry::Plane& plane) {
+            return dot(plane.normal, x) <= plane.offset;
+        });
+        if (is_inside && !solids.at(x, 0).is_valid()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
-                        const fluid::Domain& domain, double spacing) {
+                        const sim::FluidModel& fluid) {
+    const fluid::Domain& domain = fluid.sph.domain;
     double most = 0;
     for (const geometry::Polyhedron& piece : region.pieces) {
-        for (Vec3 x : piece.vertices) {
-            x -= std::max(0.0, dot(x, build.up()) - region.level) * build.up();  // above its level it is empty
-            for (int axis = 0; axis < domain.dimension; ++axis) {
-                most = domain.is_periodic[static_cast<std::size_t>(axis)]
-                           ? most
-                           : std::max({most, domain.low[axis] - x[axis], x[axis] - domain.high[axis]});
+        for (int side = 0; side < 2 * domain.dimension; ++side) {
+            const int axis = side / 2;
+            const bool is_high = side % 2 == 1;
+            const Vec3 n = outward(axis, is_high);
+            const double end = is_high ? domain.high[axis] : -domain.low[axis];
+            if (domain.is_periodic[static_cast<std::size_t>(axis)] ||
+                geometry::range_along(piece, n).high < end + (1 + 1e-6) * fluid.sph.spacing) {
+                continue;
+            }
+            const geometry::Polyhedron cut = beyond(piece, region.level, build.up(), n, end);
+            const double reach = cut.faces.empty() ? 0 : geometry::range_along(cut, n).high - end;
+            if (reach > std::max(most, (1 + 1e-6) * fluid.sph.spacing) &&
+                has_room(build, cut, fluid.is_dry, domain.dimension, fluid.sph.spacing)) {
+                most = reach;
             }
         }
     }
-    if (most > (1 + 1e-6) * spacing) {
+    if (most > 0) {
         build.warnings.push_back(to_string(Diagnostic{
             place, fmt::format("the region reaches {:.4g} m out of 'fluid.domain', where no water is placed", most),
             ""}));
@@ -53,24 +117,36 @@ void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const sim::F
                         const std::vector<Vec3>& water) {
     const fluid::Domain& domain = fluid.sph.domain;
     const double spacing = fluid.sph.spacing;
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        for (const double side : {domain.low[axis], domain.high[axis]}) {
-            const double outward = side == domain.low[axis] ? -spacing : spacing;
-            const auto is_open = [&](const Vec3& x) {
-                Vec3 beyond = x;
-                beyond[axis] += outward;
-                return std::abs(side - x[axis]) < spacing && !solid_at(build, fluid.is_dry, beyond, 0).is_valid();
-            };
-            if (!domain.is_periodic[static_cast<std::size_t>(axis)] &&
-                std::any_of(water.begin(), water.end(), is_open)) {
-                build.warnings.push_back(to_string(Diagnostic{
-                    place,
-                    fmt::format(
-                        "water stands at the side {} = {:.6g} m of the domain, where nothing holds it: a particle "
-                        "that leaves ends the run",
-                        "xyz"[axis], side),
-                    "a wall there, an [[fluid.outflow]], or a larger domain"}));
-            }
+    std::vector<const fluid::Opening*> openings;
+    for (const fluid::Inflow& inflow : fluid.open.inflows) {
+        openings.push_back(&inflow.opening);
+    }
+    for (const fluid::Outflow& outflow : fluid.open.outflows) {
+        openings.push_back(&outflow.opening);
+    }
+    for (int side = 0; side < 2 * domain.dimension; ++side) {
+        const int axis = side / 2;
+        const bool is_high = side % 2 == 1;
+        const double end = is_high ? domain.high[axis] : domain.low[axis];
+        const Vec3 step = spacing * outward(axis, is_high);
+        Vec3 low = domain.low, high = domain.high;
+        low[axis] = end - spacing;
+        high[axis] = end + spacing;
+        const PlacedSolids solids(build, fluid.is_dry, low, high);
+        const auto is_open = [&](const Vec3& x) {
+            return std::abs(end - x[axis]) < spacing && !solids.at(x + step, 0).is_valid() &&
+                   std::none_of(openings.begin(), openings.end(), [&](const fluid::Opening* opening) {
+                       return opening->axis == axis && opening->is_across(x, domain.dimension) &&
+                              std::abs(opening->past(x)) < 2 * spacing;
+                   });
+        };
+        if (!domain.is_periodic[static_cast<std::size_t>(axis)] && std::any_of(water.begin(), water.end(), is_open)) {
+            build.warnings.push_back(to_string(Diagnostic{
+                place,
+                fmt::format("water stands at the side {} = {:.6g} m of the domain, where nothing holds it: a particle "
+                            "that leaves ends the run",
+                            "xyz"[axis], end),
+                "a wall there, an [[fluid.outflow]], or a larger domain"}));
         }
     }
 }

@@ -25,11 +25,13 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const f
 /// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
 void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid);
 
-/// A region that reaches out of the domain, along axes that are not periodic. Its table is at `place`.
+/// A region that reaches out of the domain to where no solid is, along axes that are not periodic. Its table is at
+/// `place`.
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
-                        const fluid::Domain& domain, double spacing);
+                        const sim::FluidModel& fluid);
 
-/// Sides of the domain that water stands at without a solid beyond it. The table of the domain is at `place`.
+/// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
+/// at `place`.
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const sim::FluidModel& fluid,
                         const std::vector<Vec3>& water);
 

@@ -22,12 +22,27 @@ std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance)
     return near.distance > 0 && near.distance < distance && is_before ? near.face : -1;
 }
 
-BodyId solid_at(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& x, double depth) {
+PlacedSolids::PlacedSolids(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& low,
+                           const Vec3& high) {
     for (const body::Part& part : build.model.bodies.parts) {
+        if (is_dry[static_cast<std::size_t>(part.body.value)] != 0) {
+            continue;
+        }
         const PlacedPart solid = placed(build, part);
-        if (is_dry[static_cast<std::size_t>(part.body.value)] == 0 &&
+        const Vec3& x = solid.pose.position;
+        if (norm(x - max(low, min(high, x))) <= solid.shape.circumradius) {
+            parts_.push_back(solid);
+            bodies_.push_back(part.body);
+        }
+    }
+}
+
+BodyId PlacedSolids::at(const Vec3& x, double depth) const {
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const PlacedPart& solid = parts_[k];
+        if (norm(x - solid.pose.position) <= solid.shape.circumradius &&
             geometry::contains(solid.shape, to_body(solid.pose, x), -depth)) {
-            return part.body;
+            return bodies_[k];
         }
     }
     return {};

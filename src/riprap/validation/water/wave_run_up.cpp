@@ -91,7 +91,7 @@ void wave_run_up(const CaseSetting& setting, CaseReport& report) {
         const double similarity = slope / std::sqrt(height / deep_length);  // xi, Iribarren's number
         const double seelig = similarity * similarity / (5.5 + similarity * similarity);
         const std::string run = fmt::format("1:{}", cotangent);
-        report.state({run + ": incident height", "m", 0.12, {}, "asked of the paddle"}, height);
+        report.state({run + ": incident height, of 0.12 m asked", "m", {}, {}, ""}, height);
         report.judge(
             {run + ": reflected over incident height", "-", seelig, {}, fmt::format("xi = {:.2f}", similarity)},
             waves.reflection, seelig - 0.1, seelig + 0.1);
