@@ -22,7 +22,7 @@ function namesFigure(names) {
   return figure;
 }
 
-export function showLegends(parent, {particles, blocks, forces}) {
+export function showLegends(parent, {particles, blocks, forces, isPlanar}) {
   parent.replaceChildren();
   if (particles?.points.visible) {
     const {label, unit, low, high} = particles.range();
@@ -35,7 +35,7 @@ export function showLegends(parent, {particles, blocks, forces}) {
     parent.append(namesFigure(blocks.names()));
   }
   if (forces?.group.visible) {
-    parent.insertAdjacentHTML('beforeend', '<figure><figcaption>contact force [N]</figcaption><span class="bar"></span>' +
+    parent.insertAdjacentHTML('beforeend', `<figure><figcaption>contact force [${isPlanar ? 'N/m' : 'N'}]</figcaption><span class="bar"></span>` +
         `<span>longest bar ${short(forces.most)}</span></figure>`);
   }
 }

@@ -145,10 +145,11 @@ void define_bodies(py::module_& module) {
                                "About the centre of mass, world axes [kg m^2/s], (n, 3).")
         .def_property_readonly("angular_velocity", &angular_velocity, "World axes [rad/s], (n, 3); a copy.")
         .def_property_readonly(
-            "mass", [](const Bodies& self) { return copied(self.read().model().bodies.mass); }, "[kg], (n,); a copy.")
+            "mass", [](const Bodies& self) { return copied(self.read().model().bodies.mass); }, "[kg, in planar scenes kg/m], (n,); a copy.")
         .def_property_readonly("is_free", &is_free, "Follows forces, now (bool, (n,)); a copy.")
         .def_property_readonly("contact_force", &contact_force,
-                               "Sum of the contact forces of the last step [N], (n, 3); a copy. None before one.");
+                               "Sum of the contact forces of the last step [N, in planar scenes N/m], (n, 3); a copy. None "
+                               "before one.");
 }
 
 void define_fluid(py::module_& module) {
@@ -196,9 +197,8 @@ void define_views(py::module_& module, py::class_<Simulation>& simulation) {
         .def_property_readonly(
             "contacts", &contacts,
             "The c contacts of the last step as arrays, a copy (dict): body_a, body_b (int32), point [m] and force on "
-            "body a [N] (c, 3), normal_force, shear_force [N], overlap [m], area [m^2], is_sliding (bool). None before "
-            "a "
-            "step was taken.");
+            "body a (c, 3), normal_force, shear_force [N, in planar scenes N/m], overlap [m], area [m^2], is_sliding "
+            "(bool). None before a step was taken.");
 }
 
 }  // namespace riprap::python

@@ -95,7 +95,8 @@ TEST(Expects, OnlyStepsFromOneTimeToAnotherCount) {
     sim::Expect late = expect("max"), early = expect("last"), never = expect("mean"), mean = expect("mean");
     late.from = 1.5;
     early.to = 1;
-    never.from = 7;
+    never.from = 0.1;  // between two steps
+    never.to = 0.2;
     mean.from = 1;
     const auto results = follow({late, early, never, mean}, true);
     EXPECT_EQ(results[0].value, 1);
@@ -145,12 +146,24 @@ TEST(Expects, FiguresSurviveACheckpoint) {
 TEST(Expects, AValueOutsideItsBandOrNeverSeenFails) {
     sim::Expect narrow = expect("last");
     narrow.low = 1.5;
-    sim::Expect late = expect("at", 17);
-    const auto results = follow({expect("last"), narrow, late}, false);
+    sim::Expect none = expect("last");
+    none.from = 1e-9;
+    none.to = 2e-9;  // between two steps
+    const auto results = follow({expect("last"), narrow, none}, false);
     EXPECT_EQ(results[0].verdict, Verdict::passed);
     EXPECT_EQ(results[1].verdict, Verdict::failed);
     EXPECT_EQ(results[2].verdict, Verdict::failed);
     EXPECT_TRUE(std::isnan(results[2].value));
+    EXPECT_THAT(verdict_table(results), HasSubstr("has no value: no step of its window had one"));
+}
+
+TEST(Expects, WhatTheRunDoesNotReachIsNotJudged) {
+    sim::Expect late = expect("last"), longer = expect("mean");
+    late.from = 17;
+    longer.to = 17;
+    for (const ExpectResult& result : follow({expect("at", 17), late, longer}, false)) {
+        EXPECT_EQ(result.verdict, Verdict::not_judged) << result.reduce;
+    }
 }
 
 TEST(Expects, ARunThatStopsEarlyIsNotJudged) {

@@ -185,13 +185,17 @@ TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused)
                 ElementsAre(HasSubstr("'at' goes with")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.6\nto = 0.5\n"),
                 ElementsAre(HasSubstr("no step lies between from = 0.6 s and to = 0.5 s")));
-    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 1.5\n"),
-                ElementsAre(HasSubstr("and the end = 1 s")));
+    EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.5\nto = 0.5\n"),
+                ElementsAre(HasSubstr("no step lies between")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\nat = 0.5\nto = 0.7\n"),
                 ElementsAre(HasSubstr("say nothing where reduce = \"at\"")));
     EXPECT_THAT(problems_of(with(expect, "value = 1", "value = 0") + "citation = \"t\"\nrelative_tolerance = 1\n"),
                 ElementsAre(HasSubstr("is no band")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\n"), IsEmpty());
+    for (const char* const late : {"from = 1.5\n", "to = 1.5\n", "reduce = \"at\"\nat = 1.5\n"}) {
+        EXPECT_THAT(read(expect + "citation = \"t\"\ntolerance = 1\n" + late).warnings,
+                    ElementsAre(HasSubstr("is not judged: the run ends at 1 s")));
+    }
 }
 
 TEST(BadInput, a_body_that_double_precision_cannot_hold_is_refused) {

@@ -254,8 +254,9 @@ int Driver::finish(const Progress& progress) {
                           state().time),
               {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     const sim::Ledger& ledger = simulation_.report().ledger;
-    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} J of {:.2g} J turned over",
-                    sim::state_hash(state()), ledger.residual, ledger.turnover));
+    const std::string unit = sim::unit_in("J", model().bodies.is_planar);
+    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} {} of {:.2g} {} turned over",
+                    sim::state_hash(state()), ledger.residual, unit, ledger.turnover, unit));
     tell_warnings();
     return verdict(results);
 }

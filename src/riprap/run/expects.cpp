@@ -109,6 +109,18 @@ double time_of(const RunningFigures& f, const std::string& how) {
     return how == "mean" || std::isnan(f.at) ? missing : f.at_time;
 }
 
+/// Whether the run goes on for as long as an expected answer looks at it.
+bool is_reached(const sim::Expect& expect, double end) {
+    return expect.at <= end && expect.from <= end && (std::isinf(expect.to) || expect.to <= end);
+}
+
+/// Why there is no value.
+std::string cause_of_none(const ExpectResult& result) {
+    return result.reduce == "when" ? "its 'when' did not reach its level"
+           : result.reduce == "at" ? "there was none at that time"
+                                   : "no step of its window had one";
+}
+
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
     return {{expect.place, 0, 0}, "expect '" + expect.name + "': " + std::move(message), std::move(allowed)};
 }
@@ -179,7 +191,7 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
                             .time = time_of(figures_[i], expect.reduce),
                             .low = expect.low,
                             .high = expect.high};
-        if (at_end) {
+        if (at_end && is_reached(expect, model_.time.end)) {
             const bool is_within = expect.low <= result.value && result.value <= expect.high;  // false for NaN
             result.verdict = is_within ? Verdict::passed : Verdict::failed;
         }
@@ -221,6 +233,11 @@ std::string verdict_table(const std::vector<ExpectResult>& results) {
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
         text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
                             result.value, time, result.low, result.high, result.unit, to_string(result.verdict));
+    }
+    for (const ExpectResult& result : results) {
+        if (result.verdict == Verdict::failed && std::isnan(result.value)) {
+            text += fmt::format("'{}' has no value: {}\n", result.name, cause_of_none(result));
+        }
     }
     return text;
 }

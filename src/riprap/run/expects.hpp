@@ -23,7 +23,7 @@ struct RunningFigures {
 enum class Verdict {
     passed,
     failed,      ///< outside its band, or never seen
-    not_judged,  ///< the run stopped before its end
+    not_judged,  ///< the run stopped before its end, or that comes before what is looked at
 };
 std::string_view to_string(Verdict verdict);
 

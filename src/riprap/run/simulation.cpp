@@ -28,10 +28,11 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, s
         residual <= tolerance * counted) {
         return "";
     }
+    const std::string unit = sim::unit_in("J", model.bodies.is_planar);
     return fmt::format(
-        "the energy ledger misses {:.3g} J of {:.3g} J that count as turned over at t = {:.6g} s, more than "
+        "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "
         "output.ledger_tolerance = {:.3g} of it",
-        ledger.residual, counted, ledger.time, tolerance);
+        ledger.residual, unit, counted, unit, ledger.time, tolerance);
 }
 
 }  // namespace

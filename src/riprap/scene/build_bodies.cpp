@@ -10,6 +10,7 @@
 #include "riprap/scene/initial_overlaps.hpp"
 #include "riprap/scene/random_stream.hpp"
 #include "riprap/scene/shape_library.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
 
@@ -62,8 +63,10 @@ void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std
         !(std::isnormal(mass) && std::isnormal(std::max({moments.x, moments.y, moments.z})))) {
         build.has_sound_bodies = false;
         build.problem(table.place,
-                      fmt::format("body '{}' has a mass of {:.3g} kg and moments of inertia of {:.3g} kg m^2 at most",
-                                  name, mass, std::max({moments.x, moments.y, moments.z})),
+                      fmt::format("body '{}' has a mass of {:.3g} {} and moments of inertia of {:.3g} {} at most", name,
+                                  mass, sim::unit_in("kg", build.is_planar),
+                                  std::max({moments.x, moments.y, moments.z}),
+                                  sim::unit_in("kg m^2", build.is_planar)),
                       "sizes and densities that leave both a positive finite number in double precision");
         return;
     }

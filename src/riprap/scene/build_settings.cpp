@@ -135,6 +135,18 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     return false;
 }
 
+/// What the run does not reach, say because --end shortens it, is not judged.
+void warn_of_late(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect, std::string_view key,
+                  double time) {
+    if (time > build.model.time.end) {
+        build.warnings.push_back(to_string(Diagnostic{
+            place,
+            fmt::format("[[expect]] '{}' is not judged: the run ends at {:.6g} s, before {} = {:.6g} s", expect.name,
+                        build.model.time.end, key, time),
+            ""}));
+    }
+}
+
 /// From when to when steps count.
 void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     const Value* from = table.find("from");
@@ -149,12 +161,14 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
-    const double last = std::min(expect.to, build.model.time.end);
-    if (expect.from > last) {
+    if (expect.from >= expect.to) {
         build.problem(given->place,
-                      fmt::format("no step lies between from = {:.6g} s and {} = {:.6g} s", expect.from,
-                                  last < expect.to ? "the end" : "to", last),
-                      "from before to, and before the end of the run");
+                      fmt::format("no step lies between from = {:.6g} s and to = {:.6g} s", expect.from, expect.to),
+                      "from before to");
+    } else if (to != nullptr) {
+        warn_of_late(build, to->place, expect, "to", expect.to);
+    } else {
+        warn_of_late(build, from->place, expect, "from", expect.from);
     }
 }
 
@@ -173,10 +187,7 @@ void read_expect(CaseBuild& build, const Value& table) {
         build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");
     } else if (at != nullptr) {
         expect.at = at->as_number();
-        if (expect.at > build.model.time.end) {
-            build.problem(at->place, fmt::format("at = {} s lies beyond the end of the run", expect.at),
-                          fmt::format("at most end = {} s", build.model.time.end));
-        }
+        warn_of_late(build, at->place, expect, "at", expect.at);
     }
     read_window(build, table, expect);
     const Value* when = table.find("when");

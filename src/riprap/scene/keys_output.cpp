@@ -113,7 +113,7 @@ const Table& expect_table() {
           {number(dimension::time, non_negative())},
           "Steps before this time do not count; not for at and when. The start when not given.",
           {}},
-         {"to", {number(dimension::time, positive())}, "Nor do those after it; the end when not given.", {}},
+         {"to", {number(dimension::time, positive())}, "Nor do those after it; the end when not given. What a run with an earlier end does not reach is not judged.", {}},
          {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
          {"when",
           {text()},
