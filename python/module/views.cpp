@@ -145,11 +145,13 @@ void define_bodies(py::module_& module) {
                                "About the centre of mass, world axes [kg m^2/s], (n, 3).")
         .def_property_readonly("angular_velocity", &angular_velocity, "World axes [rad/s], (n, 3); a copy.")
         .def_property_readonly(
-            "mass", [](const Bodies& self) { return copied(self.read().model().bodies.mass); }, "[kg, in planar scenes kg/m], (n,); a copy.")
+            "mass", [](const Bodies& self) { return copied(self.read().model().bodies.mass); },
+            "[kg, in planar scenes kg/m], (n,); a copy.")
         .def_property_readonly("is_free", &is_free, "Follows forces, now (bool, (n,)); a copy.")
-        .def_property_readonly("contact_force", &contact_force,
-                               "Sum of the contact forces of the last step [N, in planar scenes N/m], (n, 3); a copy. None "
-                               "before one.");
+        .def_property_readonly(
+            "contact_force", &contact_force,
+            "Sum of the contact forces of the last step [N, in planar scenes N/m], (n, 3); a copy. None "
+            "before one.");
 }
 
 void define_fluid(py::module_& module) {

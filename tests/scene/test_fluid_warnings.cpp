@@ -67,7 +67,8 @@ TEST(FluidWarnings, a_region_that_the_domain_cuts_and_water_that_no_wall_holds_t
     const std::string low_wall = body("wall", "[2.0, 0.4]", "[3.5, 0.2]", "fixed = true");
     EXPECT_THAT(test::read(wide + low_wall).warnings,
                 ElementsAre(HasSubstr("reaches 1.5 m out"), HasSubstr("at the side x = 2.5 m")));
-    const std::string flap = "[[fluid.outflow]]\nname = \"top\"\nlow = [0.0, 1.2]\nhigh = [1.0, 1.2]\ntowards = \"y\"\n";
+    const std::string flap =
+        "[[fluid.outflow]]\nname = \"top\"\nlow = [0.0, 1.2]\nhigh = [1.0, 1.2]\ntowards = \"y\"\n";
     EXPECT_THAT(test::read(wide + flap).warnings, Contains(HasSubstr("water stands at the side x = 2.5 m")));
     const std::string tall = test::with(flume, "high = [2.0, 0.5] }", "high = [2.0, 5.0] }");
     EXPECT_THAT(test::read(test::with(tall, "high = [2.0, 5.0] }", "high = [2.0, 5.0] }\nlevel = 0.5")).warnings,

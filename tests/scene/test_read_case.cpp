@@ -157,7 +157,14 @@ TEST(ReadCase, an_override_with_another_unit_replaces_the_key) {
     EXPECT_DOUBLE_EQ(loaded.model.materials.materials[0].friction, std::tan(0.5));
 }
 
+TEST(ReadCase, an_override_finds_bodies_whose_names_hold_dots) {
+    const LoadedCase loaded = read(with(minimal_case, "\"block\"", "\"b.c\""), {"body.b.c.position=[0, 0, 3]"});
+    EXPECT_EQ(loaded.state.bodies.position[0], (Vec3{0, 0, 3}));
+}
+
 TEST(ReadCase, a_wrong_override_is_named) {
+    EXPECT_THAT(problems_of(minimal_case, {"body.7=3"}),
+                ElementsAre(AllOf(HasSubstr("the list has no entry '7'"), HasSubstr("or name: block"))));
     EXPECT_THAT(problems_of(minimal_case, {"body.stone.position=[0,0,1]"}),
                 ElementsAre(HasSubstr("--set body.stone.position=[0,0,1]: the list has no entry 'stone'")));
     EXPECT_THAT(problems_of(minimal_case, {"densty=1"}),

@@ -65,8 +65,7 @@ void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std
         build.problem(table.place,
                       fmt::format("body '{}' has a mass of {:.3g} {} and moments of inertia of {:.3g} {} at most", name,
                                   mass, sim::unit_in("kg", build.is_planar),
-                                  std::max({moments.x, moments.y, moments.z}),
-                                  sim::unit_in("kg m^2", build.is_planar)),
+                                  std::max({moments.x, moments.y, moments.z}), sim::unit_in("kg m^2", build.is_planar)),
                       "sizes and densities that leave both a positive finite number in double precision");
         return;
     }

@@ -139,11 +139,11 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
 void warn_of_late(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect, std::string_view key,
                   double time) {
     if (time > build.model.time.end) {
-        build.warnings.push_back(to_string(Diagnostic{
-            place,
-            fmt::format("[[expect]] '{}' is not judged: the run ends at {:.6g} s, before {} = {:.6g} s", expect.name,
-                        build.model.time.end, key, time),
-            ""}));
+        build.warnings.push_back(to_string(
+            Diagnostic{place,
+                       fmt::format("[[expect]] '{}' is not judged: the run ends at {:.6g} s, before {} = {:.6g} s",
+                                   expect.name, build.model.time.end, key, time),
+                       ""}));
     }
 }
 

@@ -58,17 +58,24 @@ Value read_value(const std::string& text, const SourcePlace& place, std::vector<
     return value;
 }
 
-/// The entry of a list that one step of a path means: its number or its name.
-Value* list_entry(Value& list, const std::string& step) {
+/// The entry of a list that steps of a path from `first` on mean, by its number or its name: names may hold dots, the
+/// longest that fits counts. `first` becomes the last step that it takes.
+Value* list_entry(Value& list, const std::vector<std::string>& steps, std::size_t& first) {
+    const std::string& step = steps[first];
     std::size_t index = 0;
     const auto [end, code] = std::from_chars(step.data(), step.data() + step.size(), index);
     if (code == std::errc{} && end == step.data() + step.size()) {
         return index < list.items.size() ? &list.items[index] : nullptr;
     }
-    for (Value& item : list.items) {
-        const Value* name = item.find("name");
-        if (name != nullptr && name->text == step) {
-            return &item;
+    for (std::size_t last = steps.size(); last-- > first;) {
+        const std::string called =
+            fmt::format("{}", fmt::join(steps.begin() + static_cast<std::ptrdiff_t>(first),
+                                        steps.begin() + static_cast<std::ptrdiff_t>(last) + 1, "."));
+        for (Value& item : list.items) {
+            if (const Value* name = item.find("name"); name != nullptr && name->text == called) {
+                first = last;
+                return &item;
+            }
         }
     }
     return nullptr;
@@ -125,16 +132,23 @@ void apply_override(Value& root, const std::string& assignment, std::vector<Diag
         return;
     }
     Value* at = &root;
-    for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
         if (at->is_array()) {
             const Value* const list = at;
-            at = list_entry(*at, steps[i]);
+            at = list_entry(*at, steps, i);
             if (at == nullptr) {
                 problems.push_back(
                     {place, fmt::format("the list has no entry '{}'", steps[i]), what_entries(*list, steps[i])});
                 return;
             }
+            if (i + 1 == steps.size()) {
+                *at = std::move(value);
+                return;
+            }
             continue;
+        }
+        if (i + 1 == steps.size()) {
+            break;
         }
         if (!at->is_table()) {
             problems.push_back({place, fmt::format("there is no key '{}' in {}", steps[i], describe(at->kind)), ""});
@@ -150,8 +164,6 @@ void apply_override(Value& root, const std::string& assignment, std::vector<Diag
     }
     if (at->is_table()) {
         set_key(*at, steps.back(), std::move(value), place);
-    } else if (Value* item = at->is_array() ? list_entry(*at, steps.back()) : nullptr; item != nullptr) {
-        *item = std::move(value);
     } else {
         problems.push_back({place, fmt::format("there is no key '{}' in {}", steps.back(), describe(at->kind)), ""});
     }

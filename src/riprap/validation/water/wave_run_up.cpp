@@ -35,10 +35,10 @@ GaugeLine line_above(double slope, double spacing) {
 
 /// The slope, the domain and the gauge above it, as overrides of the case.
 std::vector<std::string> setting_of(double slope, double spacing) {
-    constexpr double top = 0.9, above = 0.6;  // of the slope, and of the line over its start [m]
+    constexpr double top = 1.2, above = 0.8;  // of the slope, and of the line over its start [m]
     const GaugeLine line = line_above(slope, spacing);
     const double length = above / line.along_y, end = toe + top / slope;
-    return {fmt::format("fluid.spacing={}", spacing), fmt::format("fluid.domain.high=[{}, 1.2]", end),
+    return {fmt::format("fluid.spacing={}", spacing), fmt::format("fluid.domain.high=[{}, 1.4]", end),
             fmt::format("body.slope.shape.polygon=[[{0}, 0], [{1}, 0], [{1}, {2}]]", toe, end, top),
             fmt::format("output.gauge.run_up.point=[{}, {}]", line.x, line.y),
             fmt::format("output.gauge.run_up.end=[{}, {}]", line.x + length * line.along_x,
