@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "command_line_parts.hpp"
@@ -40,10 +41,16 @@ std::string unknown_word(const CLI::App& app, const std::vector<std::string>& wo
         for (const std::string& name : option->get_lnames()) {
             options.push_back("--" + name);
         }
+        for (const std::string& name : option->get_snames()) {
+            options.push_back("-" + name);
+        }
     }
     for (std::size_t i = first; i < words.size() && words[i] != "--"; ++i) {
         const std::string option = words[i].substr(0, words[i].find('='));
-        if (option.rfind("--", 0) == 0 && std::find(options.begin(), options.end(), option) == options.end()) {
+        const bool is_short =
+            option.size() == 2 && option[0] == '-' && std::isalpha(static_cast<unsigned char>(option[1])) != 0;
+        if ((is_short || option.rfind("--", 0) == 0) &&
+            std::find(options.begin(), options.end(), option) == options.end()) {
             return fmt::format("`{}` has no option '{}'{}",
                                command == &app ? "riprap" : "riprap " + command->get_name(), option,
                                did_you_mean(option, options));

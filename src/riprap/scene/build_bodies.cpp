@@ -136,12 +136,14 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
 }
 
 /// In a planar scene a body may only be turned about z.
-bool check_planar_turn(CaseBuild& build, const Value& table, const Quat& turn) {
+/// @param what  is turned
+bool check_planar_turn(CaseBuild& build, const Value& table, std::string_view what, const Quat& turn) {
     constexpr double tolerance = 1e-12;  // of a unit quaternion
     if (!build.is_planar || (std::abs(turn.x) < tolerance && std::abs(turn.y) < tolerance)) {
         return true;
     }
-    build.problem(get(table, "orientation").place, "the body is turned out of the plane of a scene with dimension = 2",
+    build.problem(get(table, "orientation").place,
+                  fmt::format("the {} is turned out of the plane of a scene with dimension = 2", what),
                   "orientation = { angle_deg = ... }");
     return false;
 }
@@ -185,9 +187,9 @@ void build_body(CaseBuild& build, const Value& table) {
     body.pose = {get_vector(table, "position"), orientation_of(table.find("orientation"))};
     const Value& shape = get(table, "shape");
     const Value* repeat = table.find("repeat");
-    const bool is_turned_well =
-        check_planar_turn(build, table, body.pose.orientation) &&
-        (repeat == nullptr || check_planar_turn(build, *repeat, orientation_of(repeat->find("orientation"))));
+    const bool is_turned_well = check_planar_turn(build, table, "body", body.pose.orientation) &&
+                                (repeat == nullptr || check_planar_turn(build, *repeat, "lattice",
+                                                                        orientation_of(repeat->find("orientation"))));
     const bool is_driven_well = read_drive(build, table, body);
     if (repeat != nullptr && ShapeLibrary::is_half_space(shape)) {
         build.problem(repeat->place, "a half-space cannot be repeated", "");

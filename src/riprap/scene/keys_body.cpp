@@ -43,7 +43,9 @@ const Table& repeat_table() {
          {"pitch", {vector(dimension::length)}, "Distance between neighbours along x, y and z.", Value::of(Vec3{})},
          {"orientation",
           {form::table(orientation_table)},
-          "How the lattice is turned, such as along a slope, about the first copy; copies stay turned as the body is.",
+          "How the lattice is turned, such as along a slope, about the first copy; copies stay turned as the body is, "
+          "and "
+          "jitter goes along the axes of the world. What turn says comes after it.",
           {}},
          {"stagger",
           {number(dimension::length)},

@@ -102,15 +102,22 @@ void add_listed(const run::RunFolder& folder, const fs::path& list, Frames& fram
     }
 }
 
-/// Without a list: every frame there is, by the time that it carries.
-void add_found(RecordedRun& run, const run::RunFolder& folder, Frames& frames) {
+/// The files of frames, by name.
+std::vector<fs::path> frame_files(const run::RunFolder& folder) {
     std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.frames())) {
-        if (entry.path().extension() == ".vtp" && entry.path().filename().string().front() != '.') {
-            files.push_back(entry.path());
+    if (is_there(folder.frames())) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder.frames())) {
+            if (entry.path().extension() == ".vtp" && entry.path().filename().string().front() != '.') {
+                files.push_back(entry.path());
+            }
         }
     }
     std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Without a list: every frame there is, by the time that it carries.
+void add_found(RecordedRun& run, const std::vector<fs::path>& files, Frames& frames) {
     for (const fs::path& file : files) {
         attempt(run, [&] { add_frame(frames, io::read_vtp(file).time(), file); });
     }
@@ -125,6 +132,10 @@ bool is_cut(const fs::path& list) {
 void find_frames(RecordedRun& run, const run::RunFolder& folder) {
     Frames frames;
     const fs::path list = folder.root / "out.pvd", contacts = folder.root / "contacts.pvd";
+    const std::vector<fs::path> files = frame_files(folder);
+    if (files.empty() && !is_there(list)) {
+        return;  // a run with output.vtk = false
+    }
     const char* trouble = "lists no frames";
     attempt(run, [&] {
         add_listed(folder, list, frames);
@@ -136,7 +147,7 @@ void find_frames(RecordedRun& run, const run::RunFolder& folder) {
     if (frames.empty() && is_there(folder.frames())) {
         run.notices.push_back(fmt::format("'{}' {}; the frames found in '{}' are shown", list.string(), trouble,
                                           folder.frames().string()));
-        attempt(run, [&] { add_found(run, folder, frames); });
+        attempt(run, [&] { add_found(run, files, frames); });
     } else if (is_there(contacts)) {
         attempt(run, [&] { add_listed(folder, contacts, frames); });
     }
