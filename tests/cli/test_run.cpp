@@ -104,6 +104,14 @@ TEST_F(Runs, ARunTakenFurtherIsTheRunThatWentThereAtOnce) {
     EXPECT_EQ(summary_of("short").at("state_hash"), summary_of("long").at("state_hash"));
 }
 
+TEST_F(Runs, TheLineOfABatchQueueJudgesARunThatWasTakenFurtherThanItsCase) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("far"), "--set", "end=0.03"}).code, 0);
+    ASSERT_EQ(run({"resume", out("far"), "--end", "0.05"}).code, 0);
+    const Ending ending = run({"run", case_file(), "--out", out("far"), "--set", "end=0.03", "--resume"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, HasSubstr("nothing left to do"));
+}
+
 TEST_F(Runs, AFinishedRunHasNothingLeftToDo) {
     const Whole whole = whole_run("1");
     const Ending ending = run({"resume", out("whole")});

@@ -68,6 +68,17 @@ void Driver::start() {
 void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_steps) {
     Restart restart = load_checkpoint(folder_, model(), simulation_.initial());
     refuse_earlier_end(end.value_or(restart.record.end), restart.state, folder_);
+    take_up(std::move(restart), end, max_steps);
+}
+
+void Driver::resume_case() {
+    const sim::TimeSettings time = model().time;
+    Restart restart = load_checkpoint(folder_, model(), simulation_.initial());
+    const double end = std::max(time.end, restart.state.time);  // `resume --end` may have taken it further
+    take_up(std::move(restart), end, time.max_steps);
+}
+
+void Driver::take_up(Restart restart, std::optional<double> end, std::optional<std::int64_t> max_steps) {
     log_ = std::make_unique<RunLog>(folder_);
     if (!restart.notice.empty()) {
         log_->add("notice", restart.notice);

@@ -33,10 +33,13 @@ class Driver {
     void start();
     /// Continues from the checkpoint, with another end where one is given. @throws CheckpointError
     void resume(std::optional<double> end, std::optional<std::int64_t> max_steps);
+    /// Continues to the end that the case gives, if the run is not beyond that already. @throws CheckpointError
+    void resume_case();
     /// Steps to the end, or until `watch` says stop. @returns the exit code
     int run(const Watch& watch = {});
 
  private:
+    void take_up(Restart restart, std::optional<double> end, std::optional<std::int64_t> max_steps);
     StepOutcome take_step(Due& due);
     void tell_retry(const StepOutcome& outcome);
     void tell_notices();

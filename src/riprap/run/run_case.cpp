@@ -40,7 +40,6 @@ int run_loaded(scene::LoadedCase loaded, const RunOptions& options) {
     const RunFolder folder{options.out};
     refuse_case_inside(folder, loaded.folder);
     const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
-    const sim::TimeSettings time = loaded.model.time;
     const Voice voice = options.silent ? Voice::none : options.quiet ? Voice::verdicts : Voice::all;
     Driver driver(folder, std::move(loaded), voice);  // refuses a bad case before any file is touched
     claim(folder, existing);
@@ -49,7 +48,7 @@ int run_loaded(scene::LoadedCase loaded, const RunOptions& options) {
     const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
     if (is_continued) {
         end_marking(folder);
-        driver.resume(time.end, time.max_steps);  // both may be moved without making it another case
+        driver.resume_case();
     } else {
         make_room(folder);
         driver.store_case(options.overrides);
