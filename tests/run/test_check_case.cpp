@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `riprap check` says of a case with water.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,6 +51,27 @@ TEST(CheckCase, the_face_that_a_gauge_found_is_told) {
                                      "point = [0.25, 0.0]\n");
     EXPECT_THAT(check_text(check), HasSubstr("  gauge         transducer in the face of floor towards (0, 1, 0)\n"));
     EXPECT_THAT(check_json(check), HasSubstr("\"gauge\": \"transducer\""));
+}
+
+/// Two blocks on the floor, the left one held, with a gap between them and under the right one [spacings].
+std::string blocks(double beside, double under) {
+    const auto block = [](const char* name, double x, double y, const char* more) {
+        return fmt::format(
+            "[[body]]\nname = \"{}\"\nmaterial = \"rock\"\nshape = {{ box = [0.1, 0.1] }}\nposition = [{}, {}]\n{}",
+            name, x, y, more);
+    };
+    return tank + block("left", 0.15, 0.05, "fixed = true\n") +
+           block("right", 0.25 + 0.01 * beside, 0.05 + 0.01 * under, "");
+}
+
+TEST(CheckCase, gaps_that_are_neither_joints_nor_hold_particles_are_counted) {
+    const CaseCheck check = check_of(blocks(0.5, 1.5));
+    EXPECT_EQ(check.gaps.pairs, 2);
+    EXPECT_THAT(check_text(check), HasSubstr("  gaps          'floor' and 'right' and 1 more pair stand 0.5 to 1.5"));
+    EXPECT_EQ(check_of(blocks(0, 0)).gaps.pairs, 0);
+    EXPECT_EQ(check_of(blocks(0.25, 2)).gaps.pairs, 0);
+    EXPECT_EQ(check_of(blocks(0, 1)).gaps.pairs, 1);
+    EXPECT_EQ(check_of(blocks(0.5, 0) + "wet = false\n").gaps.pairs, 0);
 }
 
 TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {

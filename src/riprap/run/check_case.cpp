@@ -82,6 +82,20 @@ std::string room_text(const CaseCheck& check) {
                                                 : "more than there is room outside of solids");
 }
 
+/// Which gaps are too narrow for water and too wide for a joint.
+std::string gaps_text(const CaseCheck& check) {
+    const std::string low = fmt::format("{:.3g}", check.gaps.narrowest),
+                      high = fmt::format("{:.3g}", check.gaps.widest);
+    return fmt::format(
+        "'{}' and '{}'{} stand {} spacings apart: particles come into gaps of a quarter to two one by one, and shake "
+        "what stands there",
+        check.beside_gap[0], check.beside_gap[1],
+        check.gaps.pairs > 1
+            ? fmt::format(" and {} more {}", check.gaps.pairs - 1, check.gaps.pairs > 2 ? "pairs" : "pair")
+            : "",
+        low == high ? low : low + " to " + high);
+}
+
 }  // namespace
 
 std::string size_text(double bytes) {
@@ -126,6 +140,10 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         check.trimmed_volume = model.fluid->region_volume - model.fluid->filled_volume;
         check.sound_speed = model.fluid->sph.sound_speed;
         check.sound_speed_reason = model.fluid->sound_speed_reason;
+        check.gaps = scene::find_narrow_gaps(model, loaded.state);
+        if (check.gaps.pairs > 0) {
+            check.beside_gap = {model.bodies.name(check.gaps.a), model.bodies.name(check.gaps.b)};
+        }
         for (const fluid::Gauge& gauge : model.output.gauges) {
             if (gauge.face >= 0) {
                 const coupling::FaceGauge& face = model.output.faces[static_cast<std::size_t>(gauge.face)];
@@ -188,6 +206,9 @@ std::string check_text(const CaseCheck& check) {
             check.particles, check.water_mass, mass_unit, check.samples, room_text(check), check.sound_speed,
             check.sound_speed_reason);
     }
+    if (check.gaps.pairs > 0) {
+        text += fmt::format("  gaps          {}\n", gaps_text(check));
+    }
     for (const scene::PaddleWave& wave : check.waves) {
         text += fmt::format("  wave          of {}: {}\n", wave.paddle, scene::text_of(wave));
     }
@@ -216,6 +237,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"boundary_particles", check.samples},
                                 {"water_mass", check.water_mass},
                                 {"trimmed_volume", check.trimmed_volume},
+                                {"narrow_gaps", check.gaps.pairs},
                                 {"sound_speed", check.sound_speed},
                                 {"time_step", check.time_step},
                                 {"time_step_limit", check.time_step_limit},

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "riprap/scene/narrow_gaps.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {
@@ -27,10 +29,12 @@ struct CaseCheck {
         std::string gauge, body;
         Vec3 normal;  ///< of the face, out of the body, at the start [-]
     };
-    std::vector<FaceGauge> face_gauges;    ///< what each wall_pressure found
-    std::vector<scene::PaddleWave> waves;  ///< that paddles are to make
-    double time_step{0};                   ///< [s]
-    double time_step_limit{0};             ///< [s]
+    scene::NarrowGaps gaps;                 ///< that particles do not fit into well
+    std::array<std::string, 2> beside_gap;  ///< bodies at the first of them
+    std::vector<FaceGauge> face_gauges;     ///< what each wall_pressure found
+    std::vector<scene::PaddleWave> waves;   ///< that paddles are to make
+    double time_step{0};                    ///< [s]
+    double time_step_limit{0};              ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "riprap/core/ids.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::scene {
+
+/// Gaps that are too wide for a joint and too narrow for particles, which come in one by one and shake what stands
+/// beside them (docs/theory/coupling.md, 6).
+struct NarrowGaps {
+    std::int64_t pairs{0};           ///< of convex parts
+    double narrowest{0}, widest{0};  ///< [spacings]
+    BodyId a, b;                     ///< of the first pair
+};
+
+/// Faces a quarter of a spacing to two apart that look at each other, of bodies that water wets, one of which at least
+/// is free or will be released. The case has water.
+NarrowGaps find_narrow_gaps(const sim::Model& model, const sim::State& state);
+
+}  // namespace riprap::scene
