@@ -55,6 +55,13 @@ TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
                                   HasSubstr("water stands 0.5 m deep before it"))));
 }
 
+TEST(FluidWarnings, water_with_a_density_in_another_unit) {
+    EXPECT_THAT(test::read(test::with(flume, "spacing = 0.05", "spacing = 0.05\ndensity = 1.0")).warnings,
+                ElementsAre(AllOf(HasSubstr("case.toml:8:"), HasSubstr("the water has a density of 1 kg/m^3"))));
+    EXPECT_THAT(test::read(test::with(flume, "spacing = 0.05", "spacing = 0.05\ndensity = 790.0")).warnings,
+                ElementsAre());
+}
+
 TEST(FluidWarnings, a_region_that_the_domain_cuts_and_water_that_no_wall_holds_there) {
     const std::string wide = test::with(flume, "high = [2.0, 0.5] }", "high = [4.0, 0.5] }");
     EXPECT_THAT(test::read(wide).warnings,

@@ -12,6 +12,7 @@ namespace {
 using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 TEST(ReadCase, the_example_of_the_style_guide_loads) {
     const LoadedCase loaded = read_case("cases/hello_block/case.toml");
@@ -341,6 +342,16 @@ friction_mixing = "maximum"
     EXPECT_EQ(given.pair(MaterialId{0}, MaterialId{1}).friction, 0.9);
     EXPECT_EQ(given.pair(MaterialId{1}, MaterialId{0}).friction, 0.9);
     EXPECT_EQ(given.pair(MaterialId{1}, MaterialId{1}).friction, 0.3);
+}
+
+TEST(ReadCase, densities_that_no_solid_and_no_liquid_has_are_warned_of) {
+    const auto warnings_of = [](std::string_view density) {
+        return read(with(minimal_case, "density = 2500.0", "density = " + std::string(density))).warnings;
+    };
+    EXPECT_THAT(warnings_of("2.5"), ElementsAre(HasSubstr("'block' has a density of 2.5 kg/m^3, as no solid has")));
+    EXPECT_THAT(warnings_of("25000"), ElementsAre(HasSubstr("not the weight of a volume in N/m^3")));
+    EXPECT_THAT(warnings_of("\"2.5 t/m^3\""), IsEmpty());
+    EXPECT_THAT(warnings_of("15"), IsEmpty());  // foam
 }
 
 TEST(ReadCase, a_planar_scene_takes_two_components_and_polygons) {

@@ -112,7 +112,8 @@ TEST(Validate, tells_how_far_a_long_simulation_is) {
     const auto steps = [](const CaseSetting& setting, CaseReport& report) {
         AfterStep one = setting.after_step, another = setting.after_step;  // as two simulations of a case have it
         one(0.25, 4);
-        another(0.5, 4);
+        one(0.5, 4);
+        another(0.125, 4);
         passes(setting, report);
     };
     const std::array cases{ValidationCase{"s", "a", "slow", false, steps}};
@@ -123,6 +124,7 @@ TEST(Validate, tells_how_far_a_long_simulation_is) {
     options.tell_every = 0;
     validate(options, cases, out, &progress);
     EXPECT_THAT(progress.str(), HasSubstr("s/a: slow\n  t = 0.25 s of at most 4 s after 0 min\n  t = 0.5 s of"));
+    EXPECT_THAT(progress.str(), HasSubstr("\n  simulation 2, t = 0.125 s of at most 4 s after 0 min\n"));
     options.tell_every = 0.5;
     const std::array pauses{
         ValidationCase{"s", "b", "pauses", false, [](const CaseSetting& setting, CaseReport& report) {

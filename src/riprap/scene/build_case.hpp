@@ -76,6 +76,7 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
 /// settings.
 void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
+void warn_of_densities(CaseBuild& build);                ///< of free bodies and of the water
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
 
 /// Point `i` of the lattice with the counts of `table` (2 or 3 of them), its pitch and, where it has one, its stagger,

@@ -127,6 +127,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build.has_all_bodies = problems.empty();
     if (build.has_sound_bodies) {
         build_fluid(build);
+        warn_of_densities(build);
     }
     if (loaded.model.bodies.size() == 0 && !loaded.model.fluid && problems.empty()) {
         build.problem(resolved.place, "the case has no bodies and no water",

@@ -66,12 +66,18 @@ AfterStep teller(std::ostream& progress, double interval) {
     struct Told {
         Timer timer;
         double last{0};
+        double time{0};
+        int simulation{1};
     };
-    // shared by all simulations of the case
+    // shared by all simulations of the case, whose number is told from the second on
     return [&progress, interval, told = std::make_shared<Told>()](double time, double end) {
+        told->simulation += time < told->time ? 1 : 0;
+        told->time = time;
         if (told->timer.seconds() - told->last >= interval) {
             told->last = told->timer.seconds();
-            progress << fmt::format("  t = {:.4g} s of at most {:.4g} s after {:.0f} min\n", time, end, told->last / 60)
+            const std::string which = told->simulation > 1 ? fmt::format("simulation {}, ", told->simulation) : "";
+            progress << fmt::format("  {}t = {:.4g} s of at most {:.4g} s after {:.0f} min\n", which, time, end,
+                                    told->last / 60)
                      << std::flush;
         }
     };
