@@ -65,5 +65,48 @@ TEST(PenaltyWalls, a_bed_as_long_as_the_period_has_no_edge) {
     }
 }
 
+/// Pushes on a particle `above` the lower of two plates with a gap between them, and loads on both.
+struct Squeeze {
+    Vec3 force, on_lower, on_upper;
+};
+
+Squeeze squeeze(double gap, double above) {
+    test::Scene scene;
+    scene.bodies.is_planar = true;
+    const std::vector<geometry::Point2> corners{{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.5, 0.1}};
+    BodyMotion motion;
+    for (const double y : {-0.1, gap + 0.1}) {
+        motion.pose.push_back({{0, y, 0}, {}});
+        scene.add(geometry::planar_prism(corners).value(), motion.pose.back());
+    }
+    motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration = {Vec3{}, Vec3{}};
+    fluid::SphSettings settings;
+    settings.spacing = dp;
+    settings.particle_mass = settings.rest_density * dp * dp;
+    settings.sound_speed = 30;
+    settings.domain = {{-1, -1, 0}, {1, 1, 0}, {}, 2};
+    fluid::ParticleState particles;
+    particles.add({0, above, 0}, {}, settings.rest_density, 0);
+    std::vector<Vec3> force;
+    FluidLoads loads;
+    PenaltyWalls().push(scene.shapes, scene.bodies, motion, {},
+                        guard_settings(settings, 0.1 * dp / settings.sound_speed), {}, particles, force, loads);
+    return {force[0], loads.pressure_force[0], loads.pressure_force[1]};
+}
+
+TEST(PenaltyWalls, a_particle_between_two_faces_is_kept_in_the_middle_and_holds_neither_up) {
+    const double stiffness = 0.5 * 1000 * 30 * 30;  // guard_settings
+    for (const double gap : {0.3 * dp, 0.1 * dp, 0.0, -0.01 * dp}) {
+        const Squeeze middle = squeeze(gap, 0.5 * gap);
+        EXPECT_LT(norm(middle.on_lower) + norm(middle.on_upper), 1e-9 * stiffness * dp) << gap;
+        const Squeeze low = squeeze(gap, 0.5 * gap - 0.02 * dp);
+        expect_near(low.force, {0, stiffness * 0.02 * dp, 0}, 1e-6 * stiffness * dp);
+        expect_near(low.on_lower, -1.0 * low.force, 1e-9 * stiffness * dp);
+        EXPECT_EQ(norm(low.on_upper), 0);
+    }
+    // Where the other face is too far away to matter it is pushed from a fifth of a spacing on.
+    EXPECT_NEAR(squeeze(0.5 * dp, 0.15 * dp).force.y, stiffness * 0.05 * dp, 1e-6 * stiffness * dp);
+}
+
 }  // namespace
 }  // namespace riprap::coupling

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
@@ -42,37 +43,55 @@ std::vector<PlacedPart> place_parts(const geometry::ShapeSet& shapes, const body
     return parts;
 }
 
-/// How a part touches a particle.
+/// How a part stands to a particle.
 struct Touch {
-    Vec3 place;         ///< of the particle's image [m]
-    Vec3 normal;        ///< n
-    double overlap{0};  ///< d; 0 = none [m]
+    Vec3 place;       ///< of the particle's image [m]
+    Vec3 normal;      ///< n
+    double distance;  ///< of the nearest face, negative inside [m]
+    double reach;     ///< of the push [m]
+    std::int32_t body;
 };
 
-/// The touch of a part with a particle at one place.
-Touch touch_at(const PlacedPart& part, const Vec3& x, double reach) {
+/// The part's, if it is nearer to a particle at one place than `within`.
+std::optional<Touch> touch_at(const PlacedPart& part, const Vec3& x, double within) {
     if (norm_squared(x - part.pose.position) > part.reach * part.reach) {
-        return {};
+        return std::nullopt;
     }
     const Vec3 local = to_body(part.pose, x);
-    if (geometry::depth_below_faces(part.shape, local) <= -reach) {
-        return {};
+    if (geometry::depth_below_faces(part.shape, local) <= -within) {
+        return std::nullopt;
     }
     const geometry::SurfacePoint near = geometry::closest_surface_point(part.shape, local);
-    return {x, rotate(part.pose.orientation, near.normal), std::max(0.0, reach - near.distance)};
+    if (near.distance >= within) {
+        return std::nullopt;
+    }
+    return Touch{x, rotate(part.pose.orientation, near.normal), near.distance, 0.5 * within, part.body};
 }
 
-/// The deepest touch of a part with the images of a particle.
-Touch deepest_touch(const PlacedPart& part, const Vec3& x, double reach, const fluid::PeriodicImages& images) {
+/// That of the image of a particle which is deepest.
+std::optional<Touch> deepest_touch(const PlacedPart& part, const Vec3& x, double within,
+                                   const fluid::PeriodicImages& images) {
     const Vec3 nearest = std::isfinite(part.reach) ? images.nearest(x, part.pose.position) : x;
-    Touch deepest;
+    std::optional<Touch> deepest;
     for (const Vec3& shift : images.shifts()) {
-        const Touch touch = touch_at(part, nearest + shift, reach);
-        if (touch.overlap > deepest.overlap) {
+        const std::optional<Touch> touch = touch_at(part, nearest + shift, within);
+        if (touch && (!deepest || touch->distance < deepest->distance)) {
             deepest = touch;
         }
     }
     return deepest;
+}
+
+/// Between faces that look at each other neither pushes beyond the middle.
+void meet_in_the_middle(std::vector<Touch>& touches) {
+    constexpr double looking = -0.5;
+    for (Touch& one : touches) {
+        for (const Touch& other : touches) {
+            if (dot(one.normal, other.normal) < looking) {
+                one.reach = std::min(one.reach, 0.5 * (one.distance + other.distance));
+            }
+        }
+    }
 }
 
 /// Settings from the reach over the spacing and the stiffness over rho_0 c_0^2 dp^(dim-2).
@@ -88,13 +107,19 @@ PenaltySettings scaled_settings(const fluid::SphSettings& settings, double reach
 
 PenaltySettings penalty_settings(const fluid::SphSettings& settings) { return scaled_settings(settings, 0.5, 0.1); }
 
-PenaltySettings guard_settings(const fluid::SphSettings& settings) { return scaled_settings(settings, 0.2, 0.5); }
+PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt) {
+    PenaltySettings guard = scaled_settings(settings, 0.2, 0.5);
+    guard.fastest_return = 0.05 * settings.sound_speed;
+    guard.hardest = settings.particle_mass / dt;
+    return guard;
+}
 
 void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const BodyMotion& motion,
                         std::span<const std::uint8_t> is_dry, const PenaltySettings& settings,
                         std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
                         FluidLoads& loads) {
-    const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, settings.reach);
+    const double within = 2 * settings.reach;  // where a face on the other side may limit the push
+    const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, within);
     force.assign(at(particles.size()), {});
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
     count_.assign(at(particles.size()), 0);
@@ -106,20 +131,30 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     parallel::for_ranges(particles.size(), block_size, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Push>& pushes = blocks_[at(begin / block_size)];
         pushes.clear();
+        std::vector<Touch> touches;
         for (std::int64_t i = begin; i < end; ++i) {
+            touches.clear();
             for (const PlacedPart& part : parts) {
-                const Touch touch = deepest_touch(part, particles.position[at(i)], settings.reach, images);
-                if (touch.overlap <= 0) {
+                if (const auto touch = deepest_touch(part, particles.position[at(i)], within, images)) {
+                    touches.push_back(*touch);
+                }
+            }
+            meet_in_the_middle(touches);
+            for (const Touch& touch : touches) {
+                const double overlap = touch.reach - touch.distance;
+                if (overlap <= 0) {
                     continue;
                 }
                 const double closing =
-                    dot(particles.velocity[at(i)] - velocity_at(part.body, touch.place), touch.normal);
-                const double factor = share.empty() ? 1 : share[at(part.body)];
-                const double size = settings.stiffness * touch.overlap - settings.damping * std::min(0.0, closing);
+                    dot(particles.velocity[at(i)] - velocity_at(touch.body, touch.place), touch.normal);
+                const double factor = share.empty() ? 1 : share[at(touch.body)];
+                const double most = settings.hardest * std::max(0.0, settings.fastest_return - closing);
+                const double size =
+                    std::min(most, settings.stiffness * overlap - settings.damping * std::min(0.0, closing));
                 const Vec3 push = factor * size * touch.normal;
                 force[at(i)] += push;
                 count_[at(i)] += 1;
-                pushes.push_back({part.body, push, touch.place});
+                pushes.push_back({touch.body, push, touch.place});
             }
         }
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct PenaltySettings {
     double stiffness;        ///< k_s [N/m]; in 2D per metre of width
     double damping;          ///< k_d [N s/m]
     fluid::Domain domain{};  ///< faces reach across its periodic sides
+    /// v_r and m/dt: one push leaves a particle no faster away from the face than v_r [m/s], [kg/s].
+    double fastest_return{std::numeric_limits<double>::infinity()}, hardest{std::numeric_limits<double>::infinity()};
 };
 
 /// r_0 = dp/2, k_s = 0.1 rho_0 c_0^2 dp^(dim-2), k_d = 2 zeta sqrt(k_s m) with zeta = 0.5, m a particle's mass. At rest
@@ -30,15 +33,17 @@ PenaltySettings penalty_settings(const fluid::SphSettings& settings);
 /// A guard behind boundary particles: what squeezes a particle harder than they hold, a block that closes on a wall
 /// say, must not press it through a face. r_0 = dp/5, where particles under pressure do not come (they stand at about
 /// dp/2), k_s = rho_0 c_0^2 dp^(dim-2)/2, so that a particle at speed v is stopped within 1.4 dp v/c_0, and zeta = 0.5.
-/// Its
-/// oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by default. Where
-/// several parts push one particle, at the seam of a union say, the bound falls.
-PenaltySettings guard_settings(const fluid::SphSettings& settings);
+/// One push leaves it no faster away from the face than v_r = 0.05 c_0: what slips out of a gap that closes is not
+/// thrown. Its oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by
+/// default. Where several parts push one particle, at the seam of a union say, the bound falls.
+PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt);
 
 /// The push of faces on particles near them and its reaction, [MikolaSitar2013, eq. 22] completed:
 ///
 ///     F = max(0, k_s d - k_d min(0, (v - v_s) . n)) n,   d = r_0 - distance > 0,
 ///
+/// r_0 no more than (distance_a + distance_b)/2 between two parts a and b that look at each other, n_a . n_b < -1/2, so
+/// that a particle between them is kept in the middle and holds neither up;
 /// n the outward normal of the nearest point of the part (outside: from there to the particle; inside: of the nearest
 /// face), v_s the velocity of the solid there. The solid takes -F at the place of the particle, so both momenta change
 /// by opposite amounts to round-off. Every convex part pushes by itself, across periodic sides by the image that

@@ -81,8 +81,9 @@ void hold_loads(const Model& model, const State& state, WaterScratch& scratch, d
     if (water.wall != WallTreatment::boundary_particles) {
         return;
     }
-    scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry, coupling::guard_settings(water.sph),
-                         scratch.guard_share, state.fluid, scratch.extra_force, scratch.held_loads);
+    scratch.penalty.push(model.shapes, model.bodies, scratch.motion, water.is_dry,
+                         coupling::guard_settings(water.sph, dt), scratch.guard_share, state.fluid, scratch.extra_force,
+                         scratch.held_loads);
     add_joint_loads(model, scratch, model.gravity.at(state.time + 0.5 * dt));
 }
 

@@ -118,6 +118,47 @@ TEST(Tearing, leaves_water_at_rest_alone) {
     }
 }
 
+TEST(Tearing, lets_the_pressure_of_a_particle_alone_between_two_walls_go_with_sound) {
+    EXPECT_EQ(caught_share(0, 0.9), 1);
+    EXPECT_EQ(caught_share(0.08, 0.9), 0);  // in a row with twice the spacing, by which water leaves
+    EXPECT_EQ(caught_share(0, 0.6), 0);     // a drop at one wall or in a corner
+    EXPECT_NEAR(caught_share(0.025, 0.725), 0.25, 1e-12);
+    EXPECT_NEAR(caught_share(0.05, 1), 0.8, 1e-12);  // two spacings from another where walls have met
+    EXPECT_DOUBLE_EQ(density_by_escape(1, 1010, 1000, 1), -10 * (1 - std::exp(-1)));
+    EXPECT_DOUBLE_EQ(density_by_escape(0.75, 990, 1000, 1), 5 * (1 - std::exp(-1)));
+    EXPECT_EQ(density_by_escape(0.5, 1010, 1000, 1), 0);
+}
+
+/// By how much the density of a particle rises at most while a wall comes nearer by 0.025 spacings, from 0.3 below it,
+/// with another as near above it or without.
+double squeezed(bool is_between) {
+    constexpr double distance = 0.3 * spacing, speed = 0.1;
+    Water water;
+    water.settings = settings_2d(spacing, sound_speed);
+    water.add_particle({}, {});
+    for (int k = -4; k <= 4; ++k) {
+        for (int row = 0; row < 4; ++row) {
+            const double away = distance + (row + 0.5) * spacing;
+            water.add_wall_particle({k * spacing, -away, 0}, true);
+            water.walls.velocity.back() = {0, speed, 0};
+            if (is_between) {
+                water.add_wall_particle({k * spacing, away, 0}, true);
+            }
+        }
+    }
+    double most = 0;
+    while (water.time < 0.025 * spacing / speed) {
+        water.step(0.25 * spacing / sound_speed);
+        most = std::max(most, water.state.density[0] - water.settings.rest_density);
+    }
+    return most;
+}
+
+TEST(Tearing, a_particle_alone_between_two_walls_does_not_hold_them_apart_but_stops_at_one) {
+    EXPECT_GT(squeezed(false), 1);
+    EXPECT_LT(squeezed(true), 0.01);
+}
+
 TEST(Tearing, gives_the_energy_of_the_tension_to_the_ledger) {
     Water water = torn_drop(500);
     water.step(1e-6);

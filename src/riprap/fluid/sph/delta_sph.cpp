@@ -87,15 +87,15 @@ double trace(int dimension, const Symmetric& tensor) {
     return tensor[0] + tensor[1] + (dimension == 3 ? tensor[3] : 0);
 }
 
-/// From the water alone: b_f, and how much of a particle is inside it, away from surfaces and walls, with neighbours
-/// evenly all around.
+/// From the water alone: tr M_f, kept in s.bareness until walls are known, and how much of a particle is inside it,
+/// away from surfaces and walls, with neighbours evenly all around.
 void look_around(int dimension, double h, SphScratchData& s) {
     s.bareness.resize(s.correction.size());
     s.damped_share.resize(s.correction.size());
     parallel::for_each(static_cast<std::int64_t>(s.correction.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const double moments = trace(dimension, s.correction[i]);
-        s.bareness[i] = bareness_of_particle(dimension, moments);
+        s.bareness[i] = moments;
         s.damped_share[i] = interior_share(moments / dimension) * even_share(h * norm(s.concentration_gradient[i]));
     });
 }
@@ -142,11 +142,15 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Symmetric moments = s.correction[i];
-        const double divergence = trace(dimension, moments), bareness_alone = s.bareness[i];
+        const double divergence = trace(dimension, moments), alone = s.bareness[i];
+        const double bareness_alone = bareness_of_particle(dimension, alone);
         s.bareness[i] = bareness_of_particle(dimension, divergence);
         const bool leaves_wall = may_leave_walls(s.bareness[i], bareness_alone, divergence / dimension);
         const GradientCorrection correction = correction_of(settings, moments);
-        s.correction[i] = correction.tensor;
+        const double caught = caught_share(alone / dimension, divergence / dimension);
+        for (std::size_t k = 0; k < correction.tensor.size(); ++k) {
+            s.correction[i][k] = (1 - caught) * correction.tensor[k];
+        }
         s.correction_share[i] = correction.share;
         s.damped_share[i] *= correction.share;
         const double before = state.density[i];
@@ -154,7 +158,9 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const double spread = dt * diluted * diffusivity * s.diffusion[i];
         s.squeeze[i] = contract(dimension, s.correction[i], s.pressure_tensor[i]);
         const double flown = diluted + dt * diluted * s.squeeze[i] + spread;
-        const double torn = density_by_tearing(s.bareness[i], leaves_wall, flown, settings.rest_density);
+        const double torn =
+            density_by_tearing(s.bareness[i], leaves_wall, flown, settings.rest_density) +
+            density_by_escape(caught, flown, settings.rest_density, settings.sound_speed * dt / settings.spacing);
         const double after = flown + torn;
         const double mean = 0.5 * (before + after);
         state.density[i] = after;

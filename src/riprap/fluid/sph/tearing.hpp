@@ -35,4 +35,28 @@ bool may_leave_walls(double bareness, double bareness_alone, double moments);
 /// @param rest_density  rho_0 [kg/m^3]
 double density_by_tearing(double bareness, bool leaves_wall, double density, double rest_density);
 
+/// How much a particle is caught alone between two walls:
+///
+///     l = max(0, 1 - (tr M_f/D)/c) (tr M/D - 0.65)/0.15,    c = 0.05 + 0.2 (tr M/D - 0.95)/0.05,
+///
+/// each fraction in tr M/D between 0 and 1. Water that walls squeeze leaves along the gap, and its pressure goes with
+/// sound by its free sides. Continuity sees the walls come nearer and no side: particles two and more spacings apart
+/// would carry a block as balls of steel. So B is taken times 1 - l: such a particle feels no squeeze, passes on no
+/// pressure and fills nothing of a joint (docs/theory/sph.md, 4).
+///
+/// @param alone    tr M_f/D, of its neighbours in the water: 0.08 in a row (2D) with twice the spacing [-]
+/// @param moments  tr M/D, with walls: 0.9, 0.75, 0.6 in the middle of a gap of 0.4, 1, 1.5 spacings, no more than
+///                 0.65 at one wall or in a corner [-]
+double caught_share(double alone, double moments);
+
+/// What it gains in density as that sound leaves:
+///
+///     max(0, 2 l - 1) (rho_0 - rho) (1 - exp(-c_0 dt/dp)).                       [kg/m^3]
+///
+/// @param caught        l
+/// @param density       rho [kg/m^3]
+/// @param rest_density  rho_0 [kg/m^3]
+/// @param passed        c_0 dt/dp [-]
+double density_by_escape(double caught, double density, double rest_density, double passed);
+
 }  // namespace riprap::fluid
