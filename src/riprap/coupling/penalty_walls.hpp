@@ -36,6 +36,7 @@ PenaltySettings penalty_settings(const fluid::SphSettings& settings);
 /// One push leaves it no faster away from the face than v_r = 0.05 c_0: what slips out of a gap that closes is not
 /// thrown. Its oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by
 /// default. Where several parts push one particle, at the seam of a union say, the bound falls.
+/// @param dt  of the step [s]
 PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt);
 
 /// The push of faces on particles near them and its reaction, [MikolaSitar2013, eq. 22] completed:

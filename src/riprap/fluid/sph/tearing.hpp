@@ -45,8 +45,9 @@ double density_by_tearing(double bareness, bool leaves_wall, double density, dou
 /// pressure and fills nothing of a joint (docs/theory/sph.md, 4).
 ///
 /// @param alone    tr M_f/D, of its neighbours in the water: 0.08 in a row (2D) with twice the spacing [-]
-/// @param moments  tr M/D, with walls: 0.9, 0.75, 0.6 in the middle of a gap of 0.4, 1, 1.5 spacings, no more than
-///                 0.65 at one wall or in a corner [-]
+/// @param moments  tr M/D, with walls, for a particle alone at h/dp = 1.5: 0.90, 0.74, 0.60 in the middle of a gap of
+///                 0.4, 1, 1.5 spacings (0.89, 0.67, 0.51 in 3D) and 0.45 at one wall, but 0.70 and 0.83 a fifth of a
+///                 spacing from two and three walls that make a corner, where a single drop counts as caught too [-]
 double caught_share(double alone, double moments);
 
 /// What it gains in density as that sound leaves:
