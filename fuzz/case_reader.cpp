@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/check_keys.hpp"
-#include "riprap/scene/toml_reader.hpp"
-#include "riprap/scene/value.hpp"
+#include "riprap/scene/keys/check_keys.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/scene/text/value.hpp"
 
 // Reads bytes as a case file up to the resolved values, which must read back to the same text. Building the Model is
 // left out: a valid case may ask for a million blocks, which says nothing about the reader.

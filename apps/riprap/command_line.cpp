@@ -17,7 +17,7 @@
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
-#include "riprap/scene/key_text.hpp"
+#include "riprap/scene/keys/key_text.hpp"
 #include "riprap/validation/validate.hpp"
 
 namespace riprap {

@@ -8,7 +8,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
-#include "riprap/scene/suggest.hpp"
+#include "riprap/scene/text/suggest.hpp"
 #include "riprap/validation/plot_svg.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/browser.hpp"

@@ -7,7 +7,7 @@
 
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
-#include "riprap/scene/suggest.hpp"
+#include "riprap/scene/text/suggest.hpp"
 
 namespace riprap {
 

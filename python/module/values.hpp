@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/scene/value.hpp"
+#include "riprap/scene/text/value.hpp"
 
 namespace riprap::python {
 

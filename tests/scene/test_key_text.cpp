@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "riprap/scene/check_keys.hpp"
-#include "riprap/scene/key_table.hpp"
-#include "riprap/scene/key_text.hpp"
+#include "riprap/scene/keys/check_keys.hpp"
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/key_text.hpp"
 
 namespace riprap::scene {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "case_fixture.hpp"
 #include "riprap/core/fields.hpp"
-#include "riprap/scene/initial_overlaps.hpp"
+#include "riprap/scene/warnings/initial_overlaps.hpp"
 
 namespace riprap::scene {
 namespace {

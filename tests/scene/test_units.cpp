@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "riprap/scene/units.hpp"
+#include "riprap/scene/text/units.hpp"
 
 namespace riprap::scene {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "riprap/scene/narrow_gaps.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/scene/warnings/narrow_gaps.hpp"
 
 namespace riprap::run {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/suggest.hpp"
+#include "riprap/scene/text/suggest.hpp"
 
 namespace riprap::run {
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "riprap/run/provenance.hpp"
-#include "riprap/scene/limits.hpp"
+#include "riprap/scene/keys/limits.hpp"
 
 namespace riprap::run {
 

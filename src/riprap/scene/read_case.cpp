@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "riprap/core/fields.hpp"
-#include "riprap/scene/build_case.hpp"
-#include "riprap/scene/check_keys.hpp"
-#include "riprap/scene/limits.hpp"
-#include "riprap/scene/shape_library.hpp"
-#include "riprap/scene/toml_reader.hpp"
+#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/keys/check_keys.hpp"
+#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/paddle_wave.hpp"
+#include "riprap/scene/build/paddle_wave.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 

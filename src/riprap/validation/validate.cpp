@@ -10,7 +10,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
-#include "riprap/scene/suggest.hpp"
+#include "riprap/scene/text/suggest.hpp"
 
 namespace riprap::validation {
 

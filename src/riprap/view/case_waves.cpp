@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "riprap/scene/toml_reader.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
 
 namespace riprap::view {
 

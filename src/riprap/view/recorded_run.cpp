@@ -11,7 +11,7 @@
 #include "riprap/io/vtp_reader.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/run_folder.hpp"
-#include "riprap/scene/toml_reader.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
 
 namespace riprap::view {
 

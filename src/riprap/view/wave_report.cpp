@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/suggest.hpp"
+#include "riprap/scene/text/suggest.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/case_waves.hpp"
 #include "riprap/wave/linear_wave.hpp"

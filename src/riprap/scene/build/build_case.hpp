@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "riprap/scene/build/paddle_wave.hpp"
+#include "riprap/scene/text/case_files.hpp"
+#include "riprap/scene/text/value.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::scene {
+
+class ShapeLibrary;
+
+/// A body that a wave maker moves.
+struct WavePaddle {
+    BodyId body;
+    Vec3 direction;     ///< of the waves
+    SourcePlace place;  ///< of the depth that the case gives
+    PaddleWave wave;
+};
+
+/// What the functions below share while a checked case becomes Model and State. They append problems and go on.
+struct CaseBuild {
+    const Value& root;  ///< resolved: every key has passed the key table
+    bool is_planar;
+    sim::Model& model;
+    sim::State& state;
+    CaseFiles& files;
+    ShapeLibrary& shapes;
+    std::vector<Diagnostic>& problems;
+    std::vector<std::string>& warnings;
+    std::map<std::string, MaterialId> materials{};
+    std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
+    std::set<std::int32_t> used_materials{};
+    std::vector<sim::PaddleAbsorption> absorptions{};  ///< of paddles that have one
+    std::vector<SourcePlace> absorption_places{};      ///< of their 'absorb'
+    std::vector<WavePaddle> paddles{};
+    std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
+    bool has_all_bodies{true};                     ///< none is missing for a problem of its own
+    bool has_sound_bodies{true};                   ///< none is too small, too large or too far away to be computed with
+    std::set<std::string> records{};               ///< names of all probes and gauges that the case gives
+    std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
+
+    void problem(const SourcePlace& place, std::string message, std::string allowed = "") {
+        problems.push_back({place, std::move(message), std::move(allowed)});
+    }
+    /// Against gravity; along the last axis where there is none.
+    Vec3 up() const;
+    /// The material that `table` names; invalid, with a problem, when there is none.
+    void material_problem(const Value& name);
+    MaterialId material_of(const Value& table);
+    /// The body that `name` is the name of; invalid, with a problem, when there is none.
+    BodyId body_named(const Value& name);
+    /// Notes the name of a body, pack or rock mass; a problem when it is taken.
+    void claim_name(const Value& table);
+    /// True for "NAME" and "NAME[17]" where NAME was claimed: there may be no such body only because of a problem.
+    bool is_claimed(const std::string& body) const { return names.contains(body.substr(0, body.find('['))); }
+};
+
+void build_materials(CaseBuild& build);
+void build_contact(CaseBuild& build);  ///< after the bodies: mixing rules are asked for where materials are used
+void build_settings(CaseBuild& build);
+void build_bodies(CaseBuild& build);
+void build_packs(CaseBuild& build);
+void build_rock_masses(CaseBuild& build);
+void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
+/// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
+void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
+/// Whether water in joints is asked for, and whether periods of the domain are long enough for it; after the fluid's
+/// settings.
+void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
+void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
+void warn_of_densities(CaseBuild& build);                ///< of free bodies and of the water
+void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
+
+/// Point `i` of the lattice with the counts of `table` (2 or 3 of them), its pitch and, where it has one, its stagger,
+/// x fastest, from its first point.
+class Lattice {
+ public:
+    explicit Lattice(const Value& table);
+    std::int64_t size() const { return nx_ * ny_ * nz_; }
+    bool is_flat() const { return nz_ == 1; }
+    Vec3 point(std::int64_t i) const;
+
+ private:
+    std::int64_t nx_, ny_, nz_;
+    Vec3 pitch_;
+    double stagger_;
+};
+
+/// Refuses bodies that start inside each other.
+void check_overlaps(CaseBuild& build);
+
+/// The turn that an orientation table means; the identity for null.
+Quat orientation_of(const Value* table);
+
+/// Adds the motion of a body to the model. @returns its index, or -1 with a problem.
+std::int32_t add_motion(CaseBuild& build, const Value& motion);
+
+/// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
+std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table);
+/// The wave of that table.
+PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
+/// How that paddle takes up waves that come back; nothing where it does not.
+std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
+
+/// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.
+bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies);
+
+/// Adds the loads of one body.
+/// @param pose   of its shape as the case gives it
+/// @param scale  of its shape against what the case gives
+void add_loads(CaseBuild& build, const Value& loads, BodyId body, const Pose& pose, double scale);
+
+/// Bodies and parts that the case asks for, from counts alone. A problem, and false, when above limits.hpp.
+bool check_counts(const Value& root, std::vector<Diagnostic>& problems);
+
+}  // namespace riprap::scene

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/sph/kick.hpp"
+#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/fluid_tables.hpp"
+#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/warnings/fluid_warnings.hpp"
+#include "riprap/scene/warnings/paddle_warnings.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Problems of the coupling know no place in the case: they get that of `table`.
+template <class Work>
+bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
+    try {
+        work();
+    } catch (const CaseError& error) {
+        for (const Diagnostic& found : error.problems()) {
+            build.problem(table.place, found.message, found.allowed);
+        }
+        return false;
+    }
+    return true;
+}
+
+/// Paddles that absorb waves look at the water as it lies at the start.
+void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, sim::FluidModel& fluid) {
+    for (std::size_t k = 0; k < build.absorptions.size(); ++k) {
+        sim::PaddleAbsorption& paddle = build.absorptions[k];
+        paddle.still = sim::surface_at_paddle(paddle, 0, fluid.sph, particles);
+        const std::string& name = build.model.bodies.name(paddle.body);
+        const Vec3& foot = paddle.foot;
+        const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g}) m", foot.x, foot.y, foot.z);
+        if (!coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, {}, foot,
+                                 fluid.sph.spacing, paddle.body)) {
+            build.problem(
+                build.absorption_places[k],
+                fmt::format("'absorb' is at {}, more than a spacing from the faces of '{}'", where, name),
+                "the foot of the face that makes waves: the surface of the water before it is looked at there");
+        } else if (paddle.still < fluid.sph.spacing) {
+            build.problem(
+                build.absorption_places[k],
+                fmt::format("no water stands {} spacings in front of {}, the foot of '{}', which is to absorb waves",
+                            sim::absorption_gauge_distance, where, name),
+                "'absorb' at the foot of its face, in water");
+        }
+        fluid.absorptions.push_back(paddle);
+    }
+    if (!fluid.absorptions.empty()) {
+        const auto count = static_cast<std::size_t>(build.model.bodies.size());
+        build.state.bodies.drive_offset.assign(count, {});
+        build.state.bodies.drive_rate.assign(count, {});
+    }
+}
+
+/// Water where bodies leave room for it, and the boundary particles of those that are wet. False with a problem.
+bool place_particles(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
+                     sim::FluidModel& fluid, coupling::Filling& filling) {
+    const geometry::ShapeSet& shapes = build.model.shapes;
+    const body::BodySet& bodies = build.model.bodies;
+    fluid.is_dry = build.is_dry;
+    fluid.is_dry.resize(static_cast<std::size_t>(bodies.size()), 0);
+    std::vector<std::uint8_t> is_slippery(fluid.is_dry.size(), 1);
+    for (std::size_t b = 0; b < build.sticks.size(); ++b) {
+        is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
+    }
+    bool is_good = place_problems(build, get(table, "region"), [&] {
+        filling = coupling::fill(shapes, bodies, build.state.bodies, fluid.sph, build.up(), regions, limits::particles);
+    });
+    if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
+        is_good = place_problems(build, table, [&] {
+            fluid.samples =
+                coupling::sample_shapes(shapes, bodies, build.state.bodies,
+                                        {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
+                                         filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
+        });
+    }
+    return is_good;
+}
+
+/// Sums the volume up and refuses regions without water.
+void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling, sim::FluidModel& fluid) {
+    for (std::size_t r = 0; r < filling.regions.size(); ++r) {
+        const coupling::FillReport& report = filling.regions[r];
+        fluid.filled_volume += report.volume;
+        if (report.count == 0) {
+            build.problem(
+                list.items[r].place,
+                fmt::format("no particle of water fits into this region at a spacing of {:.4g} m", fluid.sph.spacing),
+                "a region larger than the spacing, in the domain, outside of solids and earlier regions");
+        }
+    }
+}
+
+}  // namespace
+
+void build_fluid(CaseBuild& build) {
+    const Value* table = build.root.find("fluid");
+    if (table == nullptr) {
+        if (!build.absorptions.empty()) {
+            build.problem(build.root.place, "a paddle that absorbs waves in a case without water", "a [fluid]");
+        }
+        return;
+    }
+    sim::FluidModel fluid;
+    fluid.sph = read_settings(build, *table);
+    fluid.wall =
+        get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
+    const Value& list = get(*table, "region");
+    const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
+    if (has_domain) {
+        build.domain = fluid.sph.domain;  // gauges are checked against it, whatever becomes of the water
+    }
+    std::vector<coupling::FillRegion> regions;
+    coupling::Filling filling;
+    if (!read_regions(build, list, regions) || !has_domain) {
+        return;
+    }
+    build_joints(build, *table, fluid);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        check_level(build, list.items[r], regions[r], fluid.sph);
+    }
+    if (!place_particles(build, *table, regions, fluid, filling)) {
+        return;
+    }
+    check_filling(build, list, filling, fluid);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
+    }
+    if (filling.particles.size() == 0) {
+        return;
+    }
+    choose_sound_speed(build, *table, regions, filling.particles, fluid);
+    coupling::set_hydrostatic_density(filling, fluid.sph,
+                                      fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
+    fluid.region_volume = room_for_water(build, fluid.sph.domain, regions);
+    warn_of_thin_bodies(build, fluid, filling.particles);
+    warn_of_paddles(build, fluid, filling);
+    warn_of_scheme(build, fluid.sph);
+    build_absorptions(build, filling.particles, fluid);
+    warn_of_bodies_outside(build, fluid);
+    build.state.fluid = std::move(filling.particles);
+    build_openings(build, *table, fluid);
+    warn_of_open_sides(build, get(*table, "domain").place, fluid, build.state.fluid.position);
+    start_openings(fluid.open, fluid.sph, build.state.fluid, build.state.open);
+    build.model.fluid = std::move(fluid);
+}
+
+}  // namespace riprap::scene

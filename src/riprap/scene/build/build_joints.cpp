@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/coupling/joint_pairs.hpp"
+#include "riprap/scene/build/build_case.hpp"
+
+namespace riprap::scene {
+
+void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
+    const body::BodySet& bodies = build.model.bodies;
+    bool has_loose = false, has_driven = false;
+    for (std::size_t b = 0; b < bodies.drive.size(); ++b) {
+        const bool is_loose = bodies.drive[b] == body::Drive::free || std::isfinite(bodies.release_time[b]);
+        has_loose = has_loose || is_loose;
+        has_driven = has_driven || (bodies.drive[b] == body::Drive::driven && !is_loose);
+    }
+    // The forces of joints and those of the water have to come from one kernel.
+    fluid.has_joint_pressure = get_boolean(table, "joint_pressure") && has_loose &&
+                               fluid.wall == sim::WallTreatment::boundary_particles &&
+                               fluid.sph.scheme == fluid::SphScheme::delta_sph;
+    if (!fluid.has_joint_pressure) {
+        return;
+    }
+    const double least = 2 * coupling::JointPairs::reach(fluid.sph, has_driven);
+    const fluid::Domain& domain = fluid.sph.domain;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        const double period = domain.high[axis] - domain.low[axis];
+        if (domain.is_periodic[static_cast<std::size_t>(axis)] && period < least) {
+            build.problem(
+                get(table, "domain").place,
+                fmt::format("a period of {:.4g} m: a loose block would meet the water in its own joints twice", period),
+                fmt::format("at least {:.4g} m ({:.3g} spacings), or joint_pressure = false", least,
+                            least / fluid.sph.spacing));
+        }
+    }
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Rows of a displacement table, from the case or from a CSV file. Empty with a problem when they are wrong.
+body::TableMotion read_motion_table(CaseBuild& build, const Value& table) {
+    body::TableMotion motion;
+    SourcePlace place = table.place;
+    if (const Value* file = table.find("file")) {
+        place = file->place;
+        const auto rows =
+            build.files.read_table(file->text, build.is_planar ? 3 : 4, limits::table_rows, place, build.problems);
+        if (!rows) {
+            return {};
+        }
+        for (const std::vector<double>& row : *rows) {
+            motion.time.push_back(row[0]);
+            motion.displacement.push_back({row[1], row[2], build.is_planar ? 0.0 : row[3]});
+        }
+    } else {
+        for (const Value& time : get(table, "time").items) {
+            motion.time.push_back(time.as_number());
+        }
+        for (const Value& displacement : get(table, "displacement").items) {
+            motion.displacement.push_back(to_vector(displacement));
+        }
+    }
+    if (motion.time.empty() || motion.time.size() != motion.displacement.size()) {
+        build.problem(place,
+                      fmt::format("{} times and {} displacements", motion.time.size(), motion.displacement.size()),
+                      "as many of both, at least one");
+        return {};
+    }
+    for (std::size_t i = 1; i < motion.time.size(); ++i) {
+        if (motion.time[i] <= motion.time[i - 1]) {
+            build.problem(
+                place, fmt::format("time {} of row {} does not follow {}", motion.time[i], i + 1, motion.time[i - 1]),
+                "increasing times");
+            return {};
+        }
+    }
+    return motion;
+}
+
+}  // namespace
+
+std::int32_t add_motion(CaseBuild& build, const Value& table) {
+    body::PrescribedMotion motion;
+    if (const Value* linear = table.find("linear")) {
+        motion.law = body::LinearMotion{get_vector(*linear, "velocity")};
+    } else if (const Value* sine = table.find("sinusoidal")) {
+        motion.law = body::SinusoidalMotion{get_vector(*sine, "amplitude"), get_number(*sine, "period"),
+                                            get_number(*sine, "phase"), get_number(*sine, "ramp")};
+    } else if (const Value* rotation = table.find("rotation")) {
+        motion.law = body::RotatingMotion{get_vector(*rotation, "center"), normalized(get_vector(*rotation, "axis")),
+                                          get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
+                                          get_number(*rotation, "period"), get_number(*rotation, "phase"),
+                                          get_number(*rotation, "ramp")};
+    } else if (const Value* maker = table.find("wave_maker")) {
+        std::optional<body::PrescribedMotion> paddle = wave_maker_motion(build, *maker);
+        if (!paddle) {
+            return -1;
+        }
+        motion = std::move(*paddle);
+    } else {
+        const std::size_t before = build.problems.size();
+        motion.law = read_motion_table(build, get(table, "table"));
+        if (build.problems.size() > before) {
+            return -1;
+        }
+    }
+    motion.start = get_number(table, "start");
+    motion.stop = get_number_or(table, "stop", motion.stop);
+    if (motion.stop <= motion.start) {
+        build.problem(table.place, fmt::format("a motion from {} s to {} s", motion.start, motion.stop),
+                      "stop after start");
+        return -1;
+    }
+    build.model.bodies.motions.push_back(std::move(motion));
+    return static_cast<std::int32_t>(build.model.bodies.motions.size()) - 1;
+}
+
+}  // namespace riprap::scene

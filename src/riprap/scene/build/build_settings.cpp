@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time axis, gravity, solid settings, output, probes and expected answers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/text/suggest.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+sim::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
+    sim::Gravity out;
+    if (gravity.is_array()) {
+        out.value = to_vector(gravity);
+        return out;
+    }
+    out.value = get_vector(gravity, "value");
+    out.ramp = get_number(gravity, "ramp");
+    if (const Value* rotation = gravity.find("rotation")) {
+        out.axis = normalized(get_vector(*rotation, "axis"));
+        out.rate = get_number(*rotation, "rate");
+        out.start = get_number(*rotation, "start");
+        out.stop = get_number_or(*rotation, "stop", out.stop);
+        if (out.stop <= out.start) {
+            build.problem(rotation->place, fmt::format("gravity turns from {} s to {} s", out.start, out.stop),
+                          "stop after start");
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+BodyId CaseBuild::body_named(const Value& name) {
+    const BodyId body = sim::find_body(model.bodies, name.text);
+    if (!body.is_valid() && (!is_claimed(name.text) || problems.empty())) {  // else the body itself has a problem
+        const std::string meant = nearest(name.text, model.bodies.names);
+        problem(name.place, fmt::format("there is no body '{}'", name.text),
+                meant.empty() ? "a name of [[body]], or NAME[17]" : fmt::format("did you mean '{}'?", meant));
+    }
+    return body;
+}
+
+namespace {
+
+/// Its column: what the case calls it, or else BODY.QUANTITY.
+std::string name_of_probe(const Value& table) {
+    const Value* name = table.find("name");
+    const Value* body = table.find("body");
+    return name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + get_text(table, "quantity");
+}
+
+void read_probe(CaseBuild& build, const Value& table) {
+    sim::Probe probe;
+    probe.quantity = get_text(table, "quantity");
+    const Value* body = table.find("body");
+    if (body != nullptr) {
+        probe.body = build.body_named(*body);
+        if (!probe.body.is_valid()) {
+            return;
+        }
+    }
+    probe.name = name_of_probe(table);
+    if (sim::find_quantity(probe.quantity, body != nullptr) == nullptr) {
+        build.problem(
+            get(table, "quantity").place,
+            fmt::format("'{}' is {} quantity of {}", probe.quantity, "no", body != nullptr ? "a body" : "the scene"),
+            body != nullptr ? "leave out 'body'" : "give the 'body'");
+        return;
+    }
+    const auto& probes = build.model.output.probes;
+    if (std::any_of(probes.begin(), probes.end(), [&](const sim::Probe& p) { return p.name == probe.name; })) {
+        build.problem(table.place, fmt::format("a second probe '{}'", probe.name), "give it another 'name'");
+        return;
+    }
+    build.model.output.probes.push_back(std::move(probe));
+}
+
+/// Whether `quantity` may be missing only because the record or the body that it names has a problem of its own.
+bool may_lack_its_subject(const CaseBuild& build, const std::string& quantity) {
+    if (build.problems.empty()) {
+        return false;
+    }
+    const auto begins = [&quantity](const std::string& name) {
+        return quantity.compare(0, name.size(), name) == 0 &&
+               (quantity.size() == name.size() || quantity[name.size()] == '.');
+    };
+    if (std::any_of(build.records.begin(), build.records.end(), begins)) {
+        return true;
+    }
+    const std::string body = quantity.substr(0, quantity.find('.'));
+    return build.is_claimed(body) && !sim::find_body(build.model.bodies, body).is_valid();
+}
+
+/// Every number of a body as an [[expect]] names it.
+void add_quantities_of(const std::string& body, std::vector<std::string>& names) {
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body) {
+            continue;
+        }
+        for (const char* const component : {".x", ".y", ".z"}) {
+            names.push_back(fmt::format("{}.{}{}", body, info.name, info.components > 1 ? component : ""));
+        }
+    }
+}
+
+/// Whether `quantity` names one number of the run; a problem with the nearest name otherwise.
+bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
+    if (sim::find_column(build.model, quantity)) {
+        return true;
+    }
+    if (may_lack_its_subject(build, quantity)) {
+        return false;
+    }
+    std::vector<std::string> known;
+    for (const sim::Column& column : sim::record_columns(build.model)) {
+        known.push_back(column.name);
+    }
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        known.emplace_back(info.name);
+    }
+    if (const std::string body = quantity.substr(0, quantity.find('.'));
+        sim::find_body(build.model.bodies, body).is_valid()) {
+        add_quantities_of(body, known);
+    }
+    const std::string meant = nearest(quantity, known);
+    build.problem(place, fmt::format("there is no quantity '{}'", quantity),
+                  meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
+                                : fmt::format("did you mean '{}'?", meant));
+    return false;
+}
+
+/// What the run does not reach, say because --end shortens it, is not judged.
+void warn_of_late(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect, std::string_view key,
+                  double time) {
+    if (time > build.model.time.end) {
+        build.warnings.push_back(to_string(
+            Diagnostic{place,
+                       fmt::format("[[expect]] '{}' is not judged: the run ends at {:.6g} s, before {} = {:.6g} s",
+                                   expect.name, build.model.time.end, key, time),
+                       ""}));
+    }
+}
+
+/// From when to when steps count.
+void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    const Value* from = table.find("from");
+    const Value* to = table.find("to");
+    const Value* given = from != nullptr ? from : to;
+    if (given == nullptr) {
+        return;
+    }
+    if (expect.reduce == "at" || expect.reduce == "when") {
+        build.problem(given->place, fmt::format("'from' and 'to' say nothing where reduce = \"{}\"", expect.reduce),
+                      "with last, min, max, extreme or mean");
+    }
+    expect.from = get_number_or(table, "from", expect.from);
+    expect.to = get_number_or(table, "to", expect.to);
+    if (expect.from >= expect.to) {
+        build.problem(given->place,
+                      fmt::format("no step lies between from = {:.6g} s and to = {:.6g} s", expect.from, expect.to),
+                      "from before to");
+    } else if (to != nullptr) {
+        warn_of_late(build, to->place, expect, "to", expect.to);
+    } else {
+        warn_of_late(build, from->place, expect, "from", expect.from);
+    }
+}
+
+void read_expect(CaseBuild& build, const Value& table) {
+    sim::Expect expect;
+    expect.name = get_text(table, "name");
+    expect.quantity = get_text(table, "quantity");
+    expect.reduce = get_text(table, "reduce");
+    expect.citation = get_text(table, "citation");
+    expect.place = fmt::format("{}:{}:{}", table.place.file, table.place.line, table.place.column);
+    if (expect.citation.empty()) {
+        build.problem(get(table, "citation").place, "the citation is empty", "say where the value comes from");
+    }
+    const Value* at = table.find("at");
+    if ((expect.reduce == "at") != (at != nullptr)) {
+        build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");
+    } else if (at != nullptr) {
+        expect.at = at->as_number();
+        warn_of_late(build, at->place, expect, "at", expect.at);
+    }
+    read_window(build, table, expect);
+    const Value* when = table.find("when");
+    if ((expect.reduce == "when") != (when != nullptr)) {
+        build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");
+    } else if (when != nullptr) {
+        expect.when = when->text;
+        expect.reaches = get_number(table, "reaches");
+    }
+    if (const Value* value = table.find("value")) {
+        expect.value = value->as_number();
+        const Value* absolute = table.find("tolerance");
+        const Value* relative = table.find("relative_tolerance");
+        if (absolute == nullptr && relative == nullptr) {
+            build.problem(table.place, fmt::format("[[expect]] '{}' lacks a tolerance", expect.name),
+                          "tolerance or relative_tolerance");
+            return;
+        }
+        if (absolute == nullptr && expect.value == 0) {
+            build.problem(relative->place, "a relative_tolerance of value = 0 is no band", "tolerance");
+            return;
+        }
+        const double band =
+            absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
+        expect.low = expect.value - band;
+        expect.high = expect.value + band;
+    } else {
+        expect.low = get_number(table, "low");
+        expect.high = get_number(table, "high");
+        expect.value = 0.5 * (expect.low + expect.high);
+        if (expect.low > expect.high) {
+            build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
+            return;
+        }
+    }
+    const bool has_quantity = check_column(build, expect.quantity, get(table, "quantity").place);
+    const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
+    if (!has_quantity || !has_trigger) {
+        return;
+    }
+    build.model.expects.push_back(std::move(expect));
+}
+
+}  // namespace
+
+void build_settings(CaseBuild& build) {
+    const Value& root = build.root;
+    sim::Model& model = build.model;
+    model.title = get_text(root, "title");
+    model.seed = static_cast<std::uint64_t>(get_integer(root, "seed"));
+    model.gravity = read_gravity(build, get(root, "gravity"));
+    model.bodies.is_planar = build.is_planar;
+
+    model.time.end = get_number(root, "end");
+    const Value& step = get(root, "time_step");
+    model.time.time_step = step.is_text() ? 0 : step.as_number();
+    model.time.factor = get_number(root, "time_step_factor");
+    model.time.force_time_step = get_boolean(root, "force_time_step");
+    model.time.max_steps = get_integer(root, "max_steps");
+
+    const Value& solid = get(root, "solid");
+    model.solid.contact.potential =
+        get_text(solid, "potential") == "fdem" ? contact::Potential::fdem : contact::Potential::distance;
+    model.solid.contact.sides = get_text(solid, "sides") == "both" ? contact::Sides::both : contact::Sides::contactor;
+    model.solid.local_damping = get_number(solid, "local_damping");
+    model.solid.mass_damping = get_number(solid, "mass_damping");
+    model.solid.grid_factor = get_number(solid, "grid_factor");
+    model.solid.skin = get_number(solid, "skin");
+    model.solid.max_potential = get_number(solid, "max_potential");
+    model.solid.max_speed = get_number(solid, "max_speed");
+}
+
+void build_output(CaseBuild& build) {
+    const Value& output = get(build.root, "output");
+    sim::OutputSettings& settings = build.model.output;
+    settings.interval = get_number(output, "interval");
+    settings.probe_interval = get_number(output, "probe_interval");
+    settings.checkpoint_interval = get_number(output, "checkpoint_interval");
+    settings.ledger_tolerance = get_number(output, "ledger_tolerance");
+    settings.vtk = get_boolean(output, "vtk");
+    settings.contacts = get_boolean(output, "contacts");
+    for (const Value& probe : get(output, "probe").items) {
+        build.records.insert(name_of_probe(probe));
+    }
+    for (const Value& gauge : get(output, "gauge").items) {
+        build.records.insert(get_text(gauge, "name"));
+    }
+    for (const Value& probe : get(output, "probe").items) {
+        read_probe(build, probe);
+    }
+    build_gauges(build, get(output, "gauge"));  // after the probes, whose names are taken
+    for (const Value& expect : get(build.root, "expect").items) {
+        read_expect(build, expect);
+    }
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/build/fluid_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "riprap/geometry/shapes.hpp"
+#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// The region of one table. Nothing with a problem.
+std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& table) {
+    coupling::FillRegion region;
+    region.velocity = get_vector(table, "velocity");
+    region.level = get_number_or(table, "level", region.level);
+    if (const Value* box = table.find("box")) {
+        Vec3 low = get_vector(*box, "low"), high = get_vector(*box, "high");
+        if (build.is_planar) {
+            low.z = -0.5;
+            high.z = 0.5;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(low[axis] < high[axis])) {
+                build.problem(
+                    box->place,
+                    fmt::format("the box reaches from {} m to {} m along {}", low[axis], high[axis], "xyz"[axis]),
+                    "low below high");
+                return std::nullopt;
+            }
+        }
+        region.pieces.push_back(geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}}));
+    } else if (const Value* shape = table.find("shape")) {
+        if (ShapeLibrary::is_half_space(*shape)) {
+            build.problem(shape->place, "a region of water cannot be a half-space", "a level, or another shape");
+            return std::nullopt;
+        }
+        const auto pieces = build.shapes.pieces(*shape);
+        if (!pieces) {
+            return std::nullopt;
+        }
+        const Pose pose{get_vector(table, "position"), orientation_of(table.find("orientation"))};
+        for (const geometry::Polyhedron& piece : *pieces) {
+            region.pieces.push_back(geometry::moved(piece, pose));
+        }
+    }
+    return region;
+}
+
+}  // namespace
+
+bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {
+    domain.dimension = build.is_planar ? 2 : 3;
+    domain.low = get_vector(table, "low");
+    domain.high = get_vector(table, "high");
+    bool is_good = true;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        if (!(domain.low[axis] < domain.high[axis])) {
+            build.problem(table.place,
+                          fmt::format("the domain reaches from {} m to {} m along {}", domain.low[axis],
+                                      domain.high[axis], "xyz"[axis]),
+                          "low below high");
+            is_good = false;
+        }
+    }
+    if (const Value* periodic = table.find("periodic")) {
+        for (std::size_t axis = 0; axis < periodic->items.size(); ++axis) {
+            domain.is_periodic[axis] = periodic->items[axis].boolean && (axis < 2 || !build.is_planar);
+        }
+    }
+    return is_good;
+}
+
+fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
+    fluid::SphSettings sph;
+    sph.spacing = get_number(table, "spacing");
+    sph.smoothing_ratio = get_number(table, "smoothing_ratio");
+    sph.rest_density = get_number(table, "density");
+    sph.particle_mass = sph.rest_density * std::pow(sph.spacing, build.is_planar ? 2 : 3);
+    sph.scheme = get_text(table, "scheme") == "muller" ? fluid::SphScheme::muller : fluid::SphScheme::delta_sph;
+    sph.state_equation =
+        get_text(table, "state_equation") == "linear" ? fluid::StateEquation::linear : fluid::StateEquation::tait;
+    sph.tait_exponent = get_number(table, "tait_exponent");
+    sph.viscosity =
+        get_text(table, "viscosity") == "artificial" ? fluid::Viscosity::artificial : fluid::Viscosity::laminar_sps;
+    sph.artificial_alpha = get_number(table, "artificial_alpha");
+    sph.kinematic_viscosity = get_number(table, "kinematic_viscosity");
+    sph.smagorinsky = get_number(table, "smagorinsky");
+    sph.density_diffusion = get_number(table, "density_diffusion");
+    sph.acoustic_damping = get_number(table, "acoustic_damping");
+    sph.gradient_correction = get_boolean(table, "gradient_correction");
+    sph.shifting = get_number(table, "shifting");
+    sph.courant = get_number(table, "courant");
+    sph.sort_interval = get_integer(table, "sort_interval");
+    return sph;
+}
+
+bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions) {
+    if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
+        build.problem(list.place, fmt::format("{} regions of water", list.items.size()),
+                      fmt::format("at most {}", limits::fluid_regions));
+        return false;
+    }
+    for (const Value& entry : list.items) {
+        if (auto region = read_region(build, entry)) {
+            regions.push_back(std::move(*region));
+        }
+    }
+    return regions.size() == list.items.size();
+}
+
+void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
+                 const fluid::SphSettings& sph) {
+    constexpr double slack = 1e-6;  // of a spacing: the level may be the top
+    if (!std::isfinite(region.level)) {
+        return;
+    }
+    const double top = coupling::top_of(region, sph.domain, build.up());
+    if (region.level > top + slack * sph.spacing) {
+        build.problem(
+            get(table, "level").place,
+            fmt::format("the level {:.6g} m lies above its region, which ends at {:.6g} m", region.level, top),
+            "a level in the region, or none to fill it whole");
+    }
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that need a hull, a file or an audit.
+#include "riprap/geometry/convex_hull.hpp"
+#include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/stl.hpp"
+#include "riprap/geometry/surface_audit.hpp"
+#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+using geometry::Polyhedron;
+
+namespace {
+double metres_per_unit(const std::string& unit) { return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0; }
+
+void move_to_center_of_mass(std::vector<Polyhedron>& pieces) {
+    Vec3 moment{};
+    double volume = 0;
+    for (const Polyhedron& piece : pieces) {
+        const geometry::MassProperties mass = geometry::mass_properties(piece);
+        moment += mass.volume * mass.centroid;
+        volume += mass.volume;
+    }
+    for (Polyhedron& piece : pieces) {
+        piece = geometry::moved(piece, {-(moment / volume), Quat{}});
+    }
+}
+}  // namespace
+
+std::optional<Polyhedron> ShapeLibrary::make_hull(const Value& table) {
+    std::vector<Vec3> points;
+    if (const Value* file = table.find("file")) {
+        const auto rows = files_.read_table(file->text, 3, limits::table_rows, file->place, problems_);
+        if (!rows) {
+            return std::nullopt;
+        }
+        const double unit = metres_per_unit(get_text(table, "units"));
+        for (const std::vector<double>& row : *rows) {
+            points.push_back(unit * Vec3{row[0], row[1], row[2]});
+        }
+    } else {
+        for (const Value& point : get(table, "points").items) {
+            points.push_back(to_vector(point));
+        }
+    }
+    return accept(geometry::convex_hull(points), table.place);
+}
+
+std::optional<Polyhedron> ShapeLibrary::make_random_hull(const Value& table) {
+    return accept(
+        geometry::random_hull(static_cast<std::uint64_t>(get_integer(table, "seed")),
+                              static_cast<int>(get_integer(table, "corners")), get_number(table, "circumradius")),
+        table.place);
+}
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::audited(const geometry::Surface& surface, bool is_repaired) {
+    geometry::SurfaceAuditOptions options;
+    options.fix_orientation = options.drop_collapsed = is_repaired;
+    const geometry::SurfaceAudit audit = geometry::audit_surface(surface, options);
+    problems_.insert(problems_.end(), audit.problems.begin(), audit.problems.end());
+    if (!audit.problems.empty()) {
+        return std::nullopt;
+    }
+    for (const Diagnostic& note : audit.notes) {
+        warnings_.push_back(to_string(note));
+    }
+    std::vector<Polyhedron> pieces;
+    for (const geometry::SurfacePart& part : audit.parts) {
+        pieces.push_back(part.polyhedron);
+    }
+    return pieces;
+}
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
+    const Value& path = get(table, "file");
+    const auto bytes = files_.read(path.text, limits::surface_bytes, path.place, problems_);
+    if (!bytes) {
+        return std::nullopt;
+    }
+    const double scale = metres_per_unit(get_text(table, "units")) * get_number(table, "scale");
+    geometry::Surface surface;
+    try {
+        surface = is_stl ? geometry::read_stl(*bytes, path.text, scale) : geometry::read_obj(*bytes, path.text, scale);
+    } catch (const CaseError& error) {
+        problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+        return std::nullopt;
+    }
+    for (const Diagnostic& note : surface.notes) {
+        warnings_.push_back(to_string(note));
+    }
+    auto pieces = audited(surface, get_boolean(table, "repair"));
+    if (pieces && get_boolean(table, "center")) {
+        move_to_center_of_mass(*pieces);
+    }
+    return pieces;
+}
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& list) {
+    geometry::Surface surface;
+    surface.file = list.place.file;
+    bool is_good = true;
+    for (const Value& part : list.items) {
+        const auto some = pieces(get(part, "shape"));
+        if (!some) {
+            is_good = false;
+            continue;
+        }
+        const Pose pose{get_vector(part, "position"), orientation_of(part.find("orientation"))};
+        for (const Polyhedron& piece : *some) {
+            const auto body = static_cast<std::int32_t>(surface.body_names.size());
+            surface.body_names.emplace_back();
+            const auto first = static_cast<std::int32_t>(surface.vertices.size());
+            const Polyhedron placed = geometry::moved(piece, pose);
+            surface.vertices.insert(surface.vertices.end(), placed.vertices.begin(), placed.vertices.end());
+            for (std::vector<std::int32_t> loop : placed.faces) {
+                for (std::int32_t& vertex : loop) {
+                    vertex += first;
+                }
+                surface.add_face(loop, body, part.place.line);
+            }
+        }
+    }
+    if (!is_good) {
+        return std::nullopt;
+    }
+    const std::size_t before = problems_.size();
+    auto all = audited(surface, false);
+    for (std::size_t i = before; i < problems_.size(); ++i) {
+        problems_[i].place = problems_[i].place.line > 0 ? problems_[i].place : list.place;
+    }
+    return all;
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/geometry/outcome.hpp"
+#include "riprap/geometry/surface.hpp"
+#include "riprap/scene/text/case_files.hpp"
+#include "riprap/scene/text/value.hpp"
+
+namespace riprap::scene {
+
+/// Turns shape tables of the case into convex parts in the scene's ShapeSet, each distinct shape once.
+class ShapeLibrary {
+ public:
+    ShapeLibrary(geometry::ShapeSet& shapes, CaseFiles& files, bool is_planar, std::vector<Diagnostic>& problems,
+                 std::vector<std::string>& warnings)
+        : shapes_(shapes), files_(files), is_planar_(is_planar), problems_(problems), warnings_(warnings) {}
+
+    /// The parts of a body of this shape, `local` from the frame of the shape table; `scale` multiplies all lengths.
+    /// Nothing, with a problem at the place of the table (once per table), when the shape is refused.
+    std::optional<std::vector<body::Part>> parts(const Value& shape, double scale = 1);
+
+    /// The convex pieces of a shape as polyhedra, in the frame of the table; not for half-spaces.
+    std::optional<std::vector<geometry::Polyhedron>> pieces(const Value& shape);
+
+    /// Adds one polyhedron as a shape of its own. @returns its part, `local` from the frame of the polyhedron.
+    body::Part add(const geometry::Polyhedron& polyhedron);
+
+    static bool is_half_space(const Value& shape) { return shape.find("half_space") != nullptr; }
+
+ private:
+    std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
+    std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
+    std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
+    std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
+    std::optional<geometry::Polyhedron> make_hull(const Value& table);
+    std::optional<geometry::Polyhedron> make_random_hull(const Value& table);
+    std::optional<geometry::Polyhedron> make_prism(const Value& table);
+    std::optional<geometry::Polyhedron> make_planar(const Value& shape);
+    std::optional<geometry::Polyhedron> accept(geometry::Outcome<geometry::Polyhedron> outcome,
+                                               const SourcePlace& place);
+
+    geometry::ShapeSet& shapes_;
+    CaseFiles& files_;
+    bool is_planar_;
+    std::vector<Diagnostic>& problems_;
+    std::vector<std::string>& warnings_;
+    std::map<std::string, std::optional<std::vector<body::Part>>> known_parts_;
+    std::map<std::string, std::optional<std::vector<geometry::Polyhedron>>> known_pieces_;
+};
+
+}  // namespace riprap::scene

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// The key table as a JSON Schema.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/key_text.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+Value object(std::initializer_list<std::pair<std::string_view, Value>> members) {
+    Value value = Value::table();
+    for (const auto& [key, member] : members) {
+        value.set(key, member);
+    }
+    return value;
+}
+
+Value type(std::string_view name) { return object({{"type", Value::of(name)}}); }
+
+Value reference(const Table& table) { return object({{"$ref", Value::of(fmt::format("#/$defs/{}", table.id))}}); }
+
+void add_range(Value& schema, const Range& range) {
+    if (std::abs(range.low) < 1e308) {
+        schema.set(range.is_low_open ? "exclusiveMinimum" : "minimum", Value::of(range.low));
+    }
+    if (std::abs(range.high) < 1e308) {
+        schema.set(range.is_high_open ? "exclusiveMaximum" : "maximum", Value::of(range.high));
+    }
+}
+
+Value any_of(std::vector<Value> choices) {
+    if (choices.size() == 1) {
+        return choices.front();
+    }
+    Value list = Value::array();
+    list.items = std::move(choices);
+    return object({{"anyOf", list}});
+}
+
+/// A number in SI, or a text with a number and a unit.
+Value number_schema(const Form& form) {
+    Value number = type("number");
+    add_range(number, form.range);
+    if (form.dimension.is_plain()) {
+        return number;
+    }
+    number.set("description", Value::of(fmt::format("[{}]", si_unit(form.dimension))));
+    Value text = type("string");
+    text.set("pattern", Value::of(R"(^\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?\s*[A-Za-z0-9/^*\s-]*$)"));
+    return any_of({number, text});
+}
+
+Value schema_of(const Form& form);
+
+Value array_schema(Value items, std::int64_t low, std::int64_t high) {
+    Value array = type("array");
+    array.set("items", std::move(items));
+    if (low > 0) {
+        array.set("minItems", Value::of(low));
+    }
+    if (high < std::numeric_limits<std::int64_t>::max()) {
+        array.set("maxItems", Value::of(high));
+    }
+    return array;
+}
+
+Value choice_schema(const Form& form) {
+    Value words = Value::array();
+    for (const std::string_view word : form.words) {
+        words.items.push_back(Value::of(word));
+    }
+    return object({{"enum", words}});
+}
+
+Value schema_of(const Form& form) {
+    switch (form.kind) {
+        case FormKind::boolean:
+            return type("boolean");
+        case FormKind::integer: {
+            Value integer = type("integer");
+            integer.set("minimum", Value::of(static_cast<std::int64_t>(form.range.low)));
+            integer.set("maximum", Value::of(static_cast<std::int64_t>(form.range.high)));
+            return integer;
+        }
+        case FormKind::number:
+            return number_schema(form);
+        case FormKind::text:
+        case FormKind::path: {
+            Value text = type("string");
+            text.set("maxLength", Value::of(static_cast<std::int64_t>(limits::text_bytes)));
+            return text;
+        }
+        case FormKind::name: {
+            Value name = type("string");
+            name.set("pattern", Value::of("^[A-Za-z][A-Za-z0-9_.-]{0,63}$"));
+            return name;
+        }
+        case FormKind::choice:
+            return choice_schema(form);
+        case FormKind::vector: {
+            Form component = form;
+            component.kind = FormKind::number;
+            return array_schema(number_schema(component), 2, 3);
+        }
+        case FormKind::list:
+            return array_schema(schema_of(form.item.front()), form.min_count, form.max_count);
+        case FormKind::table:
+            return reference(form.table());
+        case FormKind::table_list:
+            return array_schema(reference(form.table()), form.min_count, std::numeric_limits<std::int64_t>::max());
+        case FormKind::named_tables: {
+            Value tables = type("object");
+            tables.set("additionalProperties", reference(form.table()));
+            return tables;
+        }
+    }
+    return Value::table();
+}
+
+/// The dimension of the numbers that a key takes; plain when it takes none.
+Dimension dimension_of(const Form& form) {
+    return form.item.empty() ? form.dimension : dimension_of(form.item.front());
+}
+
+Value required_list(const std::vector<std::string_view>& keys) {
+    Value list = Value::array();
+    for (const std::string_view key : keys) {
+        list.items.push_back(Value::of(key));
+    }
+    return list;
+}
+
+Value schema_of(const Table& table) {
+    Value properties = Value::table(), with_units = Value::table();
+    std::vector<std::string_view> required;
+    for (const Key& key : table.keys) {
+        std::vector<Value> forms;
+        for (const Form& form : key.forms) {
+            forms.push_back(schema_of(form));
+            const std::string suffixes = suffixes_for(dimension_of(form));
+            if (!dimension_of(form).is_plain() && !suffixes.empty()) {
+                with_units.set(fmt::format("^{}_({})$", key.name, suffixes),
+                               any_of({type("number"), array_schema(Value::table(), 1, limits::table_rows)}));
+            }
+        }
+        Value property = any_of(std::move(forms));
+        property.set("description", Value::of(key.help));
+        if (key.otherwise && !key.otherwise->is_table()) {
+            property.set("default", *key.otherwise);
+        }
+        properties.set(key.name, std::move(property));
+        if (key.is_required && with_units.find(fmt::format("^{}_({})$", key.name,
+                                                           suffixes_for(dimension_of(key.forms.front())))) == nullptr) {
+            required.push_back(key.name);
+        }
+    }
+    Value schema = type("object");
+    schema.set("title", Value::of(table.header));
+    schema.set("description", Value::of(table.help));
+    schema.set("properties", std::move(properties));
+    if (!with_units.entries.empty()) {
+        schema.set("patternProperties", std::move(with_units));
+    }
+    if (!required.empty()) {
+        schema.set("required", required_list(required));
+    }
+    schema.set("additionalProperties", Value::of(false));
+    return schema;
+}
+
+}  // namespace
+
+std::string case_schema() {
+    Value definitions = Value::table();
+    for (const Table* table : all_tables()) {
+        if (table->id != "case") {
+            definitions.set(table->id, schema_of(*table));
+        }
+    }
+    Value schema = object({{"$schema", Value::of("https://json-schema.org/draft/2020-12/schema")}});
+    Value top = schema_of(case_table());
+    for (Entry& entry : top.entries) {
+        schema.set(entry.key, std::move(entry.value));
+    }
+    schema.set("title", Value::of("Riprap case file"));
+    schema.set("$defs", std::move(definitions));
+    return write_json(schema);
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/scene/text/units.hpp"
+#include "riprap/scene/text/value.hpp"
+
+namespace riprap::scene {
+
+// The one declarative table of the case file. It drives checking (check_keys.hpp), the listing on the terminal, the
+// JSON Schema and the manual page (key_text.hpp). A new key is one row here and one line where it is used.
+
+struct Table;
+
+/// Accepted interval of a number.
+struct Range {
+    double low{-std::numeric_limits<double>::infinity()};
+    double high{std::numeric_limits<double>::infinity()};
+    bool is_low_open{false};   ///< low itself is refused
+    bool is_high_open{false};  ///< high itself is refused
+    bool contains(double v) const {
+        return (is_low_open ? v > low : v >= low) && (is_high_open ? v < high : v <= high);
+    }
+    bool is_bounded() const { return low > -1e308 || high < 1e308; }
+};
+
+/// What kind of value a key takes.
+enum class FormKind {
+    boolean,
+    integer,
+    number,       ///< with a dimension; text such as "2.5 cm" is converted
+    text,         ///< free text of at most limits::text_bytes
+    name,         ///< letters, digits, '_', '-' and '.': safe in file and column names
+    path,         ///< a file in the folder of the case
+    choice,       ///< one of a few words
+    vector,       ///< 3 numbers (2 or 3 in a planar scene)
+    list,         ///< array of `item`
+    table,        ///< one table
+    table_list,   ///< array of tables: [[key]]
+    named_tables  ///< table of tables with free names: [key.NAME]
+};
+
+/// One way to write the value of a key.
+struct Form {
+    FormKind kind{FormKind::number};
+    Dimension dimension{};                    ///< of numbers and components
+    Range range{};                            ///< of a number, integer or component
+    std::vector<std::string_view> words{};    ///< of a choice
+    std::vector<std::string_view> planned{};  ///< words that other versions may know; refused as not implemented
+    std::vector<Form> item{};                 ///< of a list: one entry
+    std::int64_t min_count{0};                ///< entries of a list
+    std::int64_t max_count{std::numeric_limits<std::int64_t>::max()};
+    bool is_nonzero{false};            ///< a vector that gives a direction
+    bool is_axial{false};              ///< a vector about which something turns: along z in a planar scene
+    const Table& (*table)(){nullptr};  ///< of tables; a function, because tables may contain themselves
+};
+
+/// One row of the table.
+struct Key {
+    std::string_view name;
+    std::vector<Form> forms;  ///< the first whose kind of value fits is used
+    std::string_view help;
+    std::optional<Value> otherwise;  ///< default
+    bool is_required{false};
+    std::string_view since{"0.1"};
+};
+
+/// How many keys of a group may be given.
+enum class GroupRule { exactly_one, at_most_one, all_or_none };
+struct Group {
+    GroupRule rule;
+    std::vector<std::string_view> keys;
+};
+
+/// A table of the case file: its keys and the rules between them.
+struct Table {
+    std::string_view id;      ///< unique, for links: "body", "shape.hull"
+    std::string_view header;  ///< as written in a case: "[[body]]", "shape = { hull = { ... } }"
+    std::string_view help;
+    std::vector<Key> keys;
+    std::vector<Group> groups{};
+
+    const Key* find(std::string_view name) const;
+};
+
+/// The top of the case file.
+const Table& case_table();
+
+/// Every table reachable from case_table(), each once, in reading order.
+std::vector<const Table*> all_tables();
+
+// Rows are written with these.
+namespace form {
+Range positive();
+Range non_negative();
+Range between(double low, double high);
+Form boolean();
+Form integer(double low, double high);
+Form number(const Dimension& dimension, const Range& range = {});
+Form text();
+Form name();
+Form path();
+Form choice(std::vector<std::string_view> words, std::vector<std::string_view> planned = {});
+Form vector(const Dimension& dimension, const Range& range = {});
+Form direction();
+Form axis();
+Form spin(const Dimension& dimension);
+Form list(Form item, std::int64_t min_count, std::int64_t max_count);
+Form table(const Table& (*table)());
+Form table_list(const Table& (*table)(), std::int64_t min_count = 0);
+Form named_tables(const Table& (*table)(), std::int64_t max_count);
+}  // namespace form
+
+// Tables that live in files of their own.
+const Table& gravity_table();
+const Table& material_table();
+const Table& contact_table();
+const Table& solid_table();
+const Table& body_table();
+const Table& shape_table();
+const Table& orientation_table();
+const Table& motion_table();
+const Table& load_table();
+const Table& repeat_table();
+const Table& pack_table();
+const Table& rock_mass_table();
+const Table& fluid_table();
+const Table& output_table();
+const Table& expect_table();
+
+}  // namespace riprap::scene

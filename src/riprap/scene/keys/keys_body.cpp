@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: bodies, loads on them and their repetition.
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+namespace {
+
+Form count_triple(std::int64_t largest) { return list(integer(1, static_cast<double>(largest)), 2, 3); }
+
+}  // namespace
+
+const Table& load_table() {
+    static const Table table{
+        "body.load",
+        "load = [ { ... }, ... ]",
+        "A force on a point of the body. Its direction is fixed in space, its point moves with the body. Its work is "
+        "booked as work_external. Every copy of a repeated body bears it.",
+        {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
+         {"at",
+          {vector(dimension::length)},
+          "Where it acts, in the frame of the shape (grows with the scales of repeat); the centre of mass when not "
+          "given.",
+          {}},
+         {"start", {number(dimension::time, non_negative())}, "No force before.", Value::of(0.0)},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time in which it grows to its full size.",
+          Value::of(0.0)},
+         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}}};
+    return table;
+}
+
+const Table& repeat_table() {
+    static const Table table{
+        "repeat",
+        "repeat = { ... }",
+        "Copies of the body on a lattice, x fastest, then y, then z, or around an axis; named NAME[0], NAME[1], ...",
+        {{"counts", {count_triple(limits::bodies)}, "Copies along x, y and z.", {}, true},
+         {"pitch", {vector(dimension::length)}, "Distance between neighbours along x, y and z.", Value::of(Vec3{})},
+         {"orientation",
+          {form::table(orientation_table)},
+          "How the lattice is turned, such as along a slope, about the first copy; copies stay turned as the body is, "
+          "and "
+          "jitter goes along the axes of the world. What turn says comes after it.",
+          {}},
+         {"stagger",
+          {number(dimension::length)},
+          "Moves every other row along x, as bricks in a wall: all copies where the numbers along y and z add up to "
+          "an odd one.",
+          Value::of(0.0)},
+         {"turn", {number(dimension::angle)}, "Copy i is turned by i times this angle about the axis.", Value::of(0.0)},
+         {"turn_axis", {form::axis()}, "Direction of the axis.", Value::of(Vec3{0, 0, 1})},
+         {"turn_center", {vector(dimension::length)}, "A point of the axis.", Value::of(Vec3{})},
+         {"random_orientation",
+          {boolean()},
+          "Turn every copy at random, all directions alike (about z in a planar scene).",
+          Value::of(false)},
+         {"jitter",
+          {number(dimension::length, non_negative())},
+          "Move every copy at random by at most this much along each axis.",
+          Value::of(0.0)},
+         {"scales",
+          {list(number(dimension::plain, positive()), 1, 64)},
+          "Factors on the size, taken in turn copy by copy.",
+          {}}}};
+    return table;
+}
+
+const Table& body_table() {
+    static const Table table{
+        "body",
+        "[[body]]",
+        "A block, a wall or a ground.",
+        {{"name", {form::name()}, "Unique; names the body in output, probes and messages.", {}, true},
+         {"shape", {form::table(shape_table)}, "Its shape.", {}, true},
+         {"material", {form::name()}, "Name of its material.", {}, true},
+         {"position", {vector(dimension::length)}, "Of the origin of the shape.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "How it is turned.", {}},
+         {"velocity", {vector(dimension::velocity)}, "Of the centre of mass, at the start.", Value::of(Vec3{})},
+         {"angular_velocity",
+          {spin(dimension::angular_velocity), number(dimension::angular_velocity)},
+          "At the start, in world axes; in a planar scene a number, about z.",
+          Value::of(Vec3{})},
+         {"density", {number(dimension::density, positive())}, "Instead of that of the material.", {}},
+         {"fixed", {boolean()}, "Does not move.", Value::of(false)},
+         {"release_time",
+          {number(dimension::time, non_negative())},
+          "A fixed or moving body becomes free at this time.",
+          {}},
+         {"motion", {form::table(motion_table)}, "A prescribed motion.", {}},
+         {"load", {table_list(load_table)}, "Forces on points of it.", {}},
+         {"slip",
+          {boolean()},
+          "Water slides along the body freely; false: it sticks to it, which needs a boundary layer of several "
+          "spacings to mean anything.",
+          Value::of(true)},
+         {"wet", {boolean()}, "Feels water and is felt by it; false: water passes through.", Value::of(true)},
+         {"repeat", {form::table(repeat_table)}, "Many copies.", {}}}};
+    return table;
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: the top of the file, gravity, materials, contact, solid.
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+const Table& case_table() {
+    static const Table table{
+        "case",
+        "(top of the file)",
+        "What the experiment is, how long it lasts and how time advances.",
+        {{"title", {text()}, "One line that says what the case shows.", Value::of("")},
+         {"dimension",
+          {integer(2, 3)},
+          "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane.",
+          Value::of(3)},
+         {"gravity",
+          {vector(dimension::acceleration), form::table(gravity_table)},
+          "Gravity as a vector, or a table for gravity that grows or turns. No axis is up by nature; keys of geology "
+          "(dip) take +z as up.",
+          {},
+          true},
+         {"end", {number(dimension::time, positive())}, "Physical time at which the run ends.", {}, true},
+         {"time_step",
+          {choice({"auto"}), number(dimension::time, positive())},
+          "\"auto\": time_step_factor times the stability limit, shortened so that the last step meets the end, and "
+          "halved for a while after a step that was refused. A number is refused above the limit unless "
+          "force_time_step is set.",
+          Value::of("auto")},
+         {"time_step_factor",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Share of the stability limit 2/omega_max that \"auto\" uses.",
+          Value::of(0.15)},
+         {"force_time_step", {boolean()}, "Accept a time_step above the stability limit.", Value::of(false)},
+         {"max_steps", {integer(-1, 1e15)}, "Stop after so many steps; -1 = no limit.", Value::of(-1)},
+         {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
+         {"material", {named_tables(material_table, limits::materials)}, "Materials by name.", {}, true},
+         {"contact", {form::table(contact_table)}, "How two materials meet.", Value::table()},
+         {"solid", {form::table(solid_table)}, "How solids move.", Value::table()},
+         {"fluid", {form::table(fluid_table)}, "Water, when there is any.", {}},
+         {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
+         {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
+         {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
+         {"output", {form::table(output_table)}, "What is written, and how often.", Value::table()},
+         {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};
+    return table;
+}
+
+namespace {
+
+const Table& gravity_rotation_table() {
+    static const Table table{
+        "gravity.rotation",
+        "gravity = { rotation = { ... } }",
+        "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
+        {{"axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule.", {}, true},
+         {"rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity.", {}, true},
+         {"start", {number(dimension::time, non_negative())}, "When the turn starts.", Value::of(0.0)},
+         {"stop", {number(dimension::time, non_negative())}, "When the turn stops; never when not given.", {}}}};
+    return table;
+}
+
+const Table& contact_pair_table() {
+    static const Table table{
+        "contact.pair",
+        "[[contact.pair]]",
+        "Values for one pair of materials, instead of the mixed ones.",
+        {{"materials", {list(name(), 2, 2)}, "The two materials; twice the same for contacts within one.", {}, true},
+         {"friction_coefficient", {number(dimension::plain, non_negative())}, "Coulomb coefficient.", {}},
+         {"friction_angle",
+          {number(dimension::angle, {.low = 0, .high = 1.5707, .is_high_open = true})},
+          "Friction angle; the coefficient is its tangent.",
+          {}},
+         {"cohesion", {number(dimension::pressure, non_negative())}, "Shear strength per contact area.", {}},
+         {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
+         {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
+         {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
+         {"torsion", {boolean()}, "Resist spinning about the contact normal.", {}}},
+        {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},
+         {GroupRule::at_most_one, {"shear_ratio", "shear_stiffness"}}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& gravity_table() {
+    static const Table table{
+        "gravity",
+        "[gravity]",
+        "Gravity as a function of time.",
+        {{"value", {vector(dimension::acceleration)}, "Gravity at full strength, before any turn.", {}, true},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Gravity grows linearly from zero over this time.",
+          Value::of(0.0)},
+         {"rotation", {form::table(gravity_rotation_table)}, "Turns gravity.", {}}}};
+    return table;
+}
+
+const Table& material_table() {
+    static const Table table{
+        "material",
+        "[material.NAME]",
+        "What a block is made of and how its surface behaves. Contact values of two materials follow from [contact].",
+        {{"density", {number(dimension::density, positive())}, "Mass per volume of solid.", {}, true},
+         {"normal_stiffness",
+          {number(dimension::pressure, positive())},
+          "Factor k_n of the distance potential, a pressure: two flat faces of area S press with "
+          "k_n S (1/r_a + 1/r_b) per unit of overlap, r the inscribed radii.",
+          {},
+          true},
+         {"shear_ratio",
+          {number(dimension::plain, non_negative())},
+          "Tangential over normal stiffness of a contact.",
+          Value::of(0.8)},
+         {"shear_stiffness",
+          {number(dimension::stiffness, positive())},
+          "Tangential stiffness of every contact, whatever its area.",
+          {}},
+         {"friction_coefficient", {number(dimension::plain, non_negative())}, "Coulomb coefficient.", Value::of(0.0)},
+         {"friction_angle",
+          {number(dimension::angle, {.low = 0, .high = 1.5707, .is_high_open = true})},
+          "Friction angle; the coefficient is its tangent.",
+          {}},
+         {"cohesion",
+          {number(dimension::pressure, non_negative())},
+          "Added to the shear strength, per contact area; no tensile strength.",
+          Value::of(0.0)},
+         {"damping_ratio",
+          {number(dimension::plain, between(0, 1))},
+          "Share of critical damping of a contact's dashpot.",
+          Value::of(0.0)},
+         {"torsion",
+          {boolean()},
+          "Resist spinning about the contact normal, where both materials ask for it.",
+          Value::of(false)}},
+        {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},
+         {GroupRule::at_most_one, {"shear_ratio", "shear_stiffness"}}}};
+    return table;
+}
+
+const Table& contact_table() {
+    static const std::vector<std::string_view> rules{"minimum", "maximum", "mean", "geometric", "harmonic"};
+    static const Table table{
+        "contact",
+        "[contact]",
+        "How the values of two materials become those of a contact. Codes differ silently here, so the rules must be "
+        "given where materials differ. Stiffness ratio and damping use the mean.",
+        {{"friction_mixing",
+          {choice(rules)},
+          "Rule for the friction coefficient; required when materials differ in friction.",
+          {}},
+         {"cohesion_mixing", {choice(rules)}, "Rule for cohesion; required when materials differ in it.", {}},
+         {"max_initial_overlap",
+          {number(dimension::plain, positive())},
+          "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",
+          Value::of(0.1)},
+         {"pair", {table_list(contact_pair_table)}, "Values for one pair of materials.", Value::array()}}};
+    return table;
+}
+
+const Table& solid_table() {
+    static const Table table{
+        "solid",
+        "[solid]",
+        "How solids move and touch.",
+        {{"method",
+          {choice({"distance_potential_dem"}, {"explicit_dda", "implicit_dda", "multisphere_dem"})},
+          "Method by which blocks move.",
+          Value::of("distance_potential_dem")},
+         {"potential",
+          {choice({"distance", "fdem"})},
+          "Field of a block: normalised distance to its surface, or the FDEM potential (for comparison).",
+          Value::of("distance")},
+         {"sides",
+          {choice({"both", "contactor"})},
+          "Integrate the field of both blocks of a pair, or of one (for comparison).",
+          Value::of("both")},
+         {"local_damping",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_high_open = true})},
+          "Cundall's damping for quasi-static runs: a share of each force component, against the velocity.",
+          Value::of(0.0)},
+         {"mass_damping",
+          {number(dimension::frequency, non_negative())},
+          "Damping force per mass and velocity.",
+          Value::of(0.0)},
+         {"grid_factor",
+          {number(dimension::plain, {.low = 1, .high = 16, .is_low_open = true})},
+          "Ratio of circumradii between size classes of the contact search; speed only.",
+          Value::of(2.0)},
+         {"skin",
+          {number(dimension::plain, {.low = 0, .high = 2, .is_low_open = true})},
+          "Margin of the pair cache over the median circumradius; speed only.",
+          Value::of(0.1)},
+         {"max_potential",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "An overlap deeper than this share of the inscribed radius ends the run.",
+          Value::of(1.0)},
+         {"max_speed", {number(dimension::velocity, positive())}, "A faster block ends the run.", Value::of(1e5)}}};
+    return table;
+}
+
+}  // namespace riprap::scene

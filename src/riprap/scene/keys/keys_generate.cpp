@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: packs of blocks and jointed rock masses.
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+namespace {
+
+const Table& voronoi_table() {
+    static const Table table{
+        "pack.voronoi",
+        "voronoi = { ... }",
+        "Divides a convex region among random points. The cells fill the region and touch face to face.",
+        {{"region", {form::table(shape_table)}, "A convex shape.", {}, true},
+         {"position", {vector(dimension::length)}, "Of the origin of the region.", Value::of(Vec3{})},
+         {"count", {integer(1, static_cast<double>(limits::cells))}, "Number of cells.", {}, true},
+         {"lloyd",
+          {integer(0, 1000)},
+          "Times that each point moves to the centre of its cell: more makes cells more alike.",
+          Value::of(0)},
+         {"gap",
+          {number(dimension::length, non_negative())},
+          "Width of the open joint between neighbouring cells.",
+          Value::of(0.0)},
+         {"seed", {integer(0, 9e15)}, "Own seed; otherwise from the seed of the case and the name.", {}}}};
+    return table;
+}
+
+const Table& mix_table() {
+    static const Table table{
+        "pack.mix",
+        "mix = [ { ... }, ... ]",
+        "One kind of block of a mixed pack.",
+        {{"shape", {form::table(shape_table)}, "A shape; not a half-space.", {}, true},
+         {"fraction",
+          {number(dimension::plain, positive())},
+          "Share of this kind by number, relative to those of the other kinds.",
+          Value::of(1.0)},
+         {"sizes", {list(number(dimension::plain, positive()), 1, 64)}, "Factors on the size, equally likely.", {}}}};
+    return table;
+}
+
+const Table& lattice_table() {
+    static const Table table{
+        "pack.lattice",
+        "lattice = { ... }",
+        "Blocks of several kinds at the points of a lattice.",
+        {{"origin", {vector(dimension::length)}, "First point of the lattice.", Value::of(Vec3{})},
+         {"counts",
+          {list(integer(1, static_cast<double>(limits::bodies)), 2, 3)},
+          "Points along x, y and z.",
+          {},
+          true},
+         {"pitch", {vector(dimension::length)}, "Distance between points along x, y and z.", {}, true},
+         {"total",
+          {integer(1, static_cast<double>(limits::bodies))},
+          "Use only the first so many points; all when not given.",
+          {}},
+         {"random_orientation", {boolean()}, "Turn every block at random.", Value::of(true)},
+         {"jitter",
+          {number(dimension::length, non_negative())},
+          "Move every block at random by at most this much along each axis.",
+          Value::of(0.0)},
+         {"mix", {table_list(mix_table, 1)}, "The kinds of blocks.", {}, true},
+         {"seed", {integer(0, 9e15)}, "Own seed; otherwise from the seed of the case and the name.", {}}}};
+    return table;
+}
+
+const Table& joint_set_table() {
+    static const Table table{
+        "rock_mass.joint_set",
+        "[[rock_mass.joint_set]]",
+        "Parallel joints through the region. z is up.",
+        {{"dip", {number(dimension::angle, between(0, 1.5707963267948966))}, "Angle below the horizontal.", {}, true},
+         {"dip_direction",
+          {number(dimension::angle)},
+          "Azimuth towards which the joints dip, clockwise from +y (north) to +x (east).",
+          {},
+          true},
+         {"spacing", {number(dimension::length, positive())}, "Distance between joints, across them.", {}, true},
+         {"persistence",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Chance that a joint cuts a block that it meets; 1 cuts all.",
+          Value::of(1.0)},
+         {"spacing_scatter",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_high_open = true})},
+          "Spacings vary at random by up to this share.",
+          Value::of(0.0)},
+         {"origin",
+          {vector(dimension::length)},
+          "A point of the world that one joint of the set passes through.",
+          Value::of(Vec3{})}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& pack_table() {
+    static const Table table{
+        "pack",
+        "[[pack]]",
+        "Many blocks from one recipe; named NAME[0], NAME[1], ...",
+        {{"name", {form::name()}, "Unique.", {}, true},
+         {"material", {form::name()}, "Name of the material of all blocks.", {}, true},
+         {"voronoi", {form::table(voronoi_table)}, "Cells that fill a box.", {}},
+         {"lattice", {form::table(lattice_table)}, "A mix of shapes on a lattice.", {}},
+         {"velocity", {vector(dimension::velocity)}, "Of every block, at the start.", Value::of(Vec3{})},
+         {"fixed", {boolean()}, "The blocks do not move.", Value::of(false)},
+         {"release_time", {number(dimension::time, non_negative())}, "Fixed blocks become free at this time.", {}}},
+        {{GroupRule::exactly_one, {"voronoi", "lattice"}}}};
+    return table;
+}
+
+const Table& rock_mass_table() {
+    static const Table table{
+        "rock_mass",
+        "[[rock_mass]]",
+        "A convex region cut into blocks by joint sets; named NAME[0], NAME[1], ...",
+        {{"name", {form::name()}, "Unique.", {}, true},
+         {"material", {form::name()}, "Name of the material of all blocks.", {}, true},
+         {"region", {form::table(shape_table)}, "A convex shape.", {}, true},
+         {"position", {vector(dimension::length)}, "Of the origin of the region.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "How the region is turned; joints do not turn with it.", {}},
+         {"seed", {integer(0, 9e15)}, "Own seed (persistence); otherwise from the seed of the case and the name.", {}},
+         {"minimum_volume",
+          {number({3, 0, 0, 0}, non_negative())},
+          "A joint that would cut off a smaller piece leaves that block whole.",
+          Value::of(0.0)},
+         {"fixed_below",
+          {number(dimension::length)},
+          "Blocks whose centre of mass lies lower than this z do not move.",
+          {}},
+         {"fixed", {boolean()}, "The blocks do not move.", Value::of(false)},
+         {"release_time", {number(dimension::time, non_negative())}, "Fixed blocks become free at this time.", {}},
+         {"joint_set", {table_list(joint_set_table, 1)}, "The joint sets.", {}, true}}};
+    return table;
+}
+
+}  // namespace riprap::scene

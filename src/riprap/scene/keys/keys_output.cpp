@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: output, probes, expected answers.
+#include <algorithm>
+
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+namespace {
+
+std::vector<std::string_view> quantity_names() {
+    std::vector<std::string_view> names;
+    for (const sim::QuantityInfo& quantity : sim::quantities()) {
+        if (std::find(names.begin(), names.end(), quantity.name) == names.end()) {
+            names.push_back(quantity.name);
+        }
+    }
+    return names;
+}
+
+const Table& probe_table() {
+    static const Table table{
+        "output.probe",
+        "[[output.probe]]",
+        "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
+        {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
+         {"body", {text()}, "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given.", {}},
+         {"quantity", {choice(quantity_names())}, "What is recorded.", {}, true}}};
+    return table;
+}
+
+const Table& gauge_table() {
+    static const Table table{
+        "output.gauge",
+        "[[output.gauge]]",
+        "An instrument in the water: columns of probes.csv, and a name for [[expect]]. A dry place reads 0.",
+        {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
+         {"kind",
+          {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"})},
+          "pressure, velocity: at a point in the water. wall_pressure: on the face of a body nearest to the point, a "
+          "spacing away at most: force over area in the last step, as a transducer in it reads it; it stays with the "
+          "body, reads 0 while covered and nothing before the first step. level: height of the water column above a "
+          "point at the bed, voids left out. surface: distance along the line from point to end at which water ends "
+          "for the last time. run_up: likewise, for the first time; lay the line one spacing above the slope. flow: "
+          "through the rectangle between point and end, positive along its axis. volume: of the water in the box "
+          "between point and end.",
+          {},
+          true},
+         {"body",
+          {text()},
+          "Name of a body that it moves and turns with, point and end then being where they are at the start; for "
+          "wall_pressure, whose face it is. Velocities and what is up stay those of the world; beyond the domain it "
+          "reads 0. Not for flow and volume.",
+          {}},
+         {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
+         {"end",
+          {vector(dimension::length)},
+          "End of the line; the opposite corner. Not with a kind that looks at a point.",
+          {}}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& output_table() {
+    static const Table table{
+        "output",
+        "[output]",
+        "What is written and watched, and how often.",
+        {{"interval", {number(dimension::time, non_negative())}, "Between frames; 0 = end/100.", Value::of(0.0)},
+         {"probe_interval",
+          {number(dimension::time, non_negative())},
+          "Between rows of probes.csv and ledger.csv; 0 = end/1000.",
+          Value::of(0.0)},
+         {"checkpoint_interval",
+          {number(dimension::time, positive())},
+          "Wall-clock time between checkpoints.",
+          Value::of(60.0)},
+         {"ledger_tolerance",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Share of the energy turned over that the energy ledger may fail to close by; looked at with every row of "
+          "ledger.csv. More ends the run.",
+          Value::of(0.05)},
+         {"vtk", {boolean()}, "Write frames for ParaView.", Value::of(true)},
+         {"contacts", {boolean()}, "Write contact points and forces with each frame.", Value::of(true)},
+         {"probe", {table_list(probe_table)}, "Time histories.", Value::array()},
+         {"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()}}};
+    return table;
+}
+
+const Table& expect_table() {
+    static const Table table{
+        "expect",
+        "[[expect]]",
+        "An answer that the run must reach. The accepted band is value +- tolerance, value (1 +- relative_tolerance), "
+        "or low to high.",
+        {{"name", {text()}, "What is expected, in words.", {}, true},
+         {"quantity",
+          {text()},
+          "The name of a probe, or a quantity of the scene or of a body, with its component: \"kinetic_energy\", "
+          "\"block.position.x\".",
+          {},
+          true},
+         {"reduce",
+          {choice({"last", "min", "max", "extreme", "mean", "at", "when"})},
+          "How the column becomes one number. extreme: the lowest or the highest, whichever is farther from zero, "
+          "with its sign.",
+          Value::of("last")},
+         {"from",
+          {number(dimension::time, non_negative())},
+          "Steps before this time do not count; not for at and when. The start when not given.",
+          {}},
+         {"to",
+          {number(dimension::time, positive())},
+          "Nor do those after it; the end when not given. What a run with an earlier end does not reach is not judged.",
+          {}},
+         {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
+         {"when",
+          {text()},
+          "For reduce = \"when\": the value is taken at the moment at which this other quantity first passes a level.",
+          {}},
+         {"reaches", {number(dimension::plain)}, "The level that `when` has to reach, from above or below, in SI.", {}},
+         {"value", {number(dimension::plain)}, "The expected number, in SI.", {}},
+         {"tolerance", {number(dimension::plain, non_negative())}, "Accepted absolute error, in SI.", {}},
+         {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
+         {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
+         {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
+         {"citation", {text()}, "Where the value comes from: a formula, a paper, an experiment.", {}, true}},
+        {{GroupRule::exactly_one, {"value", "low"}},
+         {GroupRule::all_or_none, {"low", "high"}},
+         {GroupRule::all_or_none, {"when", "reaches"}},
+         {GroupRule::at_most_one, {"tolerance", "relative_tolerance"}}}};
+    return table;
+}
+
+}  // namespace riprap::scene

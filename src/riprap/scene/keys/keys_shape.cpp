@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of the key table: shapes and how they are turned.
+#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/limits.hpp"
+
+namespace riprap::scene {
+
+using namespace form;
+
+namespace {
+
+const Form length = number(dimension::length, positive());
+
+const Table& half_space_table() {
+    static const Table table{
+        "shape.half_space",
+        "shape = { half_space = { ... } }",
+        "Everything on the inner side of a plane: a ground or a wall without thickness. Fixed or moving only.",
+        {{"normal", {direction()}, "Points out of the solid; any length.", {}, true},
+         {"offset",
+          {number(dimension::length)},
+          "Distance of the plane from the position, along the normal.",
+          Value::of(0.0)}}};
+    return table;
+}
+
+const Table& hull_table() {
+    static const Table table{
+        "shape.hull",
+        "shape = { hull = { ... } }",
+        "Convex hull of points.",
+        {{"points", {list(vector(dimension::length), 4, limits::shape_vertices)}, "The points.", {}},
+         {"file", {path()}, "CSV file with a header line and one point x, y, z per row.", {}},
+         {"units", {choice({"m", "cm", "mm"})}, "Unit of the numbers in the file.", Value::of("m")}},
+        {{GroupRule::exactly_one, {"points", "file"}}}};
+    return table;
+}
+
+const Table& random_hull_table() {
+    static const Table table{"shape.random_hull",
+                             "shape = { random_hull = { ... } }",
+                             "Convex hull of random points on a sphere: an irregular stone.",
+                             {{"corners", {integer(4, 200)}, "Number of points.", Value::of(12)},
+                              {"circumradius", {length}, "Radius of the sphere.", {}, true},
+                              {"seed", {integer(0, 9e15)}, "Which stone.", Value::of(1)}}};
+    return table;
+}
+
+const Table& surface_table() {
+    static const Table table{
+        "shape.surface",
+        "shape = { stl = { ... } } or { obj = { ... } }",
+        "A closed surface from a file. Open, inverted, self-touching or degenerate surfaces are refused with the "
+        "place; "
+        "coplanar triangles are merged. A body that is not convex is given as several closed convex shells in the file "
+        "(docs/howto/surfaces.md).",
+        {{"file", {path()}, "STL (ASCII or binary) or OBJ file in the folder of the case.", {}, true},
+         {"units", {choice({"m", "cm", "mm"})}, "Unit of the numbers in the file; STL carries none.", {}, true},
+         {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
+         {"repair",
+          {boolean()},
+          "Turn inverted faces and leave out collapsed ones, and say so, instead of refusing them.",
+          Value::of(false)},
+         {"center",
+          {boolean()},
+          "Move the centre of mass to the position; otherwise the file's origin is the position.",
+          Value::of(false)}}};
+    return table;
+}
+
+const Table& union_part_table() {
+    static const Table table{
+        "shape.union",
+        "shape = { union = [ { ... }, ... ] }",
+        "One convex part of a rigid union. Parts may touch, in whole faces, but not overlap; together they make one "
+        "body.",
+        {{"shape", {form::table(shape_table)}, "A convex shape.", {}, true},
+         {"position", {vector(dimension::length)}, "Of the part in the frame of the body.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "Of the part in the frame of the body.", {}}}};
+    return table;
+}
+
+const Table& regular_table() {
+    static const Table table{"shape.regular",
+                             "shape = { octahedron = { ... } }",
+                             "A regular solid about its centre.",
+                             {{"edge", {length}, "Length of an edge.", {}},
+                              {"circumradius", {length}, "Distance of the corners from the centre.", {}}},
+                             {{GroupRule::exactly_one, {"edge", "circumradius"}}}};
+    return table;
+}
+
+const Table& prism_table() {
+    static const Table table{
+        "shape.prism",
+        "shape = { prism = { ... } }",
+        "A right prism along z, about its centre: a regular polygon, or any convex one.",
+        {{"sides", {integer(3, 64)}, "Corners of a regular polygon.", {}},
+         {"circumradius", {length}, "Of the regular polygon.", {}},
+         {"points",
+          {list(list(number(dimension::length), 2, 2), 3, 256)},
+          "Corners x, y of a convex polygon, in order.",
+          {}},
+         {"height",
+          {length},
+          "Along z; the prism reaches half of it to either side. Not given in a planar scene, where it is 1 m.",
+          {}}},
+        {{GroupRule::exactly_one, {"sides", "points"}}, {GroupRule::all_or_none, {"sides", "circumradius"}}}};
+    return table;
+}
+
+const Table& orientation_axis_table() {
+    static const Table table{"orientation.axis_angle",
+                             "orientation = { axis_angle = { ... } }",
+                             "A turn about an axis by the right-hand rule.",
+                             {{"axis", {form::axis()}, "Axis of the turn.", Value::of(Vec3{0, 0, 1})},
+                              {"angle", {number(dimension::angle)}, "Angle of the turn.", {}, true}}};
+    return table;
+}
+
+}  // namespace
+
+const Table& shape_table() {
+    static const Table table{
+        "shape",
+        "shape = { ... }",
+        "Exactly one of these. Shapes lie about their own origin, which comes to the position of the body.",
+        {{"box", {vector(dimension::length, positive())}, "Edge lengths along x, y, z, about the centre.", {}},
+         {"cube", {length}, "Edge length, about the centre.", {}},
+         {"prism", {form::table(prism_table)}, "A right prism.", {}},
+         {"tetrahedron",
+          {length, list(vector(dimension::length), 4, 4)},
+          "Edge length of a regular one about its centre, or its four corners.",
+          {}},
+         {"wedge",
+          {vector(dimension::length, positive())},
+          "Half a box [0, x] by [0, y] by [0, z], upright face in x = 0, upper edge along y.",
+          {}},
+         {"octahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
+         {"dodecahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
+         {"icosahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
+         {"hull", {form::table(hull_table)}, "Convex hull of points.", {}},
+         {"random_hull", {form::table(random_hull_table)}, "An irregular stone.", {}},
+         {"polygon",
+          {list(list(number(dimension::length), 2, 2), 3, 256)},
+          "Corners x, y of a convex polygon, in order; planar scenes only.",
+          {}},
+         {"half_space", {form::table(half_space_table)}, "A ground or wall.", {}},
+         {"stl", {form::table(surface_table)}, "A surface from an STL file.", {}},
+         {"obj", {form::table(surface_table)}, "A surface from an OBJ file.", {}},
+         {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
+        {{GroupRule::exactly_one,
+          {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "hull",
+           "random_hull", "polygon", "half_space", "stl", "obj", "union"}}}};
+    return table;
+}
+
+const Table& orientation_table() {
+    static const Table table{"orientation",
+                             "orientation = { ... }",
+                             "How the body is turned from its own axes to those of the world. One way of saying it.",
+                             {{"axis_angle", {form::table(orientation_axis_table)}, "A turn about an axis.", {}},
+                              {"angle", {number(dimension::angle)}, "A turn about z; the way of planar scenes.", {}},
+                              {"euler",
+                               {list(number(dimension::angle), 3, 3)},
+                               "Turns about the fixed x, then y, then z axis (roll, pitch, yaw).",
+                               {}},
+                              {"quaternion",
+                               {list(number(dimension::plain), 4, 4)},
+                               "w, x, y, z of the turn from body to world; any length but zero.",
+                               {}},
+                              {"dip",
+                               {number(dimension::angle, between(-1.5707963267948966, 1.5707963267948966))},
+                               "Tilts the body's z axis: its x-y plane dips by this angle below the horizontal, z up.",
+                               {}},
+                              {"dip_direction",
+                               {number(dimension::angle)},
+                               "Azimuth towards which the plane dips, clockwise from +y (north) to +x (east).",
+                               {}}},
+                             {{GroupRule::exactly_one, {"axis_angle", "angle", "euler", "quaternion", "dip"}},
+                              {GroupRule::all_or_none, {"dip", "dip_direction"}}}};
+    return table;
+}
+
+}  // namespace riprap::scene

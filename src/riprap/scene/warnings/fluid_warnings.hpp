@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "riprap/coupling/fill.hpp"
+#include "riprap/scene/build/build_case.hpp"
+
+namespace riprap::scene {
+
+/// Room that regions below their levels leave for water [m^3], in a planar scene [m^2]: what several regions share
+/// counts once, solids are taken out. Solids but half-spaces are taken not to overlap.
+double room_for_water(const CaseBuild& build, const fluid::Domain& domain,
+                      const std::vector<coupling::FillRegion>& regions);
+
+/// A warning about the entry of the case whose name has the number `name` among those of bodies.
+void warn_at(CaseBuild& build, std::int32_t name, std::string text);
+
+/// Bodies too thin for the spacing (docs/theory/coupling.md, 1): those with water on opposite sides or free to come
+/// there, and those with water on one side.
+void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const fluid::ParticleState& water);
+
+/// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
+void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid);
+
+/// A region that reaches out of the domain to where no solid is, along axes that are not periodic. Its table is at
+/// `place`.
+void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
+                        const sim::FluidModel& fluid);
+
+/// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
+/// at `place`.
+void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const sim::FluidModel& fluid,
+                        const std::vector<Vec3>& water);
+
+/// Settings of the scheme that do not go together.
+void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);
+
+}  // namespace riprap::scene

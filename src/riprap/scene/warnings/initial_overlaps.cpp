@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/warnings/initial_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "riprap/contact/broadphase/multilevel_grid.hpp"
+#include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/contact/placed_parts.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::scene {
+
+using contact::Frame;
+using geometry::ConvexView;
+
+namespace {
+
+/// How deep a point lies inside a part, below the nearest face that carries a field; negative outside [m].
+double depth_of_point(const ConvexView& shape, const Frame& frame, const Vec3& point) {
+    const Vec3 local = transpose_times(frame.axes, point - frame.origin);
+    double inside = std::numeric_limits<double>::infinity(), below = inside;
+    for (int j = 0; j < shape.face_count; ++j) {
+        const double h = shape.offset[j] - dot(shape.normal(j), local);
+        inside = std::min(inside, h);
+        below = shape.is_internal[j] != 0 ? below : std::min(below, h);
+    }
+    return inside < 0 ? inside : below;
+}
+
+/// Deepest vertex of a part below the plane of a half-space [m].
+double depth_below_plane(const ConvexView& shape, const Frame& frame, const ConvexView& plane,
+                         const Frame& plane_frame) {
+    double depth = 0;
+    for (int v = 0; v < shape.vertex_count; ++v) {
+        depth = std::max(depth, depth_of_point(plane, plane_frame, frame.origin + frame.axes * shape.vertex(v)));
+    }
+    return depth;
+}
+
+double overlap_depth(const ConvexView& a, const Frame& frame_a, const ConvexView& b, const Frame& frame_b) {
+    if (a.vertex_count == 0 || b.vertex_count == 0) {
+        return a.vertex_count == 0 ? depth_below_plane(b, frame_b, a, frame_a)
+                                   : depth_below_plane(a, frame_a, b, frame_b);
+    }
+    double depth = 0;
+    contact::SeparatingCache cache;
+    contact::NormalContact found{};
+    if (contact::find_contact(a, frame_a, 1, b, frame_b, 1, {}, cache, found)) {
+        depth = found.depth;
+    }
+    // The origin of a shape is its centre of mass.
+    return std::max({depth, depth_of_point(b, frame_b, frame_a.origin), depth_of_point(a, frame_a, frame_b.origin)});
+}
+
+}  // namespace
+
+std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
+    contact::PlacedParts placed;
+    contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
+    const auto view = [&model](std::int64_t part) { return model.shapes.view(model.bodies.parts[at(part)].shape); };
+    std::vector<contact::PartPair> pairs;
+    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, model.solid.grid_factor, pairs);
+
+    std::vector<InitialOverlap> of_pair(pairs.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {
+        const contact::PartPair pair = pairs[at(i)];
+        const ConvexView a = view(pair.a), b = view(pair.b);
+        const double depth = overlap_depth(a, placed.frames[at(pair.a)], b, placed.frames[at(pair.b)]);
+        const std::int32_t body_a = placed.body[at(pair.a)], body_b = placed.body[at(pair.b)];
+        of_pair[at(i)] = {BodyId{std::min(body_a, body_b)}, BodyId{std::max(body_a, body_b)}, depth,
+                          depth / std::min(a.inscribed_radius, b.inscribed_radius)};
+    });
+    std::erase_if(of_pair, [max_share](const InitialOverlap& overlap) { return !(overlap.share > max_share); });
+    std::stable_sort(of_pair.begin(), of_pair.end(), [](const InitialOverlap& x, const InitialOverlap& y) {
+        return std::tuple(x.a.value, x.b.value, y.share) < std::tuple(y.a.value, y.b.value, x.share);
+    });
+    const auto is_same_pair = [](const InitialOverlap& x, const InitialOverlap& y) {
+        return x.a.value == y.a.value && x.b.value == y.b.value;
+    };
+    of_pair.erase(std::unique(of_pair.begin(), of_pair.end(), is_same_pair), of_pair.end());
+    return of_pair;
+}
+
+}  // namespace riprap::scene

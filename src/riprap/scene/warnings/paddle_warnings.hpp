@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/coupling/fill.hpp"
+#include "riprap/scene/build/build_case.hpp"
+
+namespace riprap::scene {
+
+/// What is worth knowing of paddles that make waves:
+/// - a depth other than that of the water at their face, by more than a spacing. Says nothing where no water touches
+///   the face, or regions of different levels do;
+/// - a wave of less than four spacings from crest to trough, which the water can hardly carry;
+/// - a face that draws back out of the domain of the water, along an axis, without what absorption adds: water that
+///   follows it ends the run.
+void warn_of_paddles(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling);
+
+}  // namespace riprap::scene
