@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 #include "riprap/core/timer.hpp"
 #include "riprap/validation/validate.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 void passes(const CaseSetting&, CaseReport& report) {
     report.judge({"drop", "m", 2.6, 2.592, {}}, 2.5921, Relative{1e-3});
@@ -28,7 +30,7 @@ void throws(const CaseSetting&, CaseReport& report) {
 }
 void says_nothing(const CaseSetting&, CaseReport&) {}
 void is_slow(const CaseSetting& setting, CaseReport& report) {
-    report.state({"full", "-", {}, {}, {}}, setting.is_full ? 1 : 0);
+    report.state({"full", "-", {}}, setting.is_full ? 1 : 0);
 }
 
 struct Answer {
@@ -79,9 +81,9 @@ TEST(Validate, json_has_the_promised_keys_in_order) {
     for (const auto& [key, value] : json["results"][0].items()) {
         row.push_back(key);
     }
-    EXPECT_THAT(top, ElementsAre("suite", "results"));
-    EXPECT_THAT(row, ElementsAre("case", "quantity", "unit", "paper", "exact", "value", "low", "high", "verdict",
-                                 "note", "seconds"));
+    EXPECT_THAT(top, ElementsAre("suite", "totals", "results"));
+    EXPECT_THAT(row, ElementsAre("case", "kind", "quantity", "unit", "paper", "exact", "value", "low", "high",
+                                 "verdict", "note", "seconds"));
     EXPECT_EQ(json["suite"], "s");
     EXPECT_EQ(json["results"][0]["paper"], 2.6);
     EXPECT_DOUBLE_EQ(json["results"][0]["low"], 2.592 * (1 - 1e-3));
@@ -173,8 +175,44 @@ TEST(Validate, the_table_shows_paper_exact_ours_band_and_verdict) {
     EXPECT_THAT(text, HasSubstr("2.7 "));
     EXPECT_THAT(text, HasSubstr("2.58941 .. 2.59459"));
     EXPECT_THAT(text, HasSubstr("not reproduced"));
-    EXPECT_THAT(text, HasSubstr("0 reproduced, 0 close, 1 not reproduced, 0 under-specified"));
+    EXPECT_THAT(text, HasSubstr("s, physics: 0 reproduced, 0 close, 1 not reproduced, 0 under-specified"));
+    EXPECT_THAT(text, Not(HasSubstr("bookkeeping")));
 }
+
+void falls_and_keeps_books(const CaseSetting&, CaseReport& report) {
+    report.judge_below({"energy missing", "-", {}, {}, {}, Kind::bookkeeping}, 1e-3, 0.01);
+    report.judge({"drop", "m", {}, 2.592, {}}, 2.7, Relative{1e-3});
+    report.judge_below({"mass missing", "-", {}, {}, {}, Kind::bookkeeping}, 0, 0.01);
+}
+
+TEST(Validate, a_ledger_that_closes_is_no_comparison_with_nature) {
+    const std::array cases{ValidationCase{"s", "a", "", false, falls_and_keeps_books}};
+    const auto json = nlohmann::json::parse(run(cases, json_of()).text);
+    EXPECT_EQ(json["totals"]["physics"]["reproduced"], 0);
+    EXPECT_EQ(json["totals"]["physics"]["not_reproduced"], 1);
+    EXPECT_EQ(json["totals"]["bookkeeping"]["reproduced"], 2);
+    EXPECT_EQ(json["results"][0]["kind"], "bookkeeping");
+    EXPECT_EQ(json["results"][1]["kind"], "physics");
+    ValidateOptions options = json_of();
+    options.as_json = false;
+    const std::string text = run(cases, options).text;
+    EXPECT_THAT(text, HasSubstr("s, physics: 0 reproduced, 0 close, 1 not reproduced, 0 under-specified\n"
+                                "s, bookkeeping: 2 reproduced, 0 close, 0 not reproduced, 0 under-specified\n"));
+    EXPECT_LT(text.find("drop [m]"), text.find("bookkeeping of s"));
+    EXPECT_LT(text.find("bookkeeping of s"), text.find("energy missing"));
+}
+
+TEST(Validate, bookkeeping_that_fails_fails_the_validation) {
+    const auto loses_mass = [](const CaseSetting&, CaseReport& report) {
+        report.judge_below({"mass missing", "-", {}, {}, {}, Kind::bookkeeping}, 0.1, 0.01);
+    };
+    const std::array cases{ValidationCase{"s", "a", "", false, loses_mass}};
+    EXPECT_EQ(run(cases, json_of()).code, 1);
+}
+
+// A row with a reference has a band: what only reports takes no reference.
+static_assert(!std::is_constructible_v<Reported, Reference>);
+static_assert(!std::is_convertible_v<Reference, Reported>);
 
 TEST(CaseReport, judges_by_the_band_then_by_the_wider_band_with_its_reason) {
     CaseReport report("a");

@@ -22,7 +22,9 @@ constexpr const char* results = R"({"suite": "all", "results": [
  {"case": "zhao/incline", "quantity": "slip < rest", "unit": "m", "paper": "it slides", "exact": 0.9, "value": 0.91,
   "low": 0.8, "high": 1.0, "verdict": "reproduced", "note": "", "seconds": 1},
  {"case": "water/leak", "quantity": "volume", "unit": "-", "paper": null, "exact": null, "value": 1.5,
-  "low": 0.9, "high": 1.1, "verdict": "not_reproduced", "note": "it leaks", "seconds": 2}]})";
+  "low": 0.9, "high": 1.1, "verdict": "not_reproduced", "note": "it leaks", "seconds": 2},
+ {"case": "water/leak", "kind": "bookkeeping", "quantity": "mass", "unit": "-", "paper": null, "exact": 1, "value": 1,
+  "low": 0.9, "high": 1.1, "verdict": "reproduced", "note": "", "seconds": 2}]})";
 
 class AReport : public ::testing::Test {
  protected:
@@ -50,7 +52,9 @@ class AReport : public ::testing::Test {
 };
 
 TEST_F(AReport, HasEveryResultRedsIncluded) {
-    EXPECT_LT(at(">1 reproduced</b>, <b class=not_reproduced"), at(">1 not reproduced</b>"));
+    EXPECT_LT(at("physics: <b class=reproduced"), at(">1 reproduced</b>, <b class=not_reproduced"));
+    EXPECT_LT(at(">1 reproduced</b>, <b class=not_reproduced"), at(">1 not reproduced</b>; bookkeeping: <b"));
+    EXPECT_LT(at("it leaks"), at("<th colspan=8>bookkeeping</th></tr>\n<tr><td>mass"));
     EXPECT_THAT(text_, HasSubstr("slip &lt; rest"));
     EXPECT_THAT(text_, HasSubstr("<b class=\"not_reproduced\">not reproduced</b></td><td>it leaks"));
 }
@@ -86,7 +90,7 @@ TEST_F(AReport, SaysWhereMoreCasesAreToCome) {
 }
 
 TEST_F(AReport, BeginsWithWhatEveryCaseCameTo) {
-    const std::size_t red = at("<a href=\"#water/leak\">water/leak</a></td><td><b class=not_reproduced");
+    const std::size_t red = at("<a href=\"#water/leak\">water/leak</a></td><td>physics: <b class=not_reproduced");
     EXPECT_LT(red, at("<h2>"));
 }
 

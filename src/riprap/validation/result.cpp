@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/validation/result.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -23,10 +24,12 @@ std::string_view to_string(Verdict verdict) {
     return "";
 }
 
+std::string_view to_string(Kind kind) { return kind == Kind::physics ? "physics" : "bookkeeping"; }
+
 void CaseReport::add(const Reference& reference, double value, std::optional<double> low, std::optional<double> high,
                      Verdict verdict, const std::string& note) {
     results_.push_back({name_, reference.quantity, reference.unit, reference.paper, reference.exact, value, low, high,
-                        verdict, note, 0});
+                        verdict, note, reference.kind, 0});
 }
 
 void CaseReport::judge(const Reference& reference, double value, double low, double high,
@@ -59,8 +62,9 @@ void CaseReport::judge_below(const Reference& reference, double value, double li
     judge(about_zero, value, -limit, limit);
 }
 
-void CaseReport::state(const Reference& reference, double value) {
-    add(reference, value, {}, {}, Verdict::under_specified, reference.note);
+void CaseReport::state(const Reported& reported, double value) {
+    const Reference nothing{reported.quantity, reported.unit, {}, {}, reported.note};
+    add(nothing, value, {}, {}, Verdict::under_specified, reported.note);
 }
 
 void CaseReport::fail(const std::string& message) {
@@ -90,6 +94,20 @@ Json published(const Published& paper) {
     return words != nullptr ? Json(*words) : Json(nullptr);
 }
 
+Json totals_of(const std::vector<Result>& results) {
+    Json totals;
+    for (const Kind kind : {Kind::physics, Kind::bookkeeping}) {
+        Json& counts = totals[std::string(to_string(kind))];
+        for (const Verdict verdict :
+             {Verdict::reproduced, Verdict::close, Verdict::not_reproduced, Verdict::under_specified}) {
+            counts[std::string(to_string(verdict))] =
+                std::count_if(results.begin(), results.end(),
+                              [&](const Result& result) { return result.kind == kind && result.verdict == verdict; });
+        }
+    }
+    return totals;
+}
+
 }  // namespace
 
 std::string to_json(std::string_view suite, const std::vector<Result>& results) {
@@ -97,6 +115,7 @@ std::string to_json(std::string_view suite, const std::vector<Result>& results) 
     for (const Result& result : results) {
         Json row;
         row["case"] = result.name;
+        row["kind"] = to_string(result.kind);
         row["quantity"] = result.quantity;
         row["unit"] = result.unit;
         row["paper"] = published(result.paper);
@@ -111,6 +130,7 @@ std::string to_json(std::string_view suite, const std::vector<Result>& results) 
     }
     Json answer;
     answer["suite"] = suite;
+    answer["totals"] = totals_of(results);
     answer["results"] = std::move(rows);
     return answer.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

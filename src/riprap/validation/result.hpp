@@ -18,6 +18,15 @@ enum class Verdict {
 };
 std::string_view to_string(Verdict verdict);
 
+/// Totals count both kinds apart, so that "29 reproduced" means 29 comparisons with nature, theory or a published
+/// figure.
+enum class Kind {
+    physics,      ///< a value with a meaning outside this program: measured, derived or published
+    bookkeeping,  ///< an account the program must keep whatever it computes: energy or momentum that a ledger misses,
+                  ///< mass, particles inside solids, bodies outside of a box
+};
+std::string_view to_string(Kind kind);
+
 /// What the paper says: a number in the unit of the quantity, words where it gives words, or nothing.
 using Published = std::variant<std::monostate, double, std::string>;
 
@@ -33,6 +42,7 @@ struct Result {
     std::optional<double> high;
     Verdict verdict{Verdict::not_reproduced};
     std::string note;
+    Kind kind{Kind::physics};
     double seconds{0};  ///< wall-clock time of the whole case
 };
 
@@ -42,12 +52,20 @@ struct CloseBand {
     std::string reason;  ///< becomes the note of a result that needs the wider band
 };
 
-/// What is compared, before anything is known of ours.
+/// A quantity and its reference, before anything is known of ours.
 struct Reference {
     std::string quantity;
     std::string unit{"-"};
     Published paper{};
     std::optional<double> exact{};
+    std::string note{};
+    Kind kind{Kind::physics};
+};
+
+/// A quantity that nothing can be compared with. It has no place for a reference: a row with one is judged.
+struct Reported {
+    std::string quantity;
+    std::string unit{"-"};
     std::string note{};
 };
 
@@ -73,8 +91,8 @@ class CaseReport {
     void judge(const Reference& reference, double value, Absolute band);
     /// Judges |value| <= limit: an error, a drift, a residual whose exact value is zero.
     void judge_below(const Reference& reference, double value, double limit);
-    /// Reports a value that nothing can be compared with.
-    void state(const Reference& reference, double value);
+    /// Reports a value that nothing can be compared with: under-specified.
+    void state(const Reported& reported, double value);
     /// The case could not be finished.
     void fail(const std::string& message);
 
@@ -89,11 +107,13 @@ class CaseReport {
     std::vector<Result> results_;
 };
 
-/// {"suite": ..., "results": [{"case", "quantity", "unit", "paper", "exact", "value", "low", "high", "verdict", "note",
-/// "seconds"}]}. What is not there, and numbers that are not finite, are null.
+/// {"suite": ..., "totals": {"physics": {"reproduced": ..., "close", "not_reproduced", "under_specified"},
+/// "bookkeeping": likewise}, "results": [{"case", "kind", "quantity", "unit", "paper", "exact", "value", "low", "high",
+/// "verdict", "note", "seconds"}]}. Absent values, and numbers that are not finite, are null.
 std::string to_json(std::string_view suite, const std::vector<Result>& results);
 
-/// The same for people: one line per result, the note under what is not plainly reproduced, a count at the end.
+/// The same for people: one line per result, physics first and bookkeeping below it, the note under each line that is
+/// not plainly reproduced, counts of both kinds at the end.
 std::string to_table(std::string_view suite, const std::vector<Result>& results);
 
 }  // namespace riprap::validation

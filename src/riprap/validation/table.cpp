@@ -49,34 +49,61 @@ std::string line_of(const Row& row, const std::array<std::size_t, column_count>&
     return line + "\n";
 }
 
-}  // namespace
+using Widths = std::array<std::size_t, column_count>;
 
-std::string to_table(std::string_view suite, const std::vector<Result>& results) {
-    std::vector<Row> rows{{"case", "quantity", "paper", "exact", "ours", "accepted", "verdict"}};
+/// The lines of one kind; the name of a case is printed once.
+std::string lines_of(Kind kind, const std::vector<Result>& results, const Widths& widths) {
+    std::string text, last;
     for (const Result& result : results) {
-        rows.push_back(row_of(result));
-        if (rows.size() > 2 && result.name == results[rows.size() - 3].name) {
-            rows.back()[0].clear();  // the name of a case is printed once
+        if (result.kind != kind) {
+            continue;
         }
-    }
-    std::array<std::size_t, column_count> widths{};
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < column_count; ++i) {
-            widths[i] = std::max(widths[i], width(row[i]));
+        Row row = row_of(result);
+        if (result.name == last) {
+            row[0].clear();
         }
-    }
-    std::string text = fmt::format("suite {}\n", suite) + line_of(rows[0], widths);
-    std::array<int, 4> counts{};
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const Result& result = results[i];
-        text += line_of(rows[i + 1], widths);
+        last = result.name;
+        text += line_of(row, widths);
         if (result.verdict != Verdict::reproduced && !result.note.empty()) {
             text += fmt::format("    {}\n", result.note);
         }
-        ++counts[static_cast<std::size_t>(result.verdict)];
     }
-    return text + fmt::format("{}: {} reproduced, {} close, {} not reproduced, {} under-specified\n", suite, counts[0],
-                              counts[1], counts[2], counts[3]);
+    return text;
+}
+
+/// "zhao, physics: 12 reproduced, 1 close, 0 not reproduced, 2 under-specified"; nothing where there is no such line.
+std::string counts_of(std::string_view suite, Kind kind, const std::vector<Result>& results) {
+    std::array<int, 4> counts{};
+    int sum = 0;
+    for (const Result& result : results) {
+        if (result.kind == kind) {
+            ++counts[static_cast<std::size_t>(result.verdict)];
+            ++sum;
+        }
+    }
+    return sum == 0 ? ""
+                    : fmt::format("{}, {}: {} reproduced, {} close, {} not reproduced, {} under-specified\n", suite,
+                                  to_string(kind), counts[0], counts[1], counts[2], counts[3]);
+}
+
+}  // namespace
+
+std::string to_table(std::string_view suite, const std::vector<Result>& results) {
+    const Row head{"case", "quantity", "paper", "exact", "ours", "accepted", "verdict"};
+    Widths widths{};
+    const auto make_room = [&widths](const Row& row) {
+        for (std::size_t i = 0; i < column_count; ++i) {
+            widths[i] = std::max(widths[i], width(row[i]));
+        }
+    };
+    make_room(head);
+    for (const Result& result : results) {
+        make_room(row_of(result));
+    }
+    const std::string accounts = lines_of(Kind::bookkeeping, results, widths);
+    return fmt::format("suite {}\n", suite) + line_of(head, widths) + lines_of(Kind::physics, results, widths) +
+           (accounts.empty() ? "" : fmt::format("bookkeeping of {}\n", suite)) + accounts +
+           counts_of(suite, Kind::physics, results) + counts_of(suite, Kind::bookkeeping, results);
 }
 
 }  // namespace riprap::validation

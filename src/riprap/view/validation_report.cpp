@@ -151,8 +151,7 @@ constexpr std::array<Meaning, 4> meanings{{
     {"reproduced", "inside the accepted band"},
     {"close", "outside it, inside a wider band that the case states with its reason; the note says which"},
     {"not_reproduced", "outside both, or the case could not be run"},
-    {"under_specified",
-     "the source gives no number to compare with, or not enough to set the case up: ours is reported"},
+    {"under_specified", "the source gives no number to compare with: ours is reported"},
 }};
 
 std::string glossary() {
@@ -175,20 +174,27 @@ std::string provenance() {
                        shown(machine, "processor"), shown(machine, "hardware_threads"), shown(machine, "system"));
 }
 
-/// "12 reproduced, 1 close, 3 not reproduced"
+/// "physics" or "bookkeeping"
+std::string kind_of(const Json& result) { return result.value("kind", "physics"); }
+
+/// "physics: 12 reproduced, 1 close, 3 not reproduced; bookkeeping: 4 reproduced"
 template <class Results>
 std::string counts_of(const Results& results) {
-    std::map<std::string, int> counts;
+    std::map<std::string, std::map<std::string, int>> counts;
     for (const Json& result : results) {
-        ++counts[result.at("verdict").template get<std::string>()];
+        ++counts[kind_of(result)][result.at("verdict").template get<std::string>()];
     }
     std::string text;
-    for (const Meaning& meaning : meanings) {
-        const int count = counts[meaning.verdict];
-        if (count > 0) {
-            text += fmt::format("{}<b class={} title=\"{}\">{} {}</b>", text.empty() ? "" : ", ", meaning.verdict,
-                                meaning.words, count, words_of(meaning.verdict));
+    for (const char* kind : {"physics", "bookkeeping"}) {
+        std::string part;
+        for (const Meaning& meaning : meanings) {
+            const int count = counts[kind][meaning.verdict];
+            if (count > 0) {
+                part += fmt::format("{}<b class={} title=\"{}\">{} {}</b>", part.empty() ? "" : ", ", meaning.verdict,
+                                    meaning.words, count, words_of(meaning.verdict));
+            }
         }
+        text += part.empty() ? "" : fmt::format("{}{}: {}", text.empty() ? "" : "; ", kind, part);
     }
     return text;
 }
@@ -211,8 +217,13 @@ std::string section(const std::string& suite, const std::string& name, const std
         "<h3 id=\"{0}/{1}\">{0}/{1}</h3>\n<table><tr><th>quantity</th><th>paper</th><th>exact</th><th>ours</th>"
         "<th>band</th><th>unit</th><th>verdict</th><th>note</th></tr>\n",
         html(suite), html(name));
-    for (const Json& result : results) {
-        text += row(result);
+    for (const char* kind : {"physics", "bookkeeping"}) {
+        std::string rows;
+        for (const Json& result : results) {
+            rows += kind_of(result) == kind ? row(result) : "";
+        }
+        const bool is_account = !rows.empty() && kind == std::string_view("bookkeeping");
+        text += (is_account ? "<tr><th colspan=8>bookkeeping</th></tr>\n" : "") + rows;
     }
     return text + "</table>\n" + figures(plots) + folded("source, choices, bands", readme);
 }

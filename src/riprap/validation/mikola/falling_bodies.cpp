@@ -53,8 +53,9 @@ Fall follow(const CaseSetting& setting, CaseReport& report, const std::string& n
     });
     write_plot(setting, setting.folder.filename().string() + "_end",
                water_view(trial, fmt::format("{} at {:.2f} s", name, trial.time())));
-    report.judge_below({"most particles at a time more than half a spacing inside a solid", "-", {}, {}, {}}, inside,
-                       0);
+    report.judge_below(
+        {"most particles at a time more than half a spacing inside a solid", "-", {}, {}, {}, Kind::bookkeeping},
+        inside, 0);
     judge_ledgers(report, name, records);
     return fall;
 }
@@ -71,8 +72,9 @@ void submarine_wedge(const CaseSetting& setting, CaseReport& report) {
     const Fall fall = follow(setting, report, "wedge", trial, records);
     report.judge({"2 s/t^2 at 0.2 s", "m/s^2", {}, {}, "added mass between none and 1.0"},
                  fall.acceleration(0.2, angle), with_added(1), with_added(0));
-    report.state({"vertical speed after 0.44 m", "m/s", 0.6, {}, "what it tends to in the experiment, on rollers"},
-                 fall.speed_at(0.44));
+    report.judge(
+        {"vertical speed after 0.44 m", "m/s", 0.6, {}, "the limit that it tends to in the experiment, on rollers"},
+        fall.speed_at(0.44), 0.9 * 0.6, 1.1 * 0.6);
 }
 
 void scott_russell(const CaseSetting& setting, CaseReport& report) {
@@ -87,8 +89,8 @@ void scott_russell(const CaseSetting& setting, CaseReport& report) {
     }
     const water::Crest near = water::crest_of(records.time, records.gauge[0]),
                        far = water::crest_of(records.time, records.gauge[1]);
-    report.state({"crest 1.2 m from the end wall", "m", 0.11, {}, "the measured figure is not certain"},
-                 near.level - depth);
+    report.judge({"crest 1.2 m from the end wall", "m", 0.11, {}, "the measured figure is not certain"},
+                 near.level - depth, 0.9 * 0.11, 1.1 * 0.11);
     const double mean = 0.5 * (near.level + far.level) - depth;
     report.judge({"celerity of the crest between 1.2 and 2.2 m",
                   "m/s",

@@ -115,7 +115,12 @@ void judge_slide(const CaseSetting& setting, CaseReport& report, double friction
             write_plot(setting, fmt::format("sliding_wedge_mu{}_{}", friction, frame++), water_view(now, title));
         }
     });
-    report.judge_below({run + ": most particles at a time more than half a spacing inside a solid", "-", {}, {}, {}},
+    report.judge_below({run + ": most particles at a time more than half a spacing inside a solid",
+                        "-",
+                        {},
+                        {},
+                        {},
+                        Kind::bookkeeping},
                        inside, 0);
     judge_ledgers(report, run, records);
     if (friction > 0) {
@@ -124,7 +129,8 @@ void judge_slide(const CaseSetting& setting, CaseReport& report, double friction
     const double volume = volume_under_surface(trial);
     report.judge({run + ": volume under the surface, of water and wedge, at the end", "m^2", {}, filled + solid, {}},
                  volume, Relative{0.01});
-    report.state({run + ": rise of the level, in volumes of the wedge", "-", {}, 1.0, {}}, (volume - filled) / solid);
+    report.judge({run + ": rise of the level, in volumes of the wedge", "-", {}, 1.0, {}}, (volume - filled) / solid,
+                 Relative{0.05});
     judge_wave(records, report);
     plot_surface(setting, records);
 }

@@ -101,11 +101,16 @@ void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecord
          "-",
          {},
          {},
-         {}},
+         {},
+         Kind::bookkeeping},
         records.energy_residual / records.energy_turnover, 0.01);
-    report.judge_below(
-        {run + ": momentum that the ledgers cannot account for, over weight of water times time", "-", {}, {}, {}},
-        records.momentum_residual, float_sums);
+    report.judge_below({run + ": momentum that the ledgers cannot account for, over weight of water times time",
+                        "-",
+                        {},
+                        {},
+                        {},
+                        Kind::bookkeeping},
+                       records.momentum_residual, float_sums);
 }
 
 Plot water_view(const Trial& trial, const std::string& title, int count) {

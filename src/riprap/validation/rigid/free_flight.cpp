@@ -110,7 +110,7 @@ void axis_flip(const CaseSetting& setting, CaseReport& report) {
     const auto last = slow.crossings.size() - 1;
     report.judge({"half period, mean", "s", {}, half, {}},
                  (slow.crossings.at(last) - slow.crossings.at(0)) / static_cast<double>(last), Absolute{1e-4});
-    report.judge_below({"change of energy", "-", {}, {}, {}}, slow.energy_drift, 1e-6);
+    report.judge_below({"change of energy", "-", {}, {}, {}, Kind::bookkeeping}, slow.energy_drift, 1e-6);
     const Flips fast = flip({0.1, 1, 0.1}, 40);
     report.judge({"larger disturbance, first time omega_2 = 0", "s", {}, 6.885703, {}}, fast.crossings.at(0),
                  Absolute{1e-4});

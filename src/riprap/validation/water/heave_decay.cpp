@@ -79,8 +79,8 @@ void heave_decay(const CaseSetting& setting, CaseReport& report) {
     report.judge({"swing from turn 1 to 2 over the first height", "-", {}, expected.first, {}}, found.first,
                  Relative{0.15});
     report.judge({"swing from turn 2 to 3", "-", {}, expected.second, {}}, found.second, Relative{0.15});
-    report.state({"middle of that swing, on the side of the start", "-", {}, expected.offset, "water without end"},
-                 found.offset);
+    report.judge({"middle of that swing, on the side of the start", "-", {}, expected.offset, "water without end"},
+                 found.offset, Relative{0.15});
     judge_ledger(report, trial);
     write_plot(setting, "heave_decay",
                {"A floating cylinder comes to rest",

@@ -114,7 +114,7 @@ void floating_box(const CaseSetting& setting, CaseReport& report) {
                        *std::max_element(trial.column("box.rotation").begin(), trial.column("box.rotation").end()),
                        1 * M_PI / 180);
     const double count = static_cast<double>(upward.size()) - 1;
-    report.state({"period of heave", "s", {}, {}, "in a tank less than four boxes wide: no exact value"},
+    report.state({"period of heave", "s", "in a tank less than four boxes wide: no exact value"},
                  count > 0 ? (end - start) / count : std::nan(""));
     write_plot(setting, "floating_box",
                {"A box of half the density of water finds its draft",

@@ -59,8 +59,10 @@ void sway(const CaseSetting& setting, CaseReport& report) {
     }
     report.judge({"height of the crest, mean of periods", "m", measured_crest, {}, {}}, height, 0.9 * measured_crest,
                  1.1 * measured_crest);
-    report.state({"height of the lowest crest", "m", 0.056, {}, "of three periods measured"}, lowest);
-    report.state({"height of the highest crest", "m", 0.060, {}, "of three periods measured"}, highest);
+    report.judge({"height of the lowest crest", "m", 0.056, {}, "of three periods measured"}, lowest, 0.9 * 0.056,
+                 1.1 * 0.056);
+    report.judge({"height of the highest crest", "m", 0.060, {}, "of three periods measured"}, highest, 0.9 * 0.060,
+                 1.1 * 0.060);
     report.judge({"its phase", "period", measured_phase, {}, {}}, phase, measured_phase - 0.03, measured_phase + 0.03);
     std::vector<double> turns, level;  // of the period that the picture shows
     for (std::size_t i = 0; i < trial.time().size(); ++i) {
@@ -71,7 +73,7 @@ void sway(const CaseSetting& setting, CaseReport& report) {
             level.push_back(above);
         }
     }
-    report.state({"lowest level", "m", -0.011, {}, "of three periods measured"}, trough);
+    report.judge({"lowest level", "m", -0.011, {}, "of three periods measured"}, trough, -1.1 * 0.011, -0.9 * 0.011);
     judge_ledger(report, trial);
     std::vector<double> their_turns, their_level;
     for (const auto& [turn, above] : measured) {

@@ -93,13 +93,12 @@ void start_up(const CaseSetting& setting, CaseReport& report, const char* name, 
     report.judge_below({fmt::format("rms error of the profile at the end, {} across", across[2]), "-", {}, 0.0, {}},
                        errors[2], 0.01);
     const double order = std::log(errors[1] / errors[2]) / std::log(static_cast<double>(across[2]) / across[1]);
-    report.state({fmt::format("order of convergence from {} to {} across (errors {:.2g}, {:.2g}, {:.2g})", across[1],
-                              across[2], errors[0], errors[1], errors[2]),
+    report.judge({fmt::format("order of convergence from {} to {} across", across[1], across[2]),
                   "-",
                   {},
-                  {},
-                  {}},
-                 order);
+                  2.0,
+                  fmt::format("errors {:.2g}, {:.2g}, {:.2g}", errors[0], errors[1], errors[2])},
+                 order, Absolute{0.5});
     write_plot(setting, name, profile);
 }
 

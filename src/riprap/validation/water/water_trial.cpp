@@ -81,8 +81,9 @@ double WaterTrial::first_reach(const std::string& name, double level) const {
 
 void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string& run) {
     const std::string prefix = run.empty() ? "" : run + ": ";
-    report.judge_below({prefix + "energy that the ledger misses over what was turned over", "-", {}, 0.0, {}},
-                       trial.column("energy_residual").back() / trial.column("energy_turnover").back(), 0.01);
+    report.judge_below(
+        {prefix + "energy that the ledger misses over what was turned over", "-", {}, 0.0, {}, Kind::bookkeeping},
+        trial.column("energy_residual").back() / trial.column("energy_turnover").back(), 0.01);
 }
 
 double water_area(const WaterTrial& trial) {

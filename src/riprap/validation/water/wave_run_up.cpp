@@ -91,17 +91,18 @@ void wave_run_up(const CaseSetting& setting, CaseReport& report) {
         const double similarity = slope / std::sqrt(height / deep_length);  // xi, Iribarren's number
         const double seelig = similarity * similarity / (5.5 + similarity * similarity);
         const std::string run = fmt::format("1:{}", cotangent);
-        report.state({run + ": incident height, of 0.12 m asked", "m", {}, {}, ""}, height);
+        report.judge({run + ": incident height", "m", {}, 0.12, "of the wave asked for, linear theory"}, height,
+                     Relative{0.03});
         report.judge(
             {run + ": reflected over incident height", "-", seelig, {}, fmt::format("xi = {:.2f}", similarity)},
             waves.reflection, seelig - 0.1, seelig + 0.1);
         const double found = run_up(trial, slope, spacing) / height;
         constexpr double breaking = 2.3;  // xi up to which Hunt's law holds
-        const Reference hunt{run + ": run-up over incident height", "-", similarity, {}, "Hunt, xi up to 2.3"};
+        const std::string run_up_of = run + ": run-up over incident height";
         if (similarity < breaking) {
-            report.judge(hunt, found, 0.85 * similarity, 1.15 * similarity);
+            report.judge({run_up_of, "-", similarity, {}, "Hunt"}, found, 0.85 * similarity, 1.15 * similarity);
         } else {
-            report.state(hunt, found);
+            report.state({run_up_of, "-", fmt::format("Hunt's law ends at xi = {}", breaking)}, found);
         }
         judge_ledger(report, trial, run);
     }

@@ -25,9 +25,9 @@ void mixed_pile(const CaseSetting& setting, CaseReport& report) {
     Trial pile = trial_of(setting);
     const PileRun run = fall_to_rest(pile, 20e-3, setting, "mixed_pile");
     judge_pile(run, corner_potential, "a corner of a large tetrahedron on a small one", "1093 blocks, ", report);
-    report.state(
+    report.judge(
         {"1093 blocks, fall of the centre of mass", "m", 5e-3, {}, "the heap before the fall is only in a figure"},
-        run.fall);
+        run.fall, 4.5e-3, 5.5e-3);
     Plot plot;
     plot.title = "1093 blocks: kinetic energy over its largest";
     plot.subtitle = "means over 0.02 s";

@@ -125,10 +125,11 @@ void judge_pile(const PileRun& run, const std::function<double(double)>& demande
                               "{:.2g} Pa",
                               run.largest_force, why, 1e6 * std::pow(run.max_potential / 0.01, 3))},
                  run.max_potential, 0, demanded(run.largest_force));
-    report.judge({of("energy that the ledger does not close by, over the turnover"), "-", {}, 0.0, {}},
-                 run.energy_error, 0, 0.01);
-    report.judge({of("blocks outside the box"), "-", {}, 0.0, {}}, run.escaped, 0, 0);
-    report.judge({of("largest step over the bound for the contacts of the moment"), "-", {}, {}, {}},
+    report.judge(
+        {of("energy that the ledger does not close by, over the turnover"), "-", {}, 0.0, {}, Kind::bookkeeping},
+        run.energy_error, 0, 0.01);
+    report.judge({of("blocks outside the box"), "-", {}, 0.0, {}, Kind::bookkeeping}, run.escaped, 0, 0);
+    report.judge({of("largest step over the bound for the contacts of the moment"), "-", {}, {}, {}, Kind::bookkeeping},
                  run.share_of_bound, 0, 0.2);
 }
 

@@ -30,14 +30,15 @@ void judge(const CaseSetting& setting, const Slope& slope, CaseReport& report) {
                                        slope.experiment_high, slope.li);
     report.judge({"failure angle, held at every 0.1 deg", "deg", published, {}, slope.reason},
                  held.collapsed ? held.angle : std::nan(""), slope.low, slope.high);
-    report.state({"the same within the experiment's range (1 = yes)", "-", published, {}, {}},
-                 held.angle >= slope.experiment_low && held.angle <= slope.experiment_high ? 1 : 0);
-    report.state({"angle at 1 mm, turned at 0.03 rad/s",
+    report.judge({"the same against the experiment", "deg", published, {}, "experiment: the range of its repeats"},
+                 held.collapsed ? held.angle : std::nan(""), slope.experiment_low, slope.experiment_high);
+    constexpr double paper_step = 1;  // degrees, the last digit that the paper gives
+    report.judge({"angle at 1 mm, turned at 0.03 rad/s",
                   "deg",
                   published,
                   {},
                   fmt::format("late by the time that 1 mm takes: {:.2f} deg", lag_of_failure(slope.topples))},
-                 turned.angle);
+                 turned.collapsed ? turned.angle : std::nan(""), slope.paper - paper_step, slope.paper + paper_step);
     report.judge({"share of the moving mass that topples", "-", slope.topples ? "toppling" : "sliding", {}, {}},
                  turned.collapsed ? turned.toppling_share : std::nan(""), slope.topples ? 0.5 : 0.0,
                  slope.topples ? 1.0 : 0.5);

@@ -101,7 +101,7 @@ void judge_straight_return(const char* name, const Fall& fall, double depth, Cas
     // (omega dt)^2/4 of the energy while the spring is loaded, and by nothing afterwards.
     const double omega = M_PI / (fall.leave_time - fall.touch_time);
     const double swing = 0.25 * omega * omega * fall.dt * fall.dt;
-    const Reference energy{of("change of kinetic + potential + contact energy"), "-", {}, 0.0, {}};
+    const Reference energy{of("change of kinetic + potential + contact energy"), "-", {}, 0.0, {}, Kind::bookkeeping};
     report.judge(energy, fall.energy_error, 0, 1e-4,
                  CloseBand{0, 2 * swing,
                            fmt::format("leapfrog's swing inside the contact, (omega dt)^2/4 = {:.2g}; before and after "
@@ -157,7 +157,7 @@ void two_tetrahedra(const CaseSetting& setting, CaseReport& report) {
     report.judge({"FDEM parallel, v_y", "m/s", deflects, 3.14, {}}, fdem_parallel.velocity.y, Relative{0.02});
     report.judge({"FDEM parallel, v_z", "m/s", deflects, 3.83, {}}, fdem_parallel.velocity.z, Relative{0.02});
     report.judge({"FDEM parallel, omega_x", "rad/s", deflects, -24.0, {}}, fdem_parallel.spin.x, Relative{0.02});
-    report.judge({"FDEM parallel, largest error of the energy over the run", "-", {}, 0.0, {}},
+    report.judge({"FDEM parallel, largest error of the energy over the run", "-", {}, 0.0, {}, Kind::bookkeeping},
                  fdem_parallel.energy_error, 0, 1e-3);
 
     plot_energies(setting, "two_tetrahedra_energy_crossed", "Energies while two tetrahedra collide, crossed edges",
