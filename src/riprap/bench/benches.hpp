@@ -24,6 +24,10 @@ void pile_voronoi(const Setting& setting, std::vector<Result>& results);
 void sph_h1732(const Setting& setting, std::vector<Result>& results);
 void sph_h12(const Setting& setting, std::vector<Result>& results);
 
+// linear.cpp
+void linear_product(const Setting& setting, std::vector<Result>& results);
+void linear_pcg(const Setting& setting, std::vector<Result>& results);
+
 // broadphase.cpp
 void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 
