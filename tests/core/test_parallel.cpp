@@ -30,6 +30,19 @@ TEST_P(ThreadCounts, ASumHasTheSameBitsAsOnOneThread) {
     EXPECT_EQ(many, parallel::reduce(n, 0.0, term, plus));
 }
 
+static_assert(!parallel::has_own_bytes<bool>, "two threads would write bits of one byte of a std::vector<bool>");
+static_assert(parallel::has_own_bytes<std::uint8_t>);
+
+TEST_P(ThreadCounts, AnyOfSeesASingleEntryWhereverItLies) {
+    const std::int64_t n = 64 * parallel::reduce_block;
+    for (int k = 0; k < 64; ++k) {
+        const std::int64_t one = k * parallel::reduce_block + 17 * k;
+        ASSERT_TRUE(parallel::any_of(n, [one](std::int64_t i) { return i == one; })) << one;
+    }
+    EXPECT_FALSE(parallel::any_of(n, [](std::int64_t) { return false; }));
+    EXPECT_FALSE(parallel::any_of(0, [](std::int64_t) { return true; }));
+}
+
 TEST_P(ThreadCounts, AScanIsTheRunningSum) {
     std::vector<std::int32_t> in(70'001), out(in.size());
     std::iota(in.begin(), in.end(), -5);

@@ -38,10 +38,8 @@ bool ContactPipeline::find_pairs() {
 
 bool ContactPipeline::are_rows_of(const ContactHistory& history) const {
     return rows_.size() == history.size() &&
-           parallel::reduce(
-               static_cast<std::int64_t>(rows_.size()), true,
-               [&](std::int64_t i) { return pair_key(rows_[at(i)]->parts) == history.pair[at(i)]; },
-               [](bool a, bool b) { return a && b; });
+           !parallel::any_of(static_cast<std::int64_t>(rows_.size()),
+                             [&](std::int64_t i) { return pair_key(rows_[at(i)]->parts) != history.pair[at(i)]; });
 }
 
 void ContactPipeline::map_history(const ContactHistory& history) {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "riprap/core/config.hpp"
@@ -24,6 +25,10 @@ int thread_count();
 const char* backend_name();
 /// Sets the number of host threads, at least 1. May be called while loops run: they take it when they begin.
 void set_thread_count(int count);
+
+/// Whether loops may write entries of a std::vector<T> at once: not those that share a byte, as bool does.
+template <class T>
+inline constexpr bool has_own_bytes = !std::is_same_v<std::remove_cv_t<T>, bool>;
 
 /// Entries folded together before partial results are combined; part of the definition of a result.
 inline constexpr std::int64_t reduce_block = 4096;
@@ -80,6 +85,7 @@ void for_ranges(std::int64_t n, std::int64_t grain, const F& f) {
 /// definition of a result; a smaller one lets a costly map share its work at small n.
 template <class T, class Map, class Fold>
 T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, std::int64_t block = reduce_block) {
+    static_assert(has_own_bytes<T>, "bits of a std::vector<bool> share bytes that two threads would write: use any_of");
     const std::int64_t block_count = (n + block - 1) / block;
     std::vector<T> partial(static_cast<std::size_t>(block_count), identity);
     detail::for_chunks(n, block, true, [&](std::int64_t begin, std::int64_t end) {
@@ -96,9 +102,17 @@ T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, st
     return total;
 }
 
+/// Whether is(i) for any i in [0, n).
+template <class Predicate>
+bool any_of(std::int64_t n, const Predicate& is) {
+    return reduce(
+               n, 0, [&is](std::int64_t i) { return is(i) ? 1 : 0; }, [](int a, int b) { return a | b; }) != 0;
+}
+
 /// out[i] = in[0] + ... + in[i-1]; returns the total. `out` may be `in`. T is an integer type.
 template <class T>
 T exclusive_scan(std::span<const T> in, std::span<T> out) {
+    static_assert(has_own_bytes<T>, "see reduce");
     const auto n = static_cast<std::int64_t>(in.size());
     const std::int64_t grain = 1 << 14;
     const std::int64_t block_count = (n + grain - 1) / grain;

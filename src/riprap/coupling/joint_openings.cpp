@@ -34,8 +34,8 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
     const JointMember& member = members[index];
     Surroundings found;
     others.clear();
-    for (const std::int32_t j : pairs.met_by(index)) {
-        const JointMember& other = members[at(j)];
+    pairs.for_each_met(index, [&](std::size_t j) {
+        const JointMember& other = members[j];
         const JointLink link = kernel.link(member, other);
         const Vec3 slope = link.slope * link.apart;
         found.slope += other.volume * slope;
@@ -50,7 +50,7 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
         if (is_joint && std::find(others.begin(), others.end(), partner_of(other)) == others.end()) {
             others.push_back(partner_of(other));
         }
-    }
+    });
     return found;
 }
 
@@ -71,6 +71,10 @@ void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::s
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         JointOpening& opening = openings[at(index)];
+        if (!pairs.is_at_joint(at(index))) {
+            opening = {};
+            return;
+        }
         const Surroundings around = look_around(pairs, at(index), kernel, opening.others);
         const auto sample = at(member.sample);
         const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;

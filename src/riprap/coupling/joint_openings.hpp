@@ -20,7 +20,7 @@ struct JointOpening {
     std::vector<std::int32_t> others;  ///< loose solids that it shares a joint with, still_solid for all others
 };
 
-/// What members feel and find open about themselves.
+/// What members feel and find open about themselves; nothing for those that are not at a joint.
 /// @param slopes    of solid_slopes, for each sample of the set that `near` looks at
 /// @param water     at each sample of `near`
 /// @param openings  receives one for each member; its memory is reused

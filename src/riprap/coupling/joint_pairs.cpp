@@ -17,19 +17,24 @@ constexpr std::int64_t grain = 64;
 constexpr double skin = 0.5;
 /// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
 constexpr double most_gap = 2;
+/// Spacings beyond the support from which samples of faces brought together still meet.
+constexpr double farther = 1.5;
 
 }  // namespace
 
 JointKernel::JointKernel(const fluid::SphSettings& settings)
     : kernel_(settings.smoothing_length(), settings.domain.dimension),
       nearest_(settings.domain),
-      reach_(settings.support_radius()),
-      square_of_reach_(reach_ * reach_),
+      square_of_support_(settings.support_radius() * settings.support_radius()),
+      farthest_(reach(settings)),
       spacing_(settings.spacing) {}
 
+double JointKernel::reach(const fluid::SphSettings& settings) {
+    return settings.support_radius() + farther * settings.spacing;
+}
+
 std::optional<JointGap> JointKernel::gap(const JointMember& i, const JointMember& j, const JointLink& link) const {
-    const double farthest = reach_ + most_gap * spacing_;
-    if (norm_squared(link.apart) > farthest * farthest || !(dot(i.normal, j.normal) < -0.5)) {
+    if (norm_squared(link.apart) > farthest_ * farthest_ || !(dot(i.normal, j.normal) < -0.5)) {
         return std::nullopt;
     }
     const Vec3 across = i.normal - j.normal, n = across / norm(across);
@@ -53,7 +58,7 @@ JointLink JointKernel::touching(const JointLink& link, const JointGap& gap) cons
 
 double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
     // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
-    return (has_driven ? 2 : 1) * settings.support_radius() + (1 + skin) * settings.spacing;
+    return (has_driven ? 2 : 1) * JointKernel::reach(settings) + skin * settings.spacing;
 }
 
 bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
@@ -87,10 +92,9 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
     const double most = reach(settings, has_driven);
     fluid::CellGrid grid;
     grid.build(loose, settings.domain, most);
-    const fluid::NearestImage nearest(settings.domain);
     const auto is_near_loose = [&](const Vec3& x) {
         bool is_near = false;
-        grid.for_each_near(x, [&](std::int64_t j) { is_near = is_near || norm(nearest(x - loose[at(j)])) < most; });
+        grid.for_each_near(x, [&](std::int64_t j) { is_near = is_near || norm(nearest_(x - loose[at(j)])) < most; });
         return is_near;
     };
     parallel::for_each_uneven(near.size(), grain, [&](std::int64_t i) {
@@ -133,14 +137,13 @@ void JointPairs::find_pairs(const fluid::SphSettings& settings) {
     fluid::CellGrid grid;
     const double most = reach(settings, false);
     grid.build(places, settings.domain, most);
-    const fluid::NearestImage nearest(settings.domain);
     std::vector<std::vector<std::int32_t>> met(members_.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
         const JointMember& member = members_[at(i)];
         std::vector<std::int32_t>& mine = met[at(i)];
         grid.for_each_near(member.place, [&](std::int64_t j) {
             const JointMember& other = members_[at(j)];
-            if (other.solid != member.solid && norm(nearest(member.place - other.place)) < most) {
+            if (other.solid != member.solid && norm(nearest_(member.place - other.place)) < most) {
                 mine.push_back(static_cast<std::int32_t>(j));
             }
         });
@@ -154,8 +157,22 @@ void JointPairs::find_pairs(const fluid::SphSettings& settings) {
     }
 }
 
+void JointPairs::find_who_is_at_joints() {
+    is_at_joint_.resize(members_.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
+        bool is_at_joint = members_[at(i)].is_loose;
+        if (!is_at_joint) {
+            for_each_met(at(i), [&](std::size_t j) { is_at_joint = is_at_joint || members_[j].is_loose; });
+        }
+        is_at_joint_[at(i)] = is_at_joint ? 1 : 0;
+    });
+}
+
 void JointPairs::update(const SampleView& near, const JointSolids& solids, const BodyMotion& motion,
                         const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings) {
+    const double reach = JointKernel::reach(settings);
+    nearest_ = fluid::NearestImage(settings.domain);
+    square_of_reach_ = reach * reach;
     const bool is_kept = is_up_to_date(near, solids, walls, settings.spacing);
     if (!is_kept) {
         find_members(near, solids, walls, settings);
@@ -164,8 +181,9 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
     if (!is_kept) {
         find_pairs(settings);
     }
+    find_who_is_at_joints();
 }
 
-std::size_t JointPairs::bytes() const { return bytes_of(members_, pair_begin_, pairs_, paired_at_); }
+std::size_t JointPairs::bytes() const { return bytes_of(members_, is_at_joint_, pair_begin_, pairs_, paired_at_); }
 
 }  // namespace riprap::coupling

@@ -54,10 +54,14 @@ struct JointGap {
 class JointKernel {
  public:
     explicit JointKernel(const fluid::SphSettings& settings);
+    /// Distance from which on two samples do nothing to each other, brought together or not [m]. Deeper layers of faces
+    /// 1.5 to 2 spacings apart would be within the support from a little farther, by less than 1e-4 of the kernel's
+    /// slope.
+    static double reach(const fluid::SphSettings& settings);
     JointLink link(const JointMember& i, const JointMember& j) const {
         const Vec3 apart = nearest_(i.place - j.place);
         const double square = norm_squared(apart);
-        return {apart, square < square_of_reach_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
+        return {apart, square < square_of_support_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
     }
     /// Nothing where faces do not look at each other or are too far apart to share a joint.
     std::optional<JointGap> gap(const JointMember& i, const JointMember& j, const JointLink& link) const;
@@ -71,14 +75,15 @@ class JointKernel {
 
     fluid::WendlandC2 kernel_;
     fluid::NearestImage nearest_;
-    double reach_, square_of_reach_, spacing_;
+    double square_of_support_, farthest_, spacing_;
 };
 
-/// Which samples of different solids are within the support of each other, faces brought together by up to a spacing.
-/// Kept from step to step while no sample has moved a quarter of a spacing; no result depends on when they were found.
+/// Which samples of different solids are within JointKernel::reach of each other. Listed with a skin and kept while no
+/// sample has moved half of it; what is handed out is chosen from the list by the distance at hand, so nothing depends
+/// on when it was listed.
 class JointPairs {
  public:
-    /// How far it looks; periods of the domain must be at least twice that [m].
+    /// How far members are looked for about loose bodies; periods of the domain must be at least twice that [m].
     /// @param has_driven  some body is driven: what it shuts off is looked for too
     static double reach(const fluid::SphSettings& settings, bool has_driven);
 
@@ -88,12 +93,19 @@ class JointPairs {
     /// Call where `near` is no longer the same.
     void forget() { paired_at_.clear(); }
 
-    /// Ascending by sample.
+    /// Ascending by sample; some are there for the skin only.
     const std::vector<JointMember>& members() const { return members_; }
-    /// Members of other solids that member i may meet, ascending.
-    std::span<const std::int32_t> met_by(std::size_t i) const {
-        const auto begin = static_cast<std::size_t>(pair_begin_[i]), end = static_cast<std::size_t>(pair_begin_[i + 1]);
-        return {pairs_.data() + begin, end - begin};
+    /// Whether member i is of a loose body or meets one. Others have no part in joints but shut off what these see.
+    bool is_at_joint(std::size_t i) const { return is_at_joint_[i] != 0; }
+    /// f(j) for all members j of other solids within JointKernel::reach of member i, ascending.
+    template <class F>
+    void for_each_met(std::size_t i, const F& f) const {
+        for (auto k = static_cast<std::size_t>(pair_begin_[i]); k < static_cast<std::size_t>(pair_begin_[i + 1]); ++k) {
+            const auto j = static_cast<std::size_t>(pairs_[k]);
+            if (norm_squared(nearest_(members_[i].place - members_[j].place)) < square_of_reach_) {
+                f(j);
+            }
+        }
     }
     std::size_t bytes() const;
 
@@ -104,11 +116,15 @@ class JointPairs {
                       const fluid::SphSettings& settings);
     void place_members(const SampleView& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls);
     void find_pairs(const fluid::SphSettings& settings);
+    void find_who_is_at_joints();
 
+    fluid::NearestImage nearest_{fluid::Domain{}};
+    double square_of_reach_{0};  ///< [m^2]
     std::vector<JointMember> members_;
-    std::vector<std::int64_t> pair_begin_;  ///< of each member in pairs_, one more at the end
-    std::vector<std::int32_t> pairs_;       ///< members of other solids, ascending
-    std::vector<Vec3> paired_at_;           ///< places of all samples then; empty = nothing found yet [m]
+    std::vector<std::uint8_t> is_at_joint_;  ///< of each member
+    std::vector<std::int64_t> pair_begin_;   ///< of each member in pairs_, one more at the end
+    std::vector<std::int32_t> pairs_;        ///< members of other solids, skin included, ascending
+    std::vector<Vec3> paired_at_;            ///< places of all samples then; empty = nothing found yet [m]
 };
 
 }  // namespace riprap::coupling

@@ -21,10 +21,9 @@ constexpr std::int64_t grain = 64;
 constexpr double uneven = 0.1;
 /// Whether some loose body meets water.
 bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
-    return parallel::reduce(
-        near.size(), false,
-        [&](std::int64_t i) { return water.weight[at(i)] > 0 && solids.is_loose[at(near.body(at(i)).value)] != 0; },
-        [](bool a, bool b) { return a || b; });
+    return parallel::any_of(near.size(), [&](std::int64_t i) {
+        return water.weight[at(i)] > 0 && solids.is_loose[at(near.body(at(i)).value)] != 0;
+    });
 }
 
 }  // namespace
@@ -49,7 +48,7 @@ void JointPressure::list_sides() {
 double JointPressure::felt_about(std::size_t member, const fluid::SphSettings& settings, const Vec3& gravity) const {
     const std::vector<JointMember>& members = pairs_.members();
     const fluid::NearestImage nearest(settings.domain);
-    const double reach = JointPairs::reach(settings, false);
+    const double reach = JointKernel::reach(settings);
     double sum = 0, weights = 0;
     const auto add = [&](std::size_t k) {
         const JointOpening& opening = openings_[k];
@@ -59,9 +58,7 @@ double JointPressure::felt_about(std::size_t member, const fluid::SphSettings& s
         sum += weight > 0 ? weight * (opening.felt + settings.rest_density * dot(gravity, d)) : 0;
     };
     add(member);
-    for (const std::int32_t k : pairs_.met_by(member)) {
-        add(at(k));
-    }
+    pairs_.for_each_met(member, add);
     return weights > 0 ? std::max(0.0, sum / weights) : 0;
 }
 
@@ -156,19 +153,19 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         Vec3 sum{};
-        for (const std::int32_t j : pairs_.met_by(at(index))) {
-            const JointMember& other = members[at(j)];
-            const double pressure = pressure_of(at(index), partner_of(other)) + pressure_of(at(j), partner_of(member));
+        pairs_.for_each_met(at(index), [&](std::size_t j) {
+            const JointMember& other = members[j];
+            const double pressure = pressure_of(at(index), partner_of(other)) + pressure_of(j, partner_of(member));
             if (pressure == 0) {
-                continue;
+                return;
             }
             const JointLink link = kernel.link(member, other);
-            const double share = 0.5 * (openings_[at(index)].dry_share + openings_[at(j)].dry_share);
+            const double share = 0.5 * (openings_[at(index)].dry_share + openings_[j].dry_share);
             const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
             const JointLink closed = gap ? kernel.closed(link, *gap) : link;
             sum -=
                 other.volume * pressure * ((1 - share) * link.slope * link.apart + share * closed.slope * closed.apart);
-        }
+        });
         force[at(member.sample)] = member.volume * sum;
     });
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -55,9 +54,16 @@ class SampleView {
     std::uint8_t is_slippery(std::size_t i) const { return all_->is_slippery[number(i)]; }
     /// The first entry whose body is `wanted` or a later one; samples are in the order of the bodies.
     std::size_t begin_of(BodyId wanted) const {
-        const auto entries = std::views::iota(std::size_t{0}, at(size_));
-        return static_cast<std::size_t>(
-            std::ranges::lower_bound(entries, wanted, {}, [this](std::size_t i) { return body(i); }) - entries.begin());
+        std::size_t low = 0, high = at(size_);
+        while (low < high) {
+            const std::size_t middle = low + (high - low) / 2;
+            if (body(middle) < wanted) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
 
  private:

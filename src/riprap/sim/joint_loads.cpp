@@ -40,6 +40,17 @@ bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose) {
            std::find(is_loose.begin(), is_loose.end(), 1) != is_loose.end();
 }
 
+double reach_of_joints(const Model& model, std::span<const std::uint8_t> is_loose) {
+    if (!has_joints(model, is_loose)) {
+        return 0;
+    }
+    bool has_driven = false;
+    for (std::size_t b = 0; b < is_loose.size(); ++b) {
+        has_driven = has_driven || (model.bodies.drive[b] == body::Drive::driven && is_loose[b] == 0);
+    }
+    return (has_driven ? 2 : 1) * coupling::JointKernel::reach(model.fluid->sph);
+}
+
 void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& gravity) {
     const FluidModel& water = *model.fluid;
     JointScratch& joints = scratch.joints;

@@ -28,6 +28,9 @@ struct JointScratch {
 /// Whether water in joints is asked for and some body may feel it.
 bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose);
 
+/// Distance from a loose body within which samples may have to do with its joints [m]; 0 where there are none.
+double reach_of_joints(const Model& model, std::span<const std::uint8_t> is_loose);
+
 /// Adds the loads of water in joints to scratch.held_loads: bodies where scratch.motion says, after begin_forces.
 void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& gravity);
 

@@ -92,10 +92,10 @@ void find_near_samples(const Model& model, State& state, WaterScratch& scratch, 
     const double ahead =
         0.5 * dt * std::max(std::sqrt(fastest), speed_of_joints(model, scratch.is_loose, state.bodies, scratch.joints));
     if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
-        const double closing = has_joints(model, scratch.is_loose) ? water.sph.spacing : 0;  // of faces, see JointPairs
-        coupling.near_samples = near_samples(water.samples, scratch.motion, scratch.is_still, state.fluid.position,
-                                             places_of_openings_and_joints(model, scratch), water.sph.domain,
-                                             water.sph.support_radius() + closing + margin + ahead);
+        const double reach = std::max(water.sph.support_radius(), reach_of_joints(model, scratch.is_loose));
+        coupling.near_samples =
+            near_samples(water.samples, scratch.motion, scratch.is_still, state.fluid.position,
+                         places_of_openings_and_joints(model, scratch), water.sph.domain, reach + margin + ahead);
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
