@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/planar_dda/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid::planar_dda {
+
+namespace {
+
+std::uint64_t key_of(std::int32_t corner, std::int32_t edge) {
+    return (static_cast<std::uint64_t>(corner) << 32) | static_cast<std::uint32_t>(edge);
+}
+
+/// What one search looks at.
+struct Scene {
+    const Model& model;
+    const State& state;
+    const Settings& settings;
+    const std::vector<Vec2>& corners;
+    double reach;
+
+    Vec2 place(std::int32_t corner) const { return corners[at(corner)]; }
+    std::int32_t next(std::int32_t corner) const { return model.corner_next[at(corner)]; }
+    std::int32_t before(std::int32_t corner) const { return model.corner_before[at(corner)]; }
+    Vec2 center(std::int32_t block) const { return {state.x[at(block)], state.y[at(block)]}; }
+    CornerAndEdge pair(std::int32_t corner, std::int32_t edge) const {
+        return {place(corner), place(edge), place(next(edge)), center(model.corner_block[at(corner)]),
+                center(model.corner_block[at(edge)])};
+    }
+    /// Index into the contacts of the state, or -1.
+    std::int64_t remembered(std::int32_t corner, std::int32_t edge) const {
+        const auto count = static_cast<std::int64_t>(state.contact_corner.size());
+        std::int64_t low = 0, high = count;
+        const std::uint64_t wanted = key_of(corner, edge);
+        while (low < high) {
+            const std::int64_t middle = (low + high) / 2;
+            if (key_of(state.contact_corner[at(middle)], state.contact_edge[at(middle)]) < wanted) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        const bool is_there =
+            low < count && state.contact_corner[at(low)] == corner && state.contact_edge[at(low)] == edge;
+        return is_there ? low : -1;
+    }
+    bool is_closed(std::int32_t corner, std::int32_t edge) const {
+        const std::int64_t old = remembered(corner, edge);
+        return old >= 0 && state.contact_mode[at(old)] != static_cast<std::uint8_t>(Mode::open);
+    }
+};
+
+struct GapAndFoot {
+    double gap, foot, length;
+};
+GapAndFoot gap_and_foot(const Scene& scene, std::int32_t corner, std::int32_t edge) {
+    const Vec2 end = scene.place(scene.next(edge)), line = scene.place(edge) - end, to = scene.place(corner) - end;
+    const double length = norm(line);
+    return {cross(line, to) / length, dot(line, to) / (length * length), length};
+}
+
+/// How far the foot lies beyond the ends of the edge [m].
+double beyond_ends(const GapAndFoot& g) { return g.length * std::max({0.0, -g.foot, g.foot - 1}); }
+
+/// A foot may lie outside of its edge by this share of its length.
+constexpr double foot_slack = 1e-3;
+
+/// Corner against edge where no other corner is near.
+void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, ContactSearch& search) {
+    const GapAndFoot g = gap_and_foot(scene, corner, edge);
+    const bool is_closed = scene.is_closed(corner, edge);
+    if (g.gap > scene.reach || (g.gap < -scene.reach && !is_closed) || g.foot < -foot_slack ||
+        g.foot > 1 + foot_slack) {
+        return;
+    }
+    const Vec2 line = scene.place(edge) - scene.place(scene.next(edge));
+    const Vec2 outward{-line.y / g.length, line.x / g.length};
+    const Vec2 to_next = scene.place(scene.next(corner)) - scene.place(corner);
+    const Vec2 to_before = scene.place(scene.before(corner)) - scene.place(corner);
+    const double lean = -std::sin(scene.settings.angle_tolerance);
+    if (dot(outward, to_next) >= lean * norm(to_next) && dot(outward, to_before) >= lean * norm(to_before)) {
+        search.wanted.push_back(key_of(corner, edge));
+    }
+}
+
+/// Chooses the entrance of two convex corners; false when their cones leave no way in from outside.
+bool choose_entrance(const Scene& scene, std::int32_t v, std::int32_t w, std::pair<std::int32_t, std::int32_t>& found) {
+    const Vec2 p1 = scene.place(scene.next(w)) - scene.place(w), p2 = scene.place(scene.before(w)) - scene.place(w);
+    const Vec2 q1 = scene.place(v) - scene.place(scene.next(v)), q2 = scene.place(v) - scene.place(scene.before(v));
+    const auto angle = [](const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), dot(a, b)); };
+    const double cone_w = angle(p1, p2), cone_v = angle(q1, q2), turn = angle(p1, q1);
+    double begin = 0, end = 0, total = 1e9;
+    for (const double shifted : {turn, turn - 2 * std::numbers::pi, turn + 2 * std::numbers::pi}) {
+        const double from = std::min(0.0, shifted), to = std::max(cone_w, shifted + cone_v);
+        if (to - from < total) {
+            total = to - from;
+            begin = from;
+            end = to;
+        }
+    }
+    if (total > std::numbers::pi + 2 * scene.settings.angle_tolerance) {
+        return false;
+    }
+    using Key = std::pair<std::int32_t, std::int32_t>;
+    const Key first = begin == 0 ? Key{v, w} : Key{w, v};
+    const Key second = end == cone_w ? Key{v, scene.before(w)} : Key{w, scene.before(v)};
+    for (const Key& key : {first, second}) {  // a closed contact stays the entrance until it opens or is left
+        const GapAndFoot g = gap_and_foot(scene, key.first, key.second);
+        if (scene.is_closed(key.first, key.second) && g.foot >= -foot_slack && g.foot <= 1 + foot_slack) {
+            found = key;
+            return true;
+        }
+    }
+    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
+    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
+    if (total > std::numbers::pi - 2 * scene.settings.angle_tolerance) {  // nearly one line: who stands on whom
+        const double beyond1 = beyond_ends(g1), beyond2 = beyond_ends(g2);
+        found = beyond1 < beyond2 || (beyond1 == beyond2 && first < second) ? first : second;
+    } else {
+        found = g1.gap >= g2.gap ? first : second;
+    }
+    return true;
+}
+
+void find_at_corners(const Scene& scene, std::int32_t v, std::int32_t w, ContactSearch& search) {
+    std::pair<std::int32_t, std::int32_t> entrance;
+    if (!choose_entrance(scene, v, w, entrance)) {
+        return;
+    }
+    search.wanted.push_back(key_of(entrance.first, entrance.second));
+    const std::pair<std::int32_t, std::int32_t> all[] = {{v, w}, {v, scene.before(w)}, {w, v}, {w, scene.before(v)}};
+    for (const auto& other : all) {
+        if (other != entrance) {
+            search.vetoed.push_back(key_of(other.first, other.second));
+        }
+    }
+}
+
+/// Half the length along which the edge lies against an edge of the corner's block that ends at the corner [m].
+double half_overlap(const Scene& scene, const Contact& contact) {
+    const Vec2 end = scene.place(scene.next(contact.edge));
+    const Vec2 along = (1 / contact.edge_length) * (scene.place(contact.edge) - end);
+    for (const std::int32_t other : {scene.next(contact.corner), scene.before(contact.corner)}) {
+        const Vec2 line = scene.place(other) - scene.place(contact.corner);
+        if (std::abs(cross(along, line)) <= std::sin(scene.settings.angle_tolerance) * norm(line)) {
+            const double s0 = dot(along, scene.place(contact.corner) - end), s1 = s0 + dot(along, line);
+            return 0.5 *
+                   std::max(0.0, std::min(std::max(s0, s1), contact.edge_length) - std::max(0.0, std::min(s0, s1)));
+        }
+    }
+    return 0;
+}
+
+/// Takes over what the state knows of this contact, or of the one with the roles of two near corners changed.
+void remember(const Scene& scene, Contact& contact, const CornerAndEdge& where) {
+    const std::int32_t v = contact.corner, e = contact.edge;
+    std::int64_t old = scene.remembered(v, e);
+    contact.lock = contact.foot;
+    bool has_swapped = false;
+    for (const std::int32_t w : {e, scene.next(e)}) {
+        for (const std::int32_t other : {v, scene.before(v)}) {
+            if (old < 0 && norm(scene.place(w) - scene.place(v)) < scene.reach) {
+                old = scene.remembered(w, other);
+                has_swapped = old >= 0;
+            }
+        }
+    }
+    if (old < 0) {
+        return;
+    }
+    contact.mode = static_cast<Mode>(scene.state.contact_mode[at(old)]);
+    contact.is_bonded = scene.state.contact_is_bonded[at(old)] != 0;
+    contact.multiplier = scene.state.contact_multiplier[at(old)];
+    contact.lock = scene.state.contact_lock[at(old)];
+    if (has_swapped) {  // the same slip, seen from the other edge
+        const CornerAndEdge before = scene.pair(scene.state.contact_corner[at(old)], scene.state.contact_edge[at(old)]);
+        contact.lock = foot_of(where) - slip_of(before, contact.lock).value / contact.edge_length;
+    }
+}
+
+Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge) {
+    const CornerAndEdge where = scene.pair(corner, edge);
+    const Model& model = scene.model;
+    Contact contact;
+    contact.corner = corner;
+    contact.edge = edge;
+    contact.a = model.corner_block[at(corner)];
+    contact.b = model.corner_block[at(edge)];
+    contact.joint = model.joint(contact.a, contact.b);
+    contact.edge_length = norm(where.end - where.begin);
+    contact.foot = foot_of(where);
+    contact.gap = gap_of(where);
+    remember(scene, contact, where);
+    contact.slip = slip_of(where, contact.lock);
+    if (contact.joint.cohesion > 0 || contact.joint.tension > 0) {
+        contact.bond_length = half_overlap(scene, contact) * model.thickness;
+    }
+    if (contact.joint.damping_ratio > 0) {
+        const auto inverse = [&model](std::int32_t b) { return model.is_fixed[at(b)] ? 0.0 : 1 / model.mass[at(b)]; };
+        const double reduced = 1 / (inverse(contact.a) + inverse(contact.b));
+        contact.dashpot = 2 * contact.joint.damping_ratio * std::sqrt(contact.joint.normal_stiffness * reduced);
+    }
+    return contact;
+}
+
+ContactSearch::Box box_of(const Model& model, const std::vector<Vec2>& corners, std::int32_t block) {
+    ContactSearch::Box box{1e300, -1e300, 1e300, -1e300};
+    for (std::int32_t k = model.corner_begin[at(block)]; k < model.corner_begin[at(block + 1)]; ++k) {
+        const Vec2& p = corners[at(k)];
+        box = {std::min(box.left, p.x), std::max(box.right, p.x), std::min(box.low, p.y), std::max(box.high, p.y)};
+    }
+    return box;
+}
+
+/// Corners of block i against edges and corners of block j.
+void find_of_pair(const Scene& scene, std::int32_t i, std::int32_t j, ContactSearch& search) {
+    const Model& model = scene.model;
+    const ContactSearch::Box& box = search.boxes[at(j)];
+    for (std::int32_t v = model.corner_begin[at(i)]; v < model.corner_begin[at(i + 1)]; ++v) {
+        const Vec2 p = scene.place(v);
+        if (!model.is_convex[at(v)] || p.x < box.left - scene.reach || p.x > box.right + scene.reach ||
+            p.y < box.low - scene.reach || p.y > box.high + scene.reach) {
+            continue;
+        }
+        for (std::int32_t e = model.corner_begin[at(j)]; e < model.corner_begin[at(j + 1)]; ++e) {
+            find_at_edge(scene, v, e, search);
+            const Vec2 d = p - scene.place(e);
+            if (i < j && model.is_convex[at(e)] && dot(d, d) < 2.25 * scene.reach * scene.reach) {
+                find_at_corners(scene, v, e, search);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void place_corners(const Model& model, const State& state, std::vector<Vec2>& corners) {
+    corners.resize(model.corner.size());
+    for (std::int32_t b = 0; b < model.block_count(); ++b) {
+        const Vec2 center{state.x[at(b)], state.y[at(b)]};
+        const Vec2 fx = offset_of(state, b, {1, 0}), fy = offset_of(state, b, {0, 1});
+        for (std::int32_t k = model.corner_begin[at(b)]; k < model.corner_begin[at(b + 1)]; ++k) {
+            corners[at(k)] = center + model.corner[at(k)].x * fx + model.corner[at(k)].y * fy;
+        }
+    }
+}
+
+void find_pairs(const Model& model, const std::vector<Vec2>& corners, double reach, ContactSearch& search) {
+    const std::int32_t n = model.block_count();
+    search.boxes.resize(at(n));
+    search.order.resize(at(n));
+    for (std::int32_t b = 0; b < n; ++b) {
+        search.boxes[at(b)] = box_of(model, corners, b);
+        search.order[at(b)] = b;
+    }
+    const auto& boxes = search.boxes;
+    std::sort(search.order.begin(), search.order.end(), [&boxes](std::int32_t a, std::int32_t b) {
+        return boxes[at(a)].left < boxes[at(b)].left || (boxes[at(a)].left == boxes[at(b)].left && a < b);
+    });
+    search.pairs.clear();
+    for (std::size_t i = 0; i < search.order.size(); ++i) {
+        const std::int32_t a = search.order[i];
+        for (std::size_t j = i + 1; j < search.order.size(); ++j) {
+            const std::int32_t b = search.order[j];
+            if (boxes[at(b)].left > boxes[at(a)].right + reach) {
+                break;
+            }
+            if (boxes[at(b)].low <= boxes[at(a)].high + reach && boxes[at(a)].low <= boxes[at(b)].high + reach &&
+                !(model.is_fixed[at(a)] && model.is_fixed[at(b)])) {
+                search.pairs.emplace_back(std::min(a, b), std::max(a, b));
+            }
+        }
+    }
+    std::sort(search.pairs.begin(), search.pairs.end());
+}
+
+void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
+                   ContactSearch& search, std::vector<Contact>& contacts) {
+    const Scene scene{model, state, settings, corners, 2.5 * settings.displacement_limit};
+    find_pairs(model, corners, scene.reach, search);
+    search.wanted.clear();
+    search.vetoed.clear();
+    for (const auto& [i, j] : search.pairs) {
+        find_of_pair(scene, i, j, search);
+        find_of_pair(scene, j, i, search);
+    }
+    std::sort(search.wanted.begin(), search.wanted.end());
+    search.wanted.erase(std::unique(search.wanted.begin(), search.wanted.end()), search.wanted.end());
+    std::sort(search.vetoed.begin(), search.vetoed.end());
+    contacts.clear();
+    for (const std::uint64_t key : search.wanted) {
+        if (!std::binary_search(search.vetoed.begin(), search.vetoed.end(), key)) {
+            contacts.push_back(make_contact(scene, static_cast<std::int32_t>(key >> 32),
+                                            static_cast<std::int32_t>(key & 0xffffffffU)));
+        }
+    }
+}
+
+std::int32_t bond_contacts(const Model& model, const Settings& settings, double tolerance, State& state) {
+    std::vector<Vec2> corners;
+    ContactSearch search;
+    std::vector<Contact> contacts;
+    place_corners(model, state, corners);
+    find_contacts(model, state, settings, corners, search, contacts);
+    state.contact_corner.clear();
+    state.contact_edge.clear();
+    state.contact_mode.clear();
+    state.contact_is_bonded.clear();
+    state.contact_lock.clear();
+    state.contact_multiplier.clear();
+    state.contact_force.clear();
+    for (const Contact& contact : contacts) {
+        if (std::abs(contact.gap.value) > tolerance || contact.foot < -foot_slack || contact.foot > 1 + foot_slack) {
+            continue;
+        }
+        state.contact_corner.push_back(contact.corner);
+        state.contact_edge.push_back(contact.edge);
+        state.contact_mode.push_back(static_cast<std::uint8_t>(Mode::locked));
+        state.contact_is_bonded.push_back(1);
+        state.contact_lock.push_back(contact.foot);
+        state.contact_multiplier.push_back(0);
+        state.contact_force.push_back(0);
+    }
+    return static_cast<std::int32_t>(state.contact_corner.size());
+}
+
+}  // namespace riprap::solid::planar_dda

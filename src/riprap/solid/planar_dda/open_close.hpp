@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/solid/planar_dda/step.hpp"
+
+namespace riprap::solid::planar_dda {
+
+/// Sets the trial of every contact to what the state remembers.
+void begin_trials(Scratch& scratch);
+
+/// What one iteration changed.
+struct Changes {
+    int opened_or_closed{0};
+    int locked_or_slid{0};
+    double friction{0};        ///< largest change of a friction force [N]
+    double largest_normal{0};  ///< [N]
+    std::int32_t worst{-1};    ///< a contact that opened or closed
+};
+
+/// Reads gap, slip and force of every contact from the last solution and decides its mode.
+///
+/// | was     | becomes                                                                                             |
+/// |---------|-----------------------------------------------------------------------------------------------------|
+/// | open    | closed when the gap is below -close_tolerance, the foot lies on the edge and the contact would push |
+/// | closed  | open when spring, multiplier and dashpot together would pull; bonded: see break_bonds               |
+/// | locked  | sliding when p_s abs(s) >= N tan(phi) + c l                                                         |
+/// | sliding | locked when p_s abs(s) < N tan(phi) + c l or the slip turns round                                   |
+///
+/// The slip counts from a lock point that keeps the spring of a sliding contact at its limit, so that one rule serves
+/// both ways: the elastic-plastic Coulomb spring.
+Changes update_modes(const Settings& settings, double dt, Scratch& scratch);
+
+/// Breaks all bonds whose tension passes the tensile strength or whose shear passes N tan(phi) + c l; a broken bond has
+/// lost cohesion and tensile strength for good. @returns their number
+int break_bonds(const Settings& settings, Scratch& scratch);
+
+/// lambda <- max(0, lambda - p d) of closed contacts [Ding2021, eq. 2.9]. @returns the largest gap left [m]
+double update_multipliers(Scratch& scratch);
+
+}  // namespace riprap::solid::planar_dda

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/planar_dda/step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/solid/planar_dda/accounts.hpp"
+#include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/move_blocks.hpp"
+#include "riprap/solid/planar_dda/open_close.hpp"
+
+namespace riprap::solid::planar_dda {
+
+namespace {
+
+/// Solves for the present modes; the factors are kept while only the right side changed.
+Outcome solve(const Model& model, const State& state, double dt, bool has_new_matrix, Scratch& scratch,
+              StepReport& report) {
+    if (has_new_matrix) {
+        assemble_matrix(model, state, dt, scratch);
+        ++report.factorizations;
+        if (const std::int32_t row = scratch.matrix.factorize(); row >= 0) {
+            return {fmt::format("the equations of block {} are singular", scratch.block_of_row[at(row)]), 0};
+        }
+    }
+    ++report.iterations;
+    assemble_right_side(model, state, dt, scratch);
+    scratch.solution.resize(scratch.right.size());
+    scratch.matrix.solve(scratch.right, scratch.solution);
+    for (std::size_t row = 0; row < scratch.solution.size(); ++row) {
+        scratch.motion[at(scratch.block_of_row[row])] = scratch.solution[row];
+    }
+    return {};
+}
+
+std::string name_of(const Contact& contact) {
+    return fmt::format("corner {} of block {} and edge {} of block {}", contact.corner, contact.a, contact.edge,
+                       contact.b);
+}
+
+/// Open-close iteration: solves until no contact opens, closes, locks or slides and no bond breaks.
+Outcome settle_contacts(const Model& model, const Settings& settings, const State& state, double dt, Scratch& scratch,
+                        StepReport& report) {
+    bool has_new_matrix = true;
+    int rounds = 0, friction_rounds = 0;
+    while (true) {
+        const Outcome outcome = solve(model, state, dt, has_new_matrix, scratch, report);
+        if (!outcome.ok()) {
+            return outcome;
+        }
+        const Changes changes = update_modes(settings, dt, scratch);
+        has_new_matrix = changes.opened_or_closed + changes.locked_or_slid > 0;
+        if (changes.opened_or_closed > 0) {
+            if (++rounds >= settings.max_iterations) {
+                const Contact& contact = scratch.contacts[at(changes.worst)];
+                return {fmt::format("open-close iteration does not settle: {}", name_of(contact)), 0.3};
+            }
+            friction_rounds = 0;
+            continue;
+        }
+        const bool is_settled =
+            !has_new_matrix && changes.friction <= settings.friction_tolerance * changes.largest_normal;
+        if (!is_settled && ++friction_rounds < 3 * settings.max_iterations) {
+            continue;
+        }
+        if (break_bonds(settings, scratch) == 0) {
+            return {};
+        }
+        update_modes(settings, dt, scratch);
+        has_new_matrix = true;
+        rounds = friction_rounds = 0;
+    }
+}
+
+/// Largest displacement of a corner [m].
+double largest_displacement(const Model& model, const State& state, const Scratch& scratch) {
+    double largest = 0;
+    for (std::size_t k = 0; k < scratch.corners.size(); ++k) {
+        const std::int32_t b = model.corner_block[k];
+        const Vec2 r = scratch.corners[k] - Vec2{state.x[at(b)], state.y[at(b)]};
+        const Vec2 d = displacement_at(r, scratch.motion[at(b)]);
+        largest = std::max(largest, dot(d, d));
+    }
+    return std::sqrt(largest);
+}
+
+Outcome accept_or_refuse(const Settings& settings, const Scratch& scratch, StepReport& report) {
+    const double ratio = report.largest_displacement / settings.displacement_limit;
+    if (!(ratio <= 3)) {
+        return {fmt::format("a corner moves by {:.3g} m in one step, {:.2g} times the limit",
+                            report.largest_displacement, ratio),
+                std::isfinite(ratio) ? 1 / std::sqrt(ratio) : 0.3};
+    }
+    for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
+        const Trial& trial = scratch.trials[k];
+        if (trial.mode == Mode::open) {
+            continue;
+        }
+        ++report.closed_contacts;
+        report.largest_overlap = std::max(report.largest_overlap, -trial.gap);
+        if (settings.largest_overlap > 0 && -trial.gap > settings.largest_overlap) {
+            return {fmt::format("{} overlap by {:.3g} m, above the limit of {:.3g} m", name_of(scratch.contacts[k]),
+                                -trial.gap, settings.largest_overlap),
+                    0.3};
+        }
+    }
+    return {};
+}
+
+/// Books the step, moves every block and keeps the contacts.
+void accept(const Model& model, const Settings& settings, const Step& step, State& state, Scratch& scratch) {
+    Accounts& accounts = state.accounts;
+    const double found_energy = remembered_energy(scratch);
+    accounts.linearization += found_energy - contact_energy(model, state, scratch.corners);
+    const double stored = book_step(model, step, state, scratch, accounts);
+    double kinetic = 0;
+    for (std::int32_t b = 0; b < model.block_count(); ++b) {
+        const Unknowns& d = scratch.motion[at(b)];
+        if (model.is_fixed[at(b)]) {
+            drive_block(step.dt, d, b, state);
+            continue;
+        }
+        Unknowns rates;
+        for (std::size_t k = 0; k < 6; ++k) {
+            rates[k] = 2 / step.dt * d[k] - state.rates[6 * at(b) + k];
+        }
+        kinetic += 0.5 * dot(rates, multiply(mass_block(model.mass[at(b)], spread_of(model, state, b)), rates));
+        move_block(model, step.dt, d, b, state);
+    }
+    keep_contacts(scratch, state);
+    place_corners(model, state, scratch.corners);
+    const double kinetic_now = kinetic_energy(model, state);
+    accounts.linearization += stored_energy(model, state, scratch.corners) - stored + kinetic_now - kinetic;
+    if (settings.dynamic_factor != 1) {
+        accounts.static_loss += (1 - settings.dynamic_factor * settings.dynamic_factor) * kinetic_now;
+        for (double& rate : state.rates) {
+            rate *= settings.dynamic_factor;
+        }
+    }
+}
+
+}  // namespace
+
+Outcome advance(const Model& model, const Settings& settings, const Step& step, State& state, Scratch& scratch,
+                StepReport& report) {
+    report = {};
+    place_corners(model, state, scratch.corners);
+    find_contacts(model, state, settings, scratch.corners, scratch.search, scratch.contacts);
+    number_rows(model, scratch);
+    scratch.matrix.set_pattern(static_cast<std::int32_t>(scratch.block_of_row.size()), scratch.couplings);
+    scratch.motion.assign(at(model.block_count()), Unknowns{});
+    for (std::int32_t b = 0; b < model.block_count() && !step.driven.empty(); ++b) {
+        scratch.motion[at(b)] = model.is_fixed[at(b)] ? step.driven[at(b)] : Unknowns{};
+    }
+    assemble_blocks(model, state, step, scratch);
+    begin_trials(scratch);
+    Outcome outcome = settle_contacts(model, settings, state, step.dt, scratch, report);
+    for (int round = 0; outcome.ok() && settings.has_multipliers && round < settings.max_augmentations; ++round) {
+        if (update_multipliers(scratch) <= settings.multiplier_tolerance) {
+            break;
+        }
+        outcome = settle_contacts(model, settings, state, step.dt, scratch, report);
+    }
+    if (outcome.ok()) {
+        report.largest_displacement = largest_displacement(model, state, scratch);
+        outcome = accept_or_refuse(settings, scratch, report);
+    }
+    if (outcome.ok()) {
+        accept(model, settings, step, state, scratch);
+    }
+    return outcome;
+}
+
+}  // namespace riprap::solid::planar_dda
