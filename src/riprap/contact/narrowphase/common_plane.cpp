@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/narrowphase/common_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+#include "riprap/core/index.hpp"
+
+namespace riprap::contact {
+
+namespace {
+
+/// Edges and links shorter or more parallel than this share of the lengths involved give no direction.
+constexpr double parallel = 1e-6;
+constexpr int most_rounds = 20;
+
+/// The best plane so far. A later candidate must win by more than round-off.
+class Best {
+ public:
+    Best(const PlacedHull& a, const PlacedHull& b, double margin) : a_(&a), b_(&b), margin_(margin) {}
+
+    void offer(const Vec3& normal, const PlaneFeature& feature) {
+        const double gap = plane_gap(*a_, *b_, normal);
+        if (is_empty_ || gap > plane_.gap + margin_) {
+            plane_ = {normal, gap, feature, false};
+            is_empty_ = false;
+        }
+    }
+    /// Offers the one of +-direction that points from A to B, both where that cannot be told.
+    void offer_axis(const Vec3& direction, const PlaneFeature& feature) {
+        const double length = norm(direction);
+        const Vec3 n = direction / length;
+        const Vec3 link = b_->centre - a_->centre;
+        const double along = dot(n, link);
+        if (along > -parallel * norm(link)) {
+            offer(n, feature);
+        }
+        if (along < parallel * norm(link)) {
+            offer(-n, feature);
+        }
+    }
+    const CommonPlane& plane() const { return plane_; }
+
+ private:
+    const PlacedHull *a_, *b_;
+    double margin_;
+    CommonPlane plane_{};
+    bool is_empty_{true};
+};
+
+/// Planes parallel to the faces around the nearest corners.
+void offer_faces(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+    for (const std::int32_t f : a.topology->faces_around(va)) {
+        best.offer(a.normals[at(f)], {PlaneKind::face_a, f, -1});
+    }
+    for (const std::int32_t f : b.topology->faces_around(vb)) {
+        best.offer(-b.normals[at(f)], {PlaneKind::face_b, -1, f});
+    }
+}
+
+/// Number of the edge between two corners.
+std::int32_t edge_between(const HullTopology& hull, std::int32_t v, std::int32_t w) {
+    for (std::size_t e = 0; e < hull.edges.size(); ++e) {
+        const HullEdge& edge = hull.edges[e];
+        if ((edge.from == v && edge.to == w) || (edge.from == w && edge.to == v)) {
+            return static_cast<std::int32_t>(e);
+        }
+    }
+    return -1;
+}
+
+/// Planes parallel to one edge of each of the two nearest corners.
+void offer_edge_pairs(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+    for (const std::int32_t wa : a.topology->neighbours(va)) {
+        const Vec3 ea = a.vertices[at(wa)] - a.vertices[at(va)];
+        for (const std::int32_t wb : b.topology->neighbours(vb)) {
+            const Vec3 eb = b.vertices[at(wb)] - b.vertices[at(vb)];
+            const Vec3 n = cross(ea, eb);
+            if (norm_squared(n) > parallel * parallel * norm_squared(ea) * norm_squared(eb)) {
+                best.offer_axis(
+                    n, {PlaneKind::edges, edge_between(*a.topology, va, wa), edge_between(*b.topology, vb, wb)});
+            }
+        }
+    }
+}
+
+/// Across the link of the nearest corners, whole or without its part along an edge. Only for bodies apart: where they
+/// overlap the link points the other way.
+void offer_links(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+    const Vec3 link = b.vertices[at(vb)] - a.vertices[at(va)];
+    const double length = norm(link);
+    if (!(length > 0)) {
+        return;
+    }
+    best.offer(link / length, {PlaneKind::link, -1, -1});
+    const auto offer_across = [&](const PlacedHull& hull, std::int32_t v) {
+        for (const std::int32_t w : hull.topology->neighbours(v)) {
+            const Vec3 e = normalized(hull.vertices[at(w)] - hull.vertices[at(v)]);
+            const Vec3 n = link - dot(link, e) * e;
+            if (norm(n) > parallel * length) {
+                best.offer(normalized(n), {PlaneKind::link, -1, -1});
+            }
+        }
+    };
+    offer_across(a, va);
+    offer_across(b, vb);
+}
+
+double smaller_size(const PlacedHull& a, const PlacedHull& b) {
+    const auto size = [](const PlacedHull& hull) {
+        double square = 0;
+        for (const Vec3& x : hull.vertices) {
+            square = std::max(square, norm_squared(x - hull.centre));
+        }
+        return std::sqrt(square);
+    };
+    return std::min(size(a), size(b));
+}
+
+/// A half-space allows one plane: its own.
+CommonPlane plane_of_half_space(const PlacedHull& a, const PlacedHull& b) {
+    const Vec3 n = b.is_half_space() ? -b.normals[0] : a.normals[0];
+    return {n, plane_gap(a, b, n), {b.is_half_space() ? PlaneKind::face_b : PlaneKind::face_a, 0, 0}, false};
+}
+
+}  // namespace
+
+std::uint64_t pack(const PlaneFeature& feature) {
+    return static_cast<std::uint64_t>(feature.kind) << 56 |
+           (static_cast<std::uint64_t>(feature.a + 1) & 0xFFFFFFFU) << 28 |
+           (static_cast<std::uint64_t>(feature.b + 1) & 0xFFFFFFFU);
+}
+
+PlaneFeature unpack_feature(std::uint64_t packed) {
+    return {static_cast<PlaneKind>(packed >> 56), static_cast<std::int32_t>(packed >> 28 & 0xFFFFFFFU) - 1,
+            static_cast<std::int32_t>(packed & 0xFFFFFFFU) - 1};
+}
+
+double plane_gap(const PlacedHull& a, const PlacedHull& b, const Vec3& normal) {
+    const double most_a = a.is_half_space() ? a.offset : dot(normal, a.vertices[at(support_vertex(a, normal))]);
+    const double least_b = b.is_half_space() ? -b.offset : dot(normal, b.vertices[at(support_vertex(b, -normal))]);
+    return least_b - most_a;
+}
+
+Vec3 feature_normal(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& feature) {
+    const auto direction = [](const PlacedHull& hull, std::int32_t edge) {
+        const HullEdge& e = hull.topology->edges[at(edge)];
+        return hull.vertices[at(e.to)] - hull.vertices[at(e.from)];
+    };
+    switch (feature.kind) {
+        case PlaneKind::face_a:
+            return a.normals[at(feature.a)];
+        case PlaneKind::face_b:
+            return -b.normals[at(feature.b)];
+        case PlaneKind::edges: {
+            const Vec3 ea = direction(a, feature.a), eb = direction(b, feature.b);
+            const Vec3 n = cross(ea, eb);
+            if (norm_squared(n) <= parallel * parallel * norm_squared(ea) * norm_squared(eb)) {
+                return {};
+            }
+            return dot(n, b.centre - a.centre) < 0 ? normalized(-n) : normalized(n);
+        }
+        default:
+            return {};
+    }
+}
+
+CommonPlane common_plane_fast(const PlacedHull& a, const PlacedHull& b, const Vec3& start) {
+    if (a.is_half_space() || b.is_half_space()) {
+        return plane_of_half_space(a, b);
+    }
+    Vec3 n = norm_squared(start) > 0 ? normalized(start) : b.centre - a.centre;
+    n = norm_squared(n) > 0 ? normalized(n) : Vec3{0, 0, 1};
+    const double margin = 1e-12 * (norm(b.centre - a.centre) + std::abs(plane_gap(a, b, n)));
+    CommonPlane plane{n, -1e300, {}, false};
+    for (int round = 0; round < most_rounds; ++round) {
+        const std::int32_t va = support_vertex(a, plane.normal), vb = support_vertex(b, -plane.normal);
+        Best best(a, b, margin);
+        offer_faces(a, b, va, vb, best);
+        offer_edge_pairs(a, b, va, vb, best);
+        if (dot(b.vertices[at(vb)] - a.vertices[at(va)], plane.normal) > 0) {
+            offer_links(a, b, va, vb, best);
+        }
+        if (best.plane().gap <= plane.gap + margin) {
+            break;
+        }
+        plane = best.plane();
+    }
+    return plane;
+}
+
+CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach) {
+    if (a.is_half_space() || b.is_half_space()) {
+        return plane_of_half_space(a, b);
+    }
+    const Vec3 old_normal = feature_normal(a, b, before);
+    const bool has_memory = norm_squared(old_normal) > 0;
+    CommonPlane plane = common_plane_fast(a, b, old_normal);
+    if (plane.gap > reach) {
+        return plane;
+    }
+    const double size = smaller_size(a, b);
+    const bool is_certain = (has_memory || plane.gap > 0) && do_features_meet(a, b, plane, 1e-9 * size);
+    if (!is_certain) {
+        plane = common_plane_exact(a, b);
+        plane.is_fallback = true;
+    }
+    if (has_memory) {
+        const double old_gap = plane_gap(a, b, old_normal);
+        if (old_gap > plane.gap - 1e-6 * size) {
+            return {old_normal, old_gap, before, plane.is_fallback};
+        }
+    }
+    return plane;
+}
+
+}  // namespace riprap::contact

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/contact/narrowphase/touching_set.hpp"
+#include "riprap/core/index.hpp"
+
+namespace riprap::contact {
+
+namespace {
+
+std::uint64_t key(int kind, std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+    const auto bits = [](std::int32_t i) { return static_cast<std::uint64_t>(i + 1) & 0x7FFFU; };
+    return static_cast<std::uint64_t>(kind) << 60 | bits(a) << 45 | bits(b) << 30 | bits(c) << 15 | bits(d);
+}
+
+/// The surface of a body under (or over) the common plane: the plane of the face that turns most towards it.
+struct Facing {
+    Vec3 normal;
+    double offset;
+
+    Facing(const PlacedHull& hull, const Vec3& outward) {
+        std::size_t best = 0;
+        for (std::size_t f = 1; f < hull.normals.size(); ++f) {
+            best = dot(hull.normals[f], outward) > dot(hull.normals[best], outward) ? f : best;
+        }
+        normal = hull.normals[best];
+        offset = hull.is_half_space()
+                     ? hull.offset
+                     : dot(normal, hull.vertices[at(hull.topology->loop(static_cast<std::int32_t>(best))[0])]);
+    }
+    /// The point of the surface that x is moved to along n.
+    Vec3 along(const Vec3& n, const Vec3& x) const { return x + ((offset - dot(normal, x)) / dot(normal, n)) * n; }
+};
+
+/// Both bodies as they face each other.
+struct Sides {
+    const PlacedHull &a, &b;
+    Vec3 n;
+    TouchingSet set_a, set_b;
+    const Vec3& corner_a(int i) const { return a.vertices[at(set_a.vertex[at(i)])]; }
+    const Vec3& corner_b(int i) const { return b.vertices[at(set_b.vertex[at(i)])]; }
+    std::int32_t id_a(int i) const { return set_a.vertex[at(i)]; }
+    std::int32_t id_b(int i) const { return set_b.vertex[at(i)]; }
+};
+
+void add(PlaneContacts& found, const Vec3& on_a, const Vec3& on_b, std::uint64_t feature) {
+    if (found.count < most_plane_contacts) {
+        found.contacts[at(found.count++)] = {on_a, on_b, dot(found.normal, on_b - on_a), 0, feature};
+    }
+}
+
+/// The point over p on the edge from..to, as the plane sees it.
+Vec3 on_edge(const Vec3& from, const Vec3& to, const PlanePoint& p_from, const PlanePoint& p_to, const PlanePoint& p) {
+    const PlanePoint along = p_to - p_from;
+    const double t = dot(p - p_from, along) / dot(along, along);
+    return from + t * (to - from);
+}
+
+ContactType type_of(int count_a, int count_b) {
+    const int a = std::min(count_a, 3) - 1, b = std::min(count_b, 3) - 1;
+    return static_cast<ContactType>(1 + 3 * a + b);
+}
+
+/// Shares a polygon's area among its corners, one contact each: a corner has the quadrangle between the centre and the
+/// middles of its two sides.
+template <class Point>
+void share_area(int count, const Point& point, PlaneContacts& found) {
+    if (count < 3) {
+        return;
+    }
+    PlanePoint centre{0, 0};
+    for (int i = 0; i < count; ++i) {
+        centre = centre + (1.0 / count) * point(i);
+    }
+    for (int i = 0; i < found.count; ++i) {
+        const PlanePoint here = point(i) - centre;
+        const PlanePoint next = point((i + 1) % count) - centre, last = point((i + count - 1) % count) - centre;
+        found.contacts[at(i)].area = 0.25 * std::abs(cross(here, next) + cross(last, here));
+        found.area += found.contacts[at(i)].area;
+    }
+}
+
+/// Corners of the intersection where at least one touching set is a polygon.
+void add_polygon(const Sides& s, double slack, PlaneContacts& found) {
+    const CommonPolygon polygon = intersect(s.set_a, s.set_b, slack);
+    const Facing facing_a(s.a, s.n), facing_b(s.b, -s.n);
+    for (int i = 0; i < polygon.count; ++i) {
+        const CommonCorner& c = polygon.corner[at(i)];
+        if (c.b_from < 0) {
+            const Vec3& x = s.corner_a(c.a_from);
+            add(found, x, facing_b.along(s.n, x), key(1, s.id_a(c.a_from), -1, -1, -1));
+        } else if (c.a_from < 0) {
+            const Vec3& x = s.corner_b(c.b_from);
+            add(found, facing_a.along(s.n, x), x, key(2, -1, -1, s.id_b(c.b_from), -1));
+        } else {
+            const Vec3 on_a = on_edge(s.corner_a(c.a_from), s.corner_a(c.a_to), s.set_a.point[at(c.a_from)],
+                                      s.set_a.point[at(c.a_to)], c.point);
+            const Vec3 on_b = on_edge(s.corner_b(c.b_from), s.corner_b(c.b_to), s.set_b.point[at(c.b_from)],
+                                      s.set_b.point[at(c.b_to)], c.point);
+            add(found, on_a, on_b, key(3, s.id_a(c.a_from), s.id_a(c.a_to), s.id_b(c.b_from), s.id_b(c.b_to)));
+        }
+    }
+    share_area(polygon.count, [&](int i) { return polygon.corner[at(i)].point; }, found);
+}
+
+/// A half-space is a face without an end: every touching corner of the other body is a contact.
+void add_half_space(const Sides& s, PlaneContacts& found) {
+    const bool is_a_plane = s.a.is_half_space();
+    const TouchingSet& set = is_a_plane ? s.set_b : s.set_a;
+    const Facing facing(is_a_plane ? s.a : s.b, is_a_plane ? s.n : -s.n);
+    for (int i = 0; i < set.count; ++i) {
+        const Vec3& x = is_a_plane ? s.corner_b(i) : s.corner_a(i);
+        const Vec3 foot = facing.along(s.n, x);
+        if (is_a_plane) {
+            add(found, foot, x, key(2, -1, -1, s.id_b(i), -1));
+        } else {
+            add(found, x, foot, key(1, s.id_a(i), -1, -1, -1));
+        }
+    }
+    share_area(set.count, [&](int i) { return set.point[at(i)]; }, found);
+    found.type = is_a_plane ? type_of(3, set.count) : type_of(set.count, 3);
+}
+
+/// A corner of A against a segment of B: its foot, if that falls on the segment or within `slack` of an end.
+void add_corner_on_edge_of_b(const Sides& s, int i, double slack, PlaneContacts& found) {
+    const PlanePoint p = s.set_b.point[0], along = s.set_b.point[1] - p;
+    const double length2 = dot(along, along), t = dot(s.set_a.point[at(i)] - p, along) / length2;
+    const double margin = slack / std::sqrt(length2);
+    const PlanePoint off = s.set_a.point[at(i)] - p - t * along;
+    if (t >= -margin && t <= 1 + margin && (s.set_a.count > 1 || dot(off, off) <= slack * slack)) {
+        add(found, s.corner_a(i), s.corner_b(0) + t * (s.corner_b(1) - s.corner_b(0)), key(1, s.id_a(i), -1, -1, -1));
+    }
+}
+
+void add_corner_on_edge_of_a(const Sides& s, int j, double slack, PlaneContacts& found) {
+    const PlanePoint p = s.set_a.point[0], along = s.set_a.point[1] - p;
+    const double length2 = dot(along, along), t = dot(s.set_b.point[at(j)] - p, along) / length2;
+    const double margin = slack / std::sqrt(length2);
+    const PlanePoint off = s.set_b.point[at(j)] - p - t * along;
+    if (t >= -margin && t <= 1 + margin && (s.set_b.count > 1 || dot(off, off) <= slack * slack)) {
+        add(found, s.corner_a(0) + t * (s.corner_a(1) - s.corner_a(0)), s.corner_b(j), key(2, -1, -1, s.id_b(j), -1));
+    }
+}
+
+/// Two segments: their crossing, or the ends of the common part where they are parallel (within 1 in 1000).
+void add_edges(const Sides& s, double slack, PlaneContacts& found) {
+    const PlanePoint p = s.set_a.point[0], u = s.set_a.point[1] - p;
+    const PlanePoint q = s.set_b.point[0], v = s.set_b.point[1] - q;
+    const double sine = cross(u, v), lengths = std::sqrt(dot(u, u) * dot(v, v));
+    if (std::abs(sine) > 1e-3 * lengths) {
+        const double t = cross(q - p, v) / sine, r = cross(q - p, u) / sine;
+        const double margin_a = slack / std::sqrt(dot(u, u)), margin_b = slack / std::sqrt(dot(v, v));
+        if (t >= -margin_a && t <= 1 + margin_a && r >= -margin_b && r <= 1 + margin_b) {
+            add(found, s.corner_a(0) + t * (s.corner_a(1) - s.corner_a(0)),
+                s.corner_b(0) + r * (s.corner_b(1) - s.corner_b(0)),
+                key(3, s.id_a(0), s.id_a(1), s.id_b(0), s.id_b(1)));
+        }
+        return;
+    }
+    const double apart = std::abs(cross(q - p, u)) / std::sqrt(dot(u, u));
+    if (apart > slack + 1e-3 * std::sqrt(std::max(dot(u, u), dot(v, v)))) {
+        return;
+    }
+    for (int i = 0; i < 2; ++i) {
+        add_corner_on_edge_of_b(s, i, 0, found);
+    }
+    for (int j = 0; j < 2 && found.count < 2; ++j) {
+        add_corner_on_edge_of_a(s, j, 0, found);
+    }
+}
+
+}  // namespace
+
+std::string_view to_string(ContactType type) {
+    constexpr std::array<std::string_view, 10> names{"none",          "vertex-vertex", "vertex-edge", "vertex-face",
+                                                     "edge-vertex",   "edge-edge",     "edge-face",   "face-vertex",
+                                                     "face-edge",     "face-face"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+double contact_tolerance(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane) {
+    double size = 1e300;
+    for (const PlacedHull* hull : {&a, &b}) {
+        double square = 0;
+        for (const Vec3& x : hull->vertices) {
+            square = std::max(square, norm_squared(x - hull->centre));
+        }
+        size = hull->is_half_space() ? size : std::min(size, std::sqrt(square));
+    }
+    return std::min(2 * std::abs(plane.gap) + 1e-4 * size, 0.1 * size);
+}
+
+void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance,
+                         PlaneContacts& found) {
+    found.type = ContactType::none;
+    found.normal = plane.normal;
+    found.area = 0;
+    found.count = 0;
+    const Vec3& n = plane.normal;
+    const PlaneAxes axes = axes_across(n, a.is_half_space() ? b.centre : a.centre);
+    Sides sides{a, b, n, {}, {}};
+    if (!a.is_half_space()) {
+        sides.set_a = touching_set(a, n, tolerance, axes);
+    }
+    if (!b.is_half_space()) {
+        sides.set_b = touching_set(b, -n, tolerance, axes);
+    }
+    if (a.is_half_space() || b.is_half_space()) {
+        add_half_space(sides, found);
+        return;
+    }
+    const double slack = 1e-9 * (norm(b.centre - a.centre) + tolerance) + 1e-6 * tolerance;
+    const int count_a = sides.set_a.count, count_b = sides.set_b.count;
+    if (count_a > 2 || count_b > 2) {
+        add_polygon(sides, slack, found);
+    } else if (count_a == 2 && count_b == 2) {
+        add_edges(sides, slack, found);
+    } else if (count_b == 2) {
+        add_corner_on_edge_of_b(sides, 0, std::max(slack, tolerance), found);
+    } else if (count_a == 2) {
+        add_corner_on_edge_of_a(sides, 0, std::max(slack, tolerance), found);
+    } else {
+        const PlanePoint off = sides.set_b.point[0] - sides.set_a.point[0];
+        if (dot(off, off) <= tolerance * tolerance) {
+            add(found, sides.corner_a(0), sides.corner_b(0), key(1, sides.id_a(0), -1, -1, -1));
+        }
+    }
+    if (found.count > 0) {
+        found.type = type_of(count_a, count_b);
+    }
+}
+
+bool do_features_meet(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance) {
+    PlaneContacts found;
+    find_plane_contacts(a, b, plane, tolerance, found);
+    return found.count > 0;
+}
+
+}  // namespace riprap::contact

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "contact/common_plane_support.hpp"
+
+namespace riprap::contact {
+namespace {
+
+using namespace testing;
+using geometry::box, geometry::cube;
+
+Quat turn(const Vec3& axis, double angle) { return from_rotation_vector(angle * normalized(axis)); }
+
+PlaneContacts contacts_of(const Hull& a, const Hull& b) {
+    const CommonPlane plane = common_plane(a.view(), b.view(), {}, 1);
+    PlaneContacts found;
+    find_plane_contacts(a.view(), b.view(), plane, contact_tolerance(a.view(), b.view(), plane), found);
+    return found;
+}
+
+TEST(CommonPlane, two_stacked_cubes_overlap_along_the_face_they_share) {
+    const Hull a(cube(1), {}), b(cube(1), {{0.2, 0.1, 0.99}, {}});
+    const CommonPlane plane = common_plane(a.view(), b.view(), {}, 1);
+    EXPECT_NEAR(plane.gap, -0.01, 1e-15);
+    EXPECT_NEAR(plane.normal.z, 1, 1e-15);
+}
+
+TEST(CommonPlane, the_pruned_search_finds_the_separating_axis_of_the_search_without_pruning) {
+    Dice dice(11);
+    int overlapping = 0;
+    for (std::uint64_t k = 0; k < 600; ++k) {
+        const Hull a(random_shape(dice, 2 * k), {{}, turn(dice.point(), 3 * dice())});
+        const Hull b(random_shape(dice, 2 * k + 1), {1.1 * dice.point(), turn(dice.point(), 3 * dice())});
+        const double oracle = widest_separating_gap(a.view(), b.view());
+        const CommonPlane exact = common_plane_exact(a.view(), b.view());
+        if (oracle <= 0) {
+            ++overlapping;
+            ASSERT_NEAR(exact.gap, oracle, 1e-12) << k;
+        } else {
+            ASSERT_GE(exact.gap, oracle - 1e-12) << k;  // corners and edges across widen it
+        }
+    }
+    EXPECT_GT(overlapping, 200);
+}
+
+TEST(CommonPlane, the_fast_plane_with_its_fall_back_is_the_exact_one) {
+    Dice dice(5);
+    for (std::uint64_t k = 0; k < 600; ++k) {
+        const Hull a(random_shape(dice, 2 * k), {{}, turn(dice.point(), 3 * dice())});
+        const Hull b(random_shape(dice, 2 * k + 1), {1.5 * dice.point(), turn(dice.point(), 3 * dice())});
+        const CommonPlane exact = common_plane_exact(a.view(), b.view());
+        ASSERT_NEAR(common_plane(a.view(), b.view(), {}, 10).gap, exact.gap, 1e-12) << k;
+    }
+}
+
+TEST(CommonPlane, the_gap_of_bodies_apart_is_the_distance_of_their_nearest_points) {
+    // Corner to corner along the diagonal, and corner to edge.
+    const Hull a(cube(1), {});
+    const Hull b(cube(1), {{1.5, 1.5, 1.5}, {}});
+    EXPECT_NEAR(common_plane(a.view(), b.view(), {}, 10).gap, std::sqrt(0.75), 1e-14);
+    const Hull c(cube(1), {{1.5, 1.5, 0}, {}});
+    EXPECT_NEAR(common_plane(a.view(), c.view(), {}, 10).gap, std::sqrt(0.5), 1e-14);
+}
+
+TEST(CommonPlane, the_perturbed_search_never_passes_the_exact_gap_and_may_stall_on_a_ridge) {
+    Dice dice(7);
+    int apart = 0, stalled = 0;
+    for (std::uint64_t k = 0; k < 60; ++k) {
+        const Hull a(cube(1), {{}, turn(dice.point(), 3 * dice())});
+        const Hull b(cube(1), {1.5 * normalized(dice.point()), turn(dice.point(), 3 * dice())});
+        const double exact = common_plane_exact(a.view(), b.view()).gap;
+        const double search = common_plane_search(a.view(), b.view()).gap;
+        EXPECT_LE(search, exact + 1e-12);
+        apart += exact > 0 ? 1 : 0;
+        stalled += exact > 0 && search < exact - 1e-3 ? 1 : 0;
+    }
+    EXPECT_GT(stalled, 0);
+    EXPECT_LT(2 * stalled, apart);
+}
+
+TEST(CommonPlane, turning_and_shifting_both_bodies_changes_nothing) {
+    const Pose pose_b{{0.3, 0.2, 0.9}, turn({1, 2, 3}, 0.4)};
+    const Hull a(cube(1), {}), b(box({1, 0.7, 0.6}), pose_b);
+    const double gap = common_plane(a.view(), b.view(), {}, 1).gap;
+    const Quat q = turn({-1, 1, 2}, 1.1);
+    const Vec3 shift{10, -20, 5};
+    const Hull moved_a(cube(1), {shift, q});
+    const Hull moved_b(box({1, 0.7, 0.6}), {shift + rotate(q, pose_b.position), q * pose_b.orientation});
+    EXPECT_NEAR(common_plane(moved_a.view(), moved_b.view(), {}, 1).gap, gap, 1e-13);
+}
+
+TEST(CommonPlane, a_feature_survives_its_packing) {
+    for (const PlaneFeature& f : {PlaneFeature{PlaneKind::face_a, 3, -1}, PlaneFeature{PlaneKind::face_b, -1, 0},
+                                  PlaneFeature{PlaneKind::edges, 11, 7}, PlaneFeature{}}) {
+        EXPECT_EQ(unpack_feature(pack(f)), f);
+    }
+}
+
+TEST(CommonPlane, a_symmetric_contact_keeps_the_plane_it_had) {
+    // A cube corner deep in the corner of another: three faces are equally good.
+    const Hull a(cube(1), {}), b(cube(1), {{0.9, 0.9, 0.9}, {}});
+    for (std::int32_t face = 0; face < 6; ++face) {
+        const PlaneFeature before{PlaneKind::face_a, face, -1};
+        const Vec3 n = feature_normal(a.view(), b.view(), before);
+        if (n.x + n.y + n.z > 0) {
+            EXPECT_EQ(common_plane(a.view(), b.view(), before, 1).feature, before);
+        }
+    }
+}
+
+TEST(PlaneContacts, kinds_follow_from_the_corners_that_touch) {
+    const double half = std::sqrt(0.5), corner = std::sqrt(0.75);
+    const Quat on_edge = turn({0, 1, 0}, std::numbers::pi / 4);
+    const Quat on_corner = from_rotation_vector(std::acos(1 / std::sqrt(3.0)) * normalized(Vec3{1, -1, 0}));
+    const Hull base(cube(2), {});
+    EXPECT_EQ(contacts_of(base, Hull(cube(1), {{0, 0, 1.499}, {}})).type, ContactType::face_face);
+    EXPECT_EQ(contacts_of(base, Hull(cube(1), {{0, 0, 0.999 + half}, on_edge})).type, ContactType::face_edge);
+    EXPECT_EQ(contacts_of(base, Hull(cube(1), {{0, 0, 0.999 + corner}, on_corner})).type, ContactType::face_vertex);
+    const Hull ridge(cube(1), {{}, turn({1, 0, 0}, std::numbers::pi / 4)});
+    EXPECT_EQ(contacts_of(ridge, Hull(cube(1), {{0, 0, 2 * half - 0.001}, on_edge})).type, ContactType::edge_edge);
+}
+
+TEST(PlaneContacts, faces_that_cross_without_a_corner_inside_touch_at_four_crossings) {
+    const Hull a(box({4, 1, 1}), {}), b(box({1, 4, 1}), {{0, 0, 0.995}, {}});
+    const PlaneContacts found = contacts_of(a, b);
+    ASSERT_EQ(found.count, 4);
+    EXPECT_NEAR(found.area, 1, 1e-12);
+    for (int i = 0; i < 4; ++i) {
+        const PlaneContact& c = found.contacts[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(c.gap, -0.005, 1e-14);
+        EXPECT_NEAR(std::abs(c.on_a.x), 0.5, 1e-12);
+        EXPECT_NEAR(std::abs(c.on_a.y), 0.5, 1e-12);
+        EXPECT_NEAR(c.area, 0.25, 1e-12);
+    }
+}
+
+TEST(PlaneContacts, area_is_that_of_the_common_polygon_and_its_shares_add_up) {
+    const Hull a(cube(1), {}), b(cube(1), {{0.3, 0.4, 0.99}, {}});
+    const PlaneContacts found = contacts_of(a, b);
+    EXPECT_NEAR(found.area, 0.7 * 0.6, 1e-12);
+    double sum = 0;
+    for (int i = 0; i < found.count; ++i) {
+        sum += found.contacts[static_cast<std::size_t>(i)].area;
+    }
+    EXPECT_NEAR(sum, found.area, 1e-14);
+    // A square and the same turned by 45 degrees: an octagon of 2 (sqrt 2 - 1).
+    const Hull c(cube(1), {{0, 0, 0.99}, turn({0, 0, 1}, std::numbers::pi / 4)});
+    const PlaneContacts octagon = contacts_of(a, c);
+    EXPECT_EQ(octagon.count, 8);
+    EXPECT_NEAR(octagon.area, 2 * (std::sqrt(2.0) - 1), 1e-12);
+}
+
+TEST(PlaneContacts, exchanging_the_bodies_exchanges_the_points) {
+    const Hull a(box({2, 1, 1}), {}), b(cube(1), {{0.8, 0.2, 0.99}, turn({0, 0, 1}, 0.3)});
+    const PlaneContacts there = contacts_of(a, b), back = contacts_of(b, a);
+    ASSERT_EQ(there.count, back.count);
+    EXPECT_NEAR(there.area, back.area, 1e-12);
+    EXPECT_NEAR(norm(there.normal + back.normal), 0, 1e-14);
+    for (int i = 0; i < there.count; ++i) {
+        double nearest = 1;
+        for (int j = 0; j < back.count; ++j) {
+            nearest = std::min(nearest, norm(there.contacts[static_cast<std::size_t>(i)].on_a -
+                                             back.contacts[static_cast<std::size_t>(j)].on_b));
+        }
+        EXPECT_LT(nearest, 1e-12);
+    }
+}
+
+TEST(PlaneContacts, every_feature_is_named_once) {
+    Dice dice(3);
+    for (std::uint64_t k = 0; k < 300; ++k) {
+        const Hull a(random_shape(dice, 2 * k), {{}, turn(dice.point(), 3 * dice())});
+        const Hull b(random_shape(dice, 2 * k + 1), {0.9 * dice.point(), turn(dice.point(), 3 * dice())});
+        const PlaneContacts found = contacts_of(a, b);
+        ASSERT_GT(found.count, 0) << k;
+        std::vector<std::uint64_t> names;
+        for (int i = 0; i < found.count; ++i) {
+            names.push_back(found.contacts[static_cast<std::size_t>(i)].feature);
+        }
+        std::sort(names.begin(), names.end());
+        ASSERT_EQ(std::adjacent_find(names.begin(), names.end()), names.end()) << k;
+    }
+}
+
+TEST(PlaneContacts, a_cube_on_a_half_space_stands_on_its_four_lowest_corners) {
+    const std::vector<Vec3> up{{0, 0, 1}};
+    const PlacedHull ground{nullptr, {}, up, {}, 0};
+    const Hull b(cube(1), {{3, 4, 0.499}, {}});
+    const CommonPlane plane = common_plane(ground, b.view(), {}, 1);
+    PlaneContacts found;
+    find_plane_contacts(ground, b.view(), plane, 1e-4, found);
+    EXPECT_EQ(found.count, 4);
+    EXPECT_NEAR(plane.gap, -0.001, 1e-15);
+    EXPECT_NEAR(found.area, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace riprap::contact
