@@ -100,6 +100,8 @@ std::span<const ValidationCase> all_cases() {
                        mikola::submarine_wedge},
         ValidationCase{"mikola", "scott_russell", "A box falls into water and sends off a solitary wave", false,
                        mikola::scott_russell},
+        ValidationCase{"mikola", "common_plane", "Common plane of random pairs: fast against exact", false,
+                       mikola::common_plane},
     };
     return cases;
 }

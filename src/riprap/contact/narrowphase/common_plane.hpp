@@ -34,9 +34,9 @@ PlaneFeature unpack_feature(std::uint64_t packed);
 /// positive apart, negative where they overlap: the largest gap, or the smallest overlap with its sign. The plane
 /// itself lies halfway.
 struct CommonPlane {
-    Vec3 normal;             ///< from A to B [-]
-    double gap;              ///< g [m]
-    PlaneFeature feature;    ///< that fixes the normal
+    Vec3 normal;              ///< from A to B [-]
+    double gap;               ///< g [m]
+    PlaneFeature feature;     ///< that fixes the normal
     bool is_fallback{false};  ///< the local search was not certain, and all features were tried
 };
 

@@ -103,7 +103,8 @@ void add_polygon(const Sides& s, double slack, PlaneContacts& found) {
             add(found, on_a, on_b, key(3, s.id_a(c.a_from), s.id_a(c.a_to), s.id_b(c.b_from), s.id_b(c.b_to)));
         }
     }
-    share_area(polygon.count, [&](int i) { return polygon.corner[at(i)].point; }, found);
+    share_area(
+        polygon.count, [&](int i) { return polygon.corner[at(i)].point; }, found);
 }
 
 /// A half-space is a face without an end: every touching corner of the other body is a contact.
@@ -120,7 +121,8 @@ void add_half_space(const Sides& s, PlaneContacts& found) {
             add(found, x, foot, key(1, s.id_a(i), -1, -1, -1));
         }
     }
-    share_area(set.count, [&](int i) { return set.point[at(i)]; }, found);
+    share_area(
+        set.count, [&](int i) { return set.point[at(i)]; }, found);
     found.type = is_a_plane ? type_of(3, set.count) : type_of(set.count, 3);
 }
 
@@ -175,9 +177,9 @@ void add_edges(const Sides& s, double slack, PlaneContacts& found) {
 }  // namespace
 
 std::string_view to_string(ContactType type) {
-    constexpr std::array<std::string_view, 10> names{"none",          "vertex-vertex", "vertex-edge", "vertex-face",
-                                                     "edge-vertex",   "edge-edge",     "edge-face",   "face-vertex",
-                                                     "face-edge",     "face-face"};
+    constexpr std::array<std::string_view, 10> names{"none",        "vertex-vertex", "vertex-edge", "vertex-face",
+                                                     "edge-vertex", "edge-edge",     "edge-face",   "face-vertex",
+                                                     "face-edge",   "face-face"};
     return names[static_cast<std::size_t>(type)];
 }
 

@@ -73,8 +73,10 @@ void offer_edges(const PlacedHull& a, const PlacedHull& b, CommonPlane& best) {
             }
             const double gap = dot(n, sb.from - sa.from);
             if (gap > best.gap + margin && plane_gap(a, b, n) > best.gap + margin) {
-                best = {n, plane_gap(a, b, n),
-                        {PlaneKind::edges, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)}, false};
+                best = {n,
+                        plane_gap(a, b, n),
+                        {PlaneKind::edges, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)},
+                        false};
             }
         }
     }

@@ -12,4 +12,7 @@ void wave_maker(const CaseSetting& setting, CaseReport& report);
 void submarine_wedge(const CaseSetting& setting, CaseReport& report);
 void scott_russell(const CaseSetting& setting, CaseReport& report);
 
+// common_plane.cpp
+void common_plane(const CaseSetting& setting, CaseReport& report);
+
 }  // namespace riprap::validation::mikola

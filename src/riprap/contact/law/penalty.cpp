@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/law/penalty.hpp"
+
+#include <algorithm>
+
+namespace riprap::contact {
+
+PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion) {
+    PenaltyAnswer answer;
+    const double strength = motion.is_intact ? springs.tension : 0;
+    const double elastic = -springs.normal_stiffness * motion.gap;
+    if (motion.gap > 0 && elastic < -strength) {
+        answer.is_open = true;
+        return answer;
+    }
+    const double closing = dot(motion.velocity, motion.normal);
+    // A dashpot may take the push away but must not pull.
+    const double total = elastic + springs.normal_damping * closing;
+    answer.normal_force = motion.gap > 0 ? elastic : std::max(total, 0.0);
+    answer.dashpot_power = motion.gap > 0 ? 0 : (answer.normal_force - elastic) * closing;
+    answer.energy = 0.5 * springs.normal_stiffness * motion.gap * motion.gap;
+
+    const Vec3 sliding = motion.velocity - closing * motion.normal;
+    const Vec3 trial = motion.slip - dot(motion.slip, motion.normal) * motion.normal + motion.time * sliding;
+    const double cohesion = motion.is_intact ? springs.cohesion : 0;
+    const double limit = std::max(0.0, answer.normal_force * springs.friction + cohesion);
+    const double size = springs.shear_stiffness * norm(trial);
+    answer.is_sliding = size > limit;
+    answer.is_intact = motion.is_intact && !answer.is_sliding;
+    Vec3 shear{};
+    if (answer.is_sliding) {
+        answer.slip = (limit / size) * trial;
+        shear = -springs.shear_stiffness * answer.slip;
+        answer.friction_loss = limit * (norm(trial) - norm(answer.slip));
+    } else {
+        answer.slip = trial;
+        const Vec3 elastic_shear = -springs.shear_stiffness * trial;
+        shear = elastic_shear - springs.shear_damping * sliding;
+        const double damped = norm(shear);
+        shear = damped > limit && damped > 0 ? (limit / damped) * shear : shear;
+        answer.dashpot_power += dot(elastic_shear - shear, sliding);
+    }
+    answer.energy += 0.5 * springs.shear_stiffness * norm_squared(answer.slip);
+    answer.force = shear - answer.normal_force * motion.normal;
+    return answer;
+}
+
+}  // namespace riprap::contact

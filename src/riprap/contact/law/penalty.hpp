@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/core/vec3.hpp"
+
+namespace riprap::contact {
+
+/// Springs, dashpots and strength of one contact point.
+struct PenaltySprings {
+    double normal_stiffness{0};  ///< k_n [N/m]
+    double shear_stiffness{0};   ///< k_s [N/m]
+    double friction{0};          ///< tan phi [-]
+    double cohesion{0};          ///< c times the area of the point, while intact [N]
+    double tension{0};           ///< tensile strength times the area, while intact [N]
+    double normal_damping{0};    ///< [N s/m]
+    double shear_damping{0};     ///< of a contact that sticks [N s/m]
+};
+
+/// A contact point now, bodies a and b.
+struct PenaltyMotion {
+    Vec3 normal;     ///< from a to b [-]
+    double gap;      ///< negative where they overlap [m]
+    Vec3 velocity;   ///< v_a - v_b there [m/s]
+    double time;     ///< since the last evaluation [s]
+    Vec3 slip;       ///< elastic slip of the last evaluation, turned to the present plane [m]
+    bool is_intact;  ///< has neither opened nor slid
+};
+
+/// The answer of the springs. Forces on a; b gets the opposite.
+struct PenaltyAnswer {
+    Vec3 force{};            ///< [N]
+    double normal_force{0};  ///< pushing positive [N]
+    Vec3 slip{};             ///< elastic slip to be kept [m]
+    bool is_open{false};     ///< no force: forget the contact
+    bool is_sliding{false};
+    bool is_intact{false};
+    double energy{0};         ///< stored in both springs [J]
+    double friction_loss{0};  ///< dissipated by sliding since the last evaluation [J]
+    double dashpot_power{0};  ///< taken by the dashpots now [W]
+};
+
+/// Penalty contact with Coulomb friction [MikolaSitar2013], one point at a time:
+///
+///     f_n = -k_n g + c_n v.n,  at least 0 (or minus the tensile strength while intact),
+///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= f_n tan phi + C,
+///
+/// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, friction takes
+/// limit times the slip lost, and cohesion C and tension are lost for good. Stiffness per area with the area of the
+/// point makes it the soft contact of [Ding2021, eq. 2.10].
+PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion);
+
+}  // namespace riprap::contact

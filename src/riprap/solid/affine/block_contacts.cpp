@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/affine/block_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::solid::affine {
+
+namespace {
+
+constexpr std::int64_t grain = 64;  ///< pairs that one thread works through at a time
+
+std::uint64_t key_of(const contact::PartPair& pair) { return contact::pair_key(pair); }
+
+/// Rows of a pair in the history.
+std::pair<std::size_t, std::size_t> rows_of(const BlockContactHistory& history, std::uint64_t key) {
+    const auto range = std::equal_range(history.pair.begin(), history.pair.end(), key);
+    return {static_cast<std::size_t>(range.first - history.pair.begin()),
+            static_cast<std::size_t>(range.second - history.pair.begin())};
+}
+
+/// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
+void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, const contact::PlacedHull& b,
+                  const BlockContactHistory& history, double reach, Vec3& separating,
+                  std::vector<BlockContact>& found) {
+    if (norm_squared(separating) > 0 && plane_gap(a, b, separating) > reach) {
+        return;
+    }
+    const auto [begin, end] = rows_of(history, key_of(pair));
+    const contact::PlaneFeature before =
+        begin < end ? contact::unpack_feature(history.plane[begin]) : contact::PlaneFeature{};
+    const contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
+    if (plane.gap > reach) {
+        separating = plane.normal;
+        return;
+    }
+    contact::PlaneContacts points;
+    find_plane_contacts(a, b, plane, contact_tolerance(a, b, plane), points);
+    const std::size_t first = found.size();
+    for (int k = 0; k < points.count; ++k) {
+        const contact::PlaneContact& point = points.contacts[at(k)];
+        if (point.gap > reach) {
+            continue;
+        }
+        BlockContact contact{pair.a,     pair.b,     point.feature, pack(plane.feature), points.normal,
+                             point.on_a, point.on_b, point.gap,     point.area,          -1};
+        for (std::size_t row = begin; row < end; ++row) {
+            if (history.feature[row] == point.feature) {
+                contact.old = static_cast<std::int64_t>(row);
+            }
+        }
+        found.push_back(contact);
+    }
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+              [](const BlockContact& p, const BlockContact& q) { return p.feature < q.feature; });
+}
+
+}  // namespace
+
+void BlockContactHistory::clear() {
+    pair.clear();
+    feature.clear();
+    plane.clear();
+    normal.clear();
+    slip.clear();
+    mode.clear();
+    is_intact.clear();
+}
+
+Vec3 turn_with_plane(const Vec3& v, const Vec3& old_normal, const Vec3& normal) {
+    const Vec3 axis = cross(old_normal, normal);  // sine times the axis
+    const double cosine = dot(old_normal, normal);
+    if (cosine < -0.5) {
+        return v - dot(v, normal) * normal;  // no shortest rotation worth the name
+    }
+    return v + cross(axis, v) + (1 / (1 + cosine)) * cross(axis, cross(axis, v));
+}
+
+void ContactFinder::find_pairs(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
+                               double reach) {
+    const auto count = at(system.size());
+    if (radius_.size() != count) {
+        radius_.assign(count, 0);
+        body_.resize(count);
+        is_mobile_.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            body_[i] = static_cast<std::int32_t>(i);
+            is_mobile_[i] = system.is_fixed[i] == 0 ? 1 : 0;
+        }
+    }
+    parallel::for_each(system.size(), [&](std::int64_t i) {
+        double square = 0;
+        for (const Vec3& x : placed.hull(system, state, static_cast<std::int32_t>(i)).vertices) {
+            square = std::max(square, norm_squared(x - state.position[at(i)]));
+        }
+        // A radius that stays lets the pairs stay: it grows by a twentieth at a time with the block.
+        const double radius = std::sqrt(square) + 0.5 * reach;
+        radius_[at(i)] = radius > radius_[at(i)] ? 1.05 * radius : radius_[at(i)];
+    });
+    const contact::PartBounds bounds{state.position, radius_, body_, is_mobile_};
+    const std::int64_t before = cache_.rebuild_count();
+    std::vector<double> sizes;
+    for (const double r : radius_) {
+        if (r > reach) {
+            sizes.push_back(r);
+        }
+    }
+    cache_.update(bounds, {}, {0.1 * contact::median_radius(sizes), 2});
+    if (cache_.rebuild_count() != before) {
+        pairs_.assign(cache_.pairs().begin(), cache_.pairs().end());
+        std::erase_if(pairs_, [&](const contact::PartPair& p) {
+            return system.shape_of(p.a).is_half_space() || system.shape_of(p.b).is_half_space();
+        });
+        add_half_spaces(system, state, reach);
+        separating_.assign(pairs_.size(), Vec3{});
+    }
+}
+
+void ContactFinder::add_half_spaces(const BlockSystem& system, const BlockState&, double) {
+    const std::size_t found = pairs_.size();
+    for (std::int32_t plane = 0; plane < system.size(); ++plane) {
+        if (!system.shape_of(plane).is_half_space()) {
+            continue;
+        }
+        for (std::int32_t block = 0; block < system.size(); ++block) {
+            if (system.is_fixed[at(block)] == 0) {
+                pairs_.push_back({std::min(plane, block), std::max(plane, block)});
+            }
+        }
+    }
+    if (pairs_.size() > found) {
+        std::sort(pairs_.begin(), pairs_.end());
+    }
+}
+
+const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, const BlockState& state,
+                                                     const PlacedBlocks& placed, const BlockContactHistory& history,
+                                                     double reach) {
+    find_pairs(system, state, placed, reach);
+    const std::int64_t count = pair_count();
+    chunks_.resize(at((count + grain - 1) / grain));
+    parallel::for_ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<BlockContact>& chunk = chunks_[at(begin / grain)];
+        chunk.clear();
+        for (std::int64_t p = begin; p < end; ++p) {
+            const contact::PartPair pair = pairs_[at(p)];
+            if (!system.shape_of(pair.a).is_half_space() && !system.shape_of(pair.b).is_half_space()) {
+                const double apart = norm(state.position[at(pair.a)] - state.position[at(pair.b)]);
+                if (apart > radius_[at(pair.a)] + radius_[at(pair.b)]) {
+                    continue;
+                }
+            }
+            find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, reach,
+                         separating_[at(p)], chunk);
+        }
+    });
+    contacts_.clear();
+    for (const std::vector<BlockContact>& chunk : chunks_) {
+        contacts_.insert(contacts_.end(), chunk.begin(), chunk.end());
+    }
+    return contacts_;
+}
+
+}  // namespace riprap::solid::affine

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/contact/broadphase/pair_cache.hpp"
+#include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+#include "riprap/solid/affine/blocks.hpp"
+
+namespace riprap::solid::affine {
+
+/// One contact point between blocks a < b, as the common plane gives it: Scratch.
+struct BlockContact {
+    std::int32_t a, b;
+    std::uint64_t feature;  ///< which contact point of the pair
+    std::uint64_t plane;    ///< feature that fixes the common plane, packed
+    Vec3 normal;            ///< from a to b [-]
+    Vec3 on_a, on_b;        ///< [m]
+    double gap;             ///< n . (on_b - on_a) [m]
+    double area;            ///< [m^2]
+    std::int64_t old{-1};   ///< row of the history, -1 = new
+};
+
+/// State of a contact point between the steps.
+enum class ContactMode : std::uint8_t {
+    open,   ///< no springs
+    slide,  ///< normal spring and friction
+    lock    ///< normal and shear springs
+};
+
+/// Contact points that survive from step to step: State. Sorted by (pair, feature). A locked contact keeps its elastic
+/// slip, which adds up the relative motion of the two bodies there and turns with the plane: it neither creeps nor
+/// forgets where it was closed, and needs no fixed point on a surface that edges may slide along.
+struct BlockContactHistory {
+    std::vector<std::uint64_t> pair;  ///< a << 32 | b
+    std::vector<std::uint64_t> feature;
+    std::vector<std::uint64_t> plane;
+    std::vector<Vec3> normal;             ///< at the last step, from a to b [-]
+    std::vector<Vec3> slip;               ///< elastic slip t of a against b, which the shear spring holds [m]
+    std::vector<std::uint8_t> mode;       ///< ContactMode
+    std::vector<std::uint8_t> is_intact;  ///< has neither opened nor slid: cohesion and tension hold
+
+    std::size_t size() const { return pair.size(); }
+    void clear();
+    friend bool operator==(const BlockContactHistory&, const BlockContactHistory&) = default;
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("block_contact.pair", self.pair);
+        visit("block_contact.feature", self.feature);
+        visit("block_contact.plane", self.plane);
+        visit("block_contact.normal", self.normal);
+        visit("block_contact.slip", self.slip);
+        visit("block_contact.mode", self.mode);
+        visit("block_contact.is_intact", self.is_intact);
+    }
+};
+
+/// Turns a vector with a contact plane that turns from old_normal to normal: the shortest rotation between them.
+Vec3 turn_with_plane(const Vec3& v, const Vec3& old_normal, const Vec3& normal);
+
+/// Finds the contact points of all blocks: Scratch. Pairs from the grid of bounding spheres, kept with a skin; half-
+/// spaces against every free block; common planes from the feature of the history. The same bits at any thread count,
+/// and from a fresh finder.
+class ContactFinder {
+ public:
+    /// All contact points with gap up to `reach`, sorted by (pair, feature). [m]
+    const std::vector<BlockContact>& find(const BlockSystem& system, const BlockState& state,
+                                          const PlacedBlocks& placed, const BlockContactHistory& history, double reach);
+    std::int64_t pair_count() const { return static_cast<std::int64_t>(pairs_.size()); }
+
+ private:
+    void find_pairs(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed, double reach);
+    void add_half_spaces(const BlockSystem& system, const BlockState& state, double reach);
+
+    contact::PairCache cache_;
+    std::vector<double> radius_;
+    std::vector<std::int32_t> body_;
+    std::vector<std::uint8_t> is_mobile_;
+    std::vector<contact::PartPair> pairs_;
+    std::vector<Vec3> separating_;  ///< per pair: a direction that kept it apart
+    std::vector<std::vector<BlockContact>> chunks_;
+    std::vector<BlockContact> contacts_;
+};
+
+}  // namespace riprap::solid::affine

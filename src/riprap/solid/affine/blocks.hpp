@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/contact/narrowphase/hull.hpp"
+#include "riprap/core/fields.hpp"
+#include "riprap/core/mat3.hpp"
+#include "riprap/geometry/polyhedron.hpp"
+
+// Simply deformable blocks, as both three-dimensional DDAs move them: every block is an affine image of its shape,
+//
+//     x = x_c + F X,   X about the centroid of the shape,   v(x) = v_c + L (x - x_c),
+//
+// twelve degrees of freedom. An affine map keeps convex polyhedra convex, and all integrals over a block follow from
+// those of its shape: volume det F V0, second moments F E0 F^T.
+
+namespace riprap::solid::affine {
+
+/// A convex shape with its integrals, about its centroid.
+struct Shape {
+    contact::HullTopology topology;
+    std::vector<Vec3> vertices;  ///< [m]; empty for a half-space
+    double volume{0};            ///< V0 [m^3]
+    Mat3 second_moment;          ///< integral of X X^T dV [m^5]
+    double circumradius{0};      ///< [m]
+    double size{0};              ///< cube root of the volume [m]
+    Vec3 plane_normal{};         ///< of a half-space { x : normal . x <= offset }
+    double plane_offset{0};      ///< [m]
+    bool is_half_space() const { return vertices.empty(); }
+};
+
+/// Linear elastic rock.
+struct Material {
+    double density{0};         ///< rho [kg/m^3]
+    double youngs_modulus{0};  ///< E [Pa]
+    double poisson_ratio{0};   ///< nu [-]
+
+    /// Lame's constants lambda = E nu/((1 + nu)(1 - 2 nu)) and mu = E/(2 (1 + nu)) [Pa].
+    double lame() const { return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
+    double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }
+};
+
+/// Springs between two surfaces and what they stand.
+struct Surface {
+    double normal_stiffness{0};  ///< k_n: of a contact point [N/m], or per area of contact [Pa/m]
+    double shear_stiffness{0};   ///< k_s, likewise
+    bool is_per_area{false};     ///< stiffness times the area that a contact point stands for (soft contact)
+    double friction{0};          ///< tan phi [-]
+    double cohesion{0};          ///< c, per area; lost for good where a contact opens or slides [Pa]
+    double tension{0};           ///< strength across the contact before it has opened [Pa]
+    double damping_ratio{0};     ///< share of critical damping, explicit only [-]
+};
+
+/// Blocks, their shapes and materials: Model. Arrays have one entry per block unless said.
+struct BlockSystem {
+    std::vector<Shape> shapes;
+    std::vector<Material> materials;
+    std::vector<Surface> surfaces;  ///< symmetric table of materials x materials
+    std::vector<std::int32_t> shape;
+    std::vector<std::int32_t> material;
+    std::vector<std::uint8_t> is_fixed;  ///< loads do not move it: it rests, or goes on with the velocity it has
+    std::vector<double> mass;            ///< [kg]
+    std::vector<Mat3> inertia;           ///< E0 = rho integral of X X^T dV (Euler's tensor) [kg m^2]
+    std::vector<std::int32_t> vertex_begin{0}, face_begin{0};  ///< size() + 1 entries: places in PlacedBlocks
+    Vec3 gravity{};                                            ///< [m/s^2]
+
+    std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
+    const Shape& shape_of(std::int32_t block) const { return shapes[index(shape[index(block)])]; }
+    const Material& material_of(std::int32_t block) const { return materials[index(material[index(block)])]; }
+    const Surface& surface_of(std::int32_t a, std::int32_t b) const {
+        return surfaces[index(material[index(a)]) * materials.size() + index(material[index(b)])];
+    }
+    static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+};
+
+/// How the blocks move: State. Matrices are kept as three rows each.
+struct BlockState {
+    std::vector<Vec3> position;           ///< of the centroid [m]
+    std::vector<Vec3> velocity;           ///< of the centroid [m/s]
+    std::vector<Vec3> deformation;        ///< F, three rows per block [-]
+    std::vector<Vec3> velocity_gradient;  ///< L, three rows per block, world axes [1/s]
+    std::vector<Vec3> stress;             ///< Cauchy stress, three rows per block, tension positive [Pa]
+
+    std::int32_t size() const { return static_cast<std::int32_t>(position.size()); }
+    friend bool operator==(const BlockState&, const BlockState&) = default;
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("block.position", self.position);
+        visit("block.velocity", self.velocity);
+        visit("block.deformation", self.deformation);
+        visit("block.velocity_gradient", self.velocity_gradient);
+        visit("block.stress", self.stress);
+    }
+};
+
+inline Mat3 rows_at(const std::vector<Vec3>& rows, std::size_t block) {
+    return {{rows[3 * block], rows[3 * block + 1], rows[3 * block + 2]}};
+}
+inline void set_rows(std::vector<Vec3>& rows, std::size_t block, const Mat3& m) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        rows[3 * block + i] = m.row[i];
+    }
+}
+
+/// Loads besides gravity and contact, held over a step; empty = none. `pull` strains the block:
+/// pull = sum of sym(f r^T) [N m], r from the centroid; torque = sum of r x f.
+struct BlockLoads {
+    std::span<const Vec3> force;   ///< [N]
+    std::span<const Vec3> torque;  ///< about the centroid [N m]
+    std::span<const Mat3> pull;    ///< [N m]
+};
+
+/// Dipole sum of f r^T of given loads: pull + [torque]x/2, from (r x f) x v = f (r.v) - r (f.v).
+Mat3 dipole(const BlockLoads& loads, std::size_t block);
+
+/// The matrix [w]x: [w]x v = w x v.
+constexpr Mat3 cross_matrix(const Vec3& w) { return {{{0, -w.z, w.y}, {w.z, 0, -w.x}, {-w.y, w.x, 0}}}; }
+/// Half the turn in a matrix: w of its antisymmetric part [w]x.
+constexpr Vec3 spin_of(const Mat3& m) { return 0.5 * Vec3{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)}; }
+constexpr Mat3 symmetric_part(const Mat3& m) { return 0.5 * (m + transpose(m)); }
+/// Stress of an isotropic solid, lambda tr(e) I + 2 mu e [Pa].
+Mat3 elastic_stress(const Material& material, const Mat3& strain);
+/// 1/2 stress : strain, its density of energy [J/m^3].
+double elastic_energy(const Material& material, const Mat3& strain);
+
+/// Angular momentum about the centroid, sum of m r x L r, of a block with second moments S = F E0 F^T [kg m^2/s].
+Vec3 angular_momentum(const Mat3& inertia, const Mat3& velocity_gradient);
+
+std::int32_t add_material(BlockSystem& system, const Material& material, const Surface& surface);
+std::int32_t add_shape(BlockSystem& system, const geometry::Polyhedron& shape);
+std::int32_t add_half_space(BlockSystem& system, const Vec3& normal, double offset);
+
+/// A block as a scene adds it. `deformation` may hold a rotation and a stretch.
+struct NewBlock {
+    std::int32_t shape{0}, material{0};
+    Vec3 position{};
+    Mat3 deformation{Mat3::identity()};
+    Vec3 velocity{}, spin{};  ///< [m/s], [rad/s]
+    bool is_fixed{false};
+};
+std::int32_t add_block(BlockSystem& system, BlockState& state, const NewBlock& block);
+/// A box whose shape is made for it; position of its centroid.
+std::int32_t add_box(BlockSystem& system, BlockState& state, const Vec3& size, NewBlock block);
+/// A polyhedron given in world axes; its position is that of its centroid.
+std::int32_t add_polyhedron(BlockSystem& system, BlockState& state, const geometry::Polyhedron& shape, NewBlock block);
+
+/// Corners and face normals of all blocks in world axes: Scratch.
+struct PlacedBlocks {
+    std::vector<Vec3> vertices, normals;
+    contact::PlacedHull hull(const BlockSystem& system, const BlockState& state, std::int32_t block) const;
+};
+void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBlocks& placed);
+
+/// Kinetic and potential energy, momentum: of all free blocks, in index order.
+struct BlockSums {
+    double mass{0}, kinetic{0}, potential{0};
+    Vec3 momentum{}, angular_momentum{};  ///< the second about the origin
+};
+BlockSums measure(const BlockSystem& system, const BlockState& state);
+
+}  // namespace riprap::solid::affine

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/explicit_dda/advance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/solid/explicit_dda/critical_step.hpp"
+
+namespace riprap::solid::explicit_dda {
+
+using affine::BlockContact, affine::BlockSystem, affine::rows_at;
+
+namespace {
+
+void drift_all(const BlockSystem& system, const Settings& settings, double h, affine::BlockState& state) {
+    parallel::for_each_uneven(system.size(), 256, [&](std::int64_t b) {
+        drift(system, settings.form, h, static_cast<std::int32_t>(b), state);
+    });
+}
+
+/// One side of a contact point.
+struct Side {
+    Vec3 arm{}, velocity{};
+    double mobility{0};  ///< 0 where loads do not move the block
+
+    Side(const BlockSystem& system, const affine::BlockState& state, std::int32_t block, const Vec3& point) {
+        const auto b = at(block);
+        arm = point - state.position[b];
+        velocity = state.velocity[b] + rows_at(state.velocity_gradient, b) * arm;
+        if (system.is_fixed[b] == 0) {
+            const Mat3 f = rows_at(state.deformation, b);
+            mobility = explicit_dda::mobility(system.mass[b], inverse(f * system.inertia[b] * transpose(f)), arm);
+        }
+    }
+};
+
+/// Springs and dashpots of a contact point: stiffness of the point or per area, damping as a share of critical.
+contact::PenaltySprings springs_of(const affine::Surface& surface, double area, double mobility) {
+    const double factor = surface.is_per_area ? area : 1;
+    contact::PenaltySprings springs;
+    springs.normal_stiffness = factor * surface.normal_stiffness;
+    springs.shear_stiffness = factor * surface.shear_stiffness;
+    springs.friction = surface.friction;
+    springs.cohesion = surface.cohesion * area;
+    springs.tension = surface.tension * area;
+    springs.normal_damping = 2 * surface.damping_ratio * std::sqrt(springs.normal_stiffness / mobility);
+    springs.shear_damping = 2 * surface.damping_ratio * std::sqrt(springs.shear_stiffness / mobility);
+    return springs;
+}
+
+ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state,
+                      const affine::BlockContactHistory& history, const BlockContact& contact, double time) {
+    const Side a(system, state, contact.a, contact.on_a), b(system, state, contact.b, contact.on_b);
+    const double mobility = a.mobility + b.mobility;
+    const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, mobility);
+    contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, true};
+    if (contact.old >= 0) {
+        const auto row = at(contact.old);
+        motion.slip = affine::turn_with_plane(history.slip[row], history.normal[row], contact.normal);
+        motion.is_intact = history.is_intact[row] != 0;
+    }
+    ContactForce result;
+    result.answer = penalty(springs, motion);
+    result.force = result.answer.force;
+    if (!result.answer.is_open) {
+        // Gershgorin: k (W_i + sqrt(W_i W_j)), W the mobility.
+        const double stiffness = std::max(springs.normal_stiffness, springs.shear_stiffness);
+        const double damping = std::max(springs.normal_damping, springs.shear_damping);
+        const double mixed = std::sqrt(a.mobility * b.mobility);
+        result.share_a = stiffness * (a.mobility + mixed);
+        result.share_b = stiffness * (b.mobility + mixed);
+        result.damping_a = damping * (a.mobility + mixed);
+        result.damping_b = damping * (b.mobility + mixed);
+    }
+    return result;
+}
+
+/// Adds a contact to the loads of both blocks. The push acts on either surface, the rub halfway: with the offset along
+/// the normal the push has the same moment on both, and angular momentum is exact.
+void add_loads(const affine::BlockState& state, const BlockContact& contact, const ContactForce& found,
+               std::vector<BlockForce>& loads) {
+    const Vec3 push = dot(found.force, contact.normal) * contact.normal, rub = found.force - push;
+    const Vec3 middle = 0.5 * (contact.on_a + contact.on_b);
+    const auto add = [&](std::int32_t block, double sign, const Vec3& point) {
+        const auto b = at(block);
+        const Vec3& centre = state.position[b];
+        loads[b].force += sign * found.force;
+        loads[b].dipole = loads[b].dipole + outer(sign * push, point - centre) + outer(sign * rub, middle - centre);
+    };
+    add(contact.a, 1, contact.on_a);
+    add(contact.b, -1, contact.on_b);
+}
+
+/// The history of the contacts found now; what springs of lost contacts held is dissipated.
+void remember(const BlockSystem& system, const Scratch& scratch, affine::BlockContactHistory& history,
+              StepReport& report) {
+    std::vector<std::uint8_t> is_carried(scratch.old.size(), 0);
+    history.clear();
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        const BlockContact& contact = scratch.contacts[i];
+        const contact::PenaltyAnswer& answer = scratch.forces[i].answer;
+        if (answer.is_open) {
+            continue;
+        }
+        if (contact.old >= 0) {
+            is_carried[at(contact.old)] = 1;
+        }
+        history.pair.push_back(contact::pair_key({contact.a, contact.b}));
+        history.feature.push_back(contact.feature);
+        history.plane.push_back(contact.plane);
+        history.normal.push_back(contact.normal);
+        history.slip.push_back(answer.slip);
+        history.mode.push_back(
+            static_cast<std::uint8_t>(answer.is_sliding ? affine::ContactMode::slide : affine::ContactMode::lock));
+        history.is_intact.push_back(answer.is_intact ? 1 : 0);
+        report.contact += answer.energy;
+        report.friction_loss += answer.friction_loss;
+        report.deepest = std::max(report.deepest, -contact.gap);
+        report.sliding_count += answer.is_sliding ? 1 : 0;
+        ++report.contact_count;
+    }
+    for (std::size_t row = 0; row < scratch.old.size(); ++row) {
+        if (is_carried[row] == 0) {
+            const auto a = static_cast<std::int32_t>(scratch.old.pair[row] >> 32U);
+            const auto b = static_cast<std::int32_t>(scratch.old.pair[row] & 0xFFFFFFFFU);
+            const affine::Surface& surface = system.surface_of(a, b);
+            report.lost_energy +=
+                surface.is_per_area ? 0 : 0.5 * surface.shear_stiffness * norm_squared(scratch.old.slip[row]);
+        }
+    }
+}
+
+/// The stable step of blocks and contacts as they are, by Gershgorin's theorem.
+double stable_step_now(const BlockSystem& system, const affine::BlockState& state, const Scratch& scratch) {
+    std::vector<double> squared(at(system.size()), 0), damping(at(system.size()), 0);
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        squared[at(scratch.contacts[i].a)] += scratch.forces[i].share_a;
+        squared[at(scratch.contacts[i].b)] += scratch.forces[i].share_b;
+        damping[at(scratch.contacts[i].a)] += scratch.forces[i].damping_a;
+        damping[at(scratch.contacts[i].b)] += scratch.forces[i].damping_b;
+    }
+    const auto one = [&](std::int64_t i) {
+        const auto b = at(i);
+        if (system.is_fixed[b] != 0) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const Mat3 f = rows_at(state.deformation, b);
+        const affine::Shape& shape = system.shapes[at(system.shape[b])];
+        const double strain =
+            strain_frequency_squared(system.materials[at(system.material[b])], shape.volume * determinant(f),
+                                     f * system.inertia[b] * transpose(f));
+        return step_of(strain + squared[b], damping[b]);
+    };
+    return parallel::reduce(system.size(), std::numeric_limits<double>::infinity(), one,
+                            [](double x, double y) { return std::min(x, y); });
+}
+
+/// Kicks every free block and adds up the energies of the mid-step pose.
+struct KickSums {
+    affine::BlockSums sums;
+    double strain{0}, damping_loss{0}, external_work{0}, dashpot_work{0};
+};
+
+KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt, const affine::BlockLoads& external,
+                  const BlockForce& contact_load, std::int32_t block, affine::BlockState& state) {
+    const auto b = at(block);
+    KickSums result;
+    if (system.is_fixed[b] != 0) {
+        return result;
+    }
+    BlockForce load = contact_load;
+    const Mat3 given = affine::dipole(external, b);
+    const Vec3 force = external.force.empty() ? Vec3{} : external.force[b];
+    load.force += force;
+    load.dipole = load.dipole + given;
+    const Vec3 old_velocity = state.velocity[b];
+    const Mat3 old_gradient = rows_at(state.velocity_gradient, b);
+    kick(system, settings.form, load, dt, settings.mass_damping, block, state);
+    const Vec3 middle = 0.5 * (old_velocity + state.velocity[b]);
+    const Mat3 gradient = 0.5 * (old_gradient + rows_at(state.velocity_gradient, b));
+    const Mat3 f = rows_at(state.deformation, b);
+    const Mat3 inertia = f * system.inertia[b] * transpose(f);
+    const auto contract = [](const Mat3& p, const Mat3& q) {
+        return dot(p.row[0], q.row[0]) + dot(p.row[1], q.row[1]) + dot(p.row[2], q.row[2]);
+    };
+    const double kinetic = 0.5 * (system.mass[b] * norm_squared(middle) + contract(gradient * inertia, gradient));
+    result.sums = {system.mass[b], kinetic, -system.mass[b] * dot(system.gravity, state.position[b]),
+                   system.mass[b] * middle,
+                   system.mass[b] * cross(state.position[b], middle) + affine::angular_momentum(inertia, gradient)};
+    result.strain = strain_energy(system, settings.form, state, block);
+    // The drag is c m v with the velocity after the kick: v_new (1 + c dt) = v_old + a dt.
+    const Mat3 after = rows_at(state.velocity_gradient, b);
+    result.damping_loss = settings.mass_damping * dt *
+                          (system.mass[b] * dot(state.velocity[b], middle) + contract(after * inertia, gradient));
+    result.external_work = dt * (dot(force, middle) + contract(given, gradient));
+    return result;
+}
+
+KickSums fold(KickSums a, const KickSums& b) {
+    a.sums.mass += b.sums.mass;
+    a.sums.kinetic += b.sums.kinetic;
+    a.sums.potential += b.sums.potential;
+    a.sums.momentum += b.sums.momentum;
+    a.sums.angular_momentum += b.sums.angular_momentum;
+    a.strain += b.strain;
+    a.damping_loss += b.damping_loss;
+    a.external_work += b.external_work;
+    return a;
+}
+
+/// First block whose motion is not finite or whose volume left the allowed range; -1 = none.
+std::int64_t find_worst(const BlockSystem& system, const Settings& settings, const affine::BlockState& state) {
+    for (std::int32_t b = 0; b < system.size(); ++b) {
+        const double volume = determinant(rows_at(state.deformation, at(b)));
+        const bool is_sane =
+            is_finite(state.position[at(b)]) && volume < settings.max_stretch && volume > 1 / settings.max_stretch;
+        if (!is_sane) {
+            return b;
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+affine::Outcome advance(const BlockSystem& system, const Settings& settings, double dt,
+                        const affine::BlockLoads& external, State& state, Scratch& scratch, StepReport& report) {
+    report = {};
+    drift_all(system, settings, 0.5 * dt, state.blocks);
+    place_blocks(system, state.blocks, scratch.placed);
+    std::swap(scratch.old, state.contacts);
+    scratch.contacts = scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, 0);
+    scratch.forces.resize(scratch.contacts.size());
+    const double time = 0.5 * (state.last_dt + dt);
+    parallel::for_each_uneven(static_cast<std::int64_t>(scratch.contacts.size()), 64, [&](std::int64_t i) {
+        scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.old, scratch.contacts[at(i)], time);
+    });
+    scratch.loads.assign(at(system.size()), {});
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        add_loads(state.blocks, scratch.contacts[i], scratch.forces[i], scratch.loads);
+        report.dashpot_loss += dt * scratch.forces[i].answer.dashpot_power;
+    }
+    remember(system, scratch, state.contacts, report);
+    report.stable_step = stable_step_now(system, state.blocks, scratch);
+    const KickSums sums = parallel::reduce(
+        system.size(), KickSums{},
+        [&](std::int64_t b) {
+            return kick_one(system, settings, dt, external, scratch.loads[at(b)], static_cast<std::int32_t>(b),
+                            state.blocks);
+        },
+        fold, 256);
+    report.sums = sums.sums;
+    report.strain = sums.strain;
+    report.damping_loss = sums.damping_loss;
+    report.external_work = sums.external_work;
+    drift_all(system, settings, 0.5 * dt, state.blocks);
+    state.last_dt = dt;
+    const std::int64_t worst = find_worst(system, settings, state.blocks);
+    if (worst >= 0) {
+        return {"block " + std::to_string(worst) + " is stretched beyond max_stretch or moves without bound", 0.5};
+    }
+    return {};
+}
+
+}  // namespace riprap::solid::explicit_dda
