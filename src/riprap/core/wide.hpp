@@ -4,6 +4,7 @@
 // Numbers side by side, cut into the vectors that the machine calculates with. GCC takes vectors wider than those of
 // the machine too, but keeps them in memory and compares them number by number, several times slower than this.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -41,6 +42,14 @@ template <class Part>
 inline Part greater(Part a, Part b) {
     return a > b ? a : b;
 }
+/// Square root, number by number.
+template <class Part>
+inline Part root(Part a) {
+    for (std::size_t lane = 0; lane < sizeof(a) / sizeof(a[0]); ++lane) {
+        a[lane] = std::sqrt(a[lane]);
+    }
+    return a;
+}
 /// One bit per number.
 template <class Part>
 inline std::uint32_t bits_below(Part a, Part b) {
@@ -58,6 +67,7 @@ inline FloatEight lesser(FloatEight a, FloatEight b) { return _mm256_min_ps(a, b
 inline FloatEight greater(FloatEight a, FloatEight b) { return _mm256_max_ps(a, b); }
 inline DoubleFour lesser(DoubleFour a, DoubleFour b) { return _mm256_min_pd(a, b); }
 inline DoubleFour greater(DoubleFour a, DoubleFour b) { return _mm256_max_pd(a, b); }
+inline DoubleFour root(DoubleFour a) { return _mm256_sqrt_pd(a); }
 inline std::uint32_t bits_below(FloatEight a, FloatEight b) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
 }
@@ -73,6 +83,7 @@ inline FloatSixteen lesser(FloatSixteen a, FloatSixteen b) { return _mm512_maskz
 inline FloatSixteen greater(FloatSixteen a, FloatSixteen b) { return _mm512_maskz_max_ps(0xFFFF, a, b); }
 inline DoubleEight lesser(DoubleEight a, DoubleEight b) { return _mm512_maskz_min_pd(0xFF, a, b); }
 inline DoubleEight greater(DoubleEight a, DoubleEight b) { return _mm512_maskz_max_pd(0xFF, a, b); }
+inline DoubleEight root(DoubleEight a) { return _mm512_maskz_sqrt_pd(0xFF, a); }
 inline std::uint32_t bits_below(FloatSixteen a, FloatSixteen b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 inline std::uint32_t bits_below(DoubleEight a, DoubleEight b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 #endif
@@ -126,6 +137,9 @@ struct Wide {
     }
     friend Wide operator*(Wide a, Wide b) {
         return each([&](std::size_t k) { return a.part[k] * b.part[k]; });
+    }
+    friend Wide operator/(Wide a, Wide b) {
+        return each([&](std::size_t k) { return a.part[k] / b.part[k]; });
     }
     friend Wide operator-(Wide a) {
         return each([&](std::size_t k) { return -a.part[k]; });
@@ -187,6 +201,10 @@ inline Wide<T, N> select(Wide<Int, N> condition, Wide<T, N> a, Wide<T, N> b) {
 template <class T, std::size_t N>
 inline Wide<T, N> min(Wide<T, N> a, Wide<T, N> b) {
     return Wide<T, N>::each([&](std::size_t k) { return detail::lesser(a.part[k], b.part[k]); });
+}
+template <class T, std::size_t N>
+inline Wide<T, N> sqrt(Wide<T, N> a) {
+    return Wide<T, N>::each([&](std::size_t k) { return detail::root(a.part[k]); });
 }
 template <class T, std::size_t N>
 inline Wide<T, N> max(Wide<T, N> a, Wide<T, N> b) {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/sphere_dem/advance.hpp"
+
+#include <limits>
+
+#include "riprap/core/index.hpp"
+#include "riprap/solid/sphere_dem/find.hpp"
+#include "riprap/solid/sphere_dem/place.hpp"
+#include "riprap/solid/sphere_dem/respond.hpp"
+#include "riprap/solid/sphere_dem/share.hpp"
+#include "riprap/solid/sphere_dem/walls.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+ContactSums evaluate_contacts(const SphereModel& model, double time, double sliding_time, const body::BodyState& bodies,
+                              SphereState& state, SphereScratch& scratch) {
+    update_kinematics(model.bodies, bodies, time, scratch.kinematics);
+    place(model, bodies, scratch);
+    const double lost = find_contacts(model, state, scratch);
+    find_walls(model, scratch);
+    share_contacts(model, state, scratch);
+    ContactSums sums = respond(model, bodies, sliding_time, state, scratch);
+    gather_loads(model, bodies, scratch);
+    sums += respond_to_walls(model, bodies, sliding_time, state, scratch);
+    sums.friction_loss += lost;
+    ++state.evaluations;
+    scratch.evaluations = state.evaluations;
+    state.friction_loss += sums.friction_loss;
+    state.damping_loss += sums.damping_loss;
+    state.rolling_loss += sums.rolling_loss;
+    return sums;
+}
+
+SphereReport advance(const SphereModel& model, const Vec3& gravity, const ExternalLoads& external,
+                     const StepTimes& times, body::BodyState& bodies, SphereState& state, SphereScratch& scratch) {
+    SphereReport report;
+    const double half = 0.5 * times.dt, middle = times.begin + half;
+    drift(model.bodies, bodies, middle, half);
+    const std::int64_t searches = scratch.pairs.rebuild_count();
+    report.contacts = evaluate_contacts(model, middle, 0.5 * (times.previous + times.dt), bodies, state, scratch);
+    report.has_searched = scratch.pairs.rebuild_count() != searches;
+    report.contact_count = static_cast<std::int64_t>(state.contacts.size() + state.walls.size());
+    const bool is_first = state.evaluations == 1;
+    const KickTimes kick_times{
+        middle, is_first ? -std::numeric_limits<double>::infinity() : times.begin - 0.5 * times.previous, times.dt};
+    DemSettings settings;
+    settings.local_damping = model.settings.local_damping;
+    settings.mass_damping = model.settings.mass_damping;
+    settings.max_speed = model.settings.max_speed;
+    report.kick =
+        kick(model.bodies, settings, scratch.kinematics, scratch.loads, external, gravity, kick_times, bodies);
+    drift(model.bodies, bodies, times.begin + times.dt, half);
+    if (report.kick.worst_body >= 0) {
+        report.problem = model.bodies.name(BodyId{static_cast<std::int32_t>(report.kick.worst_body)}) +
+                         " moves faster than max_speed, or its motion is no number";
+    } else if (!(report.contacts.deepest <= model.settings.max_overlap)) {
+        report.problem = "two spheres overlap by more than max_overlap of the smaller radius";
+    }
+    return report;
+}
+
+}  // namespace riprap::solid::sphere_dem

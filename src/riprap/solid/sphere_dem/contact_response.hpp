@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/contact/law/hertz.hpp"
+#include "riprap/contact/law/linear_spring.hpp"
+#include "riprap/contact/law/mindlin.hpp"
+#include "riprap/contact/law/rolling.hpp"
+#include "riprap/contact/law/tanh_friction.hpp"
+#include "riprap/solid/sphere_dem/sphere_model.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+/// Constants of the pair of surfaces, one contact or eight; as contact::ContactPair.
+template <class T>
+struct SurfacePair {
+    T modulus, shear_modulus, ratio, static_friction, kinetic_friction, rolling_friction, normal_stiffness, shear_ratio;
+};
+
+inline SurfacePair<double> surface_pair(const contact::ContactPair& p) {
+    return {p.modulus,          p.shear_modulus,    p.ratio,      p.static_friction, p.kinetic_friction,
+            p.rolling_friction, p.normal_stiffness, p.shear_ratio};
+}
+
+/// Geometry and motion of one contact or of eight.
+template <class T>
+struct ContactMotion {
+    Vec3T<T> normal, old_normal;  ///< from A to B, now and at the last step [-]
+    Vec3T<T> velocity;            ///< of A against B at the contact [m/s]
+    Vec3T<T> spin;                ///< omega_a - omega_b [rad/s]
+    T mean_turn;                  ///< (omega_a + omega_b).n dt/2 [rad]
+    T overlap;                    ///< >= 0 [m]
+    T radius, mass;               ///< R*, m* [m], [kg]
+    T weight;                     ///< share of this contact in those of its pair of bodies [-]
+    T dt;                         ///< since the last step [s]
+};
+
+/// Force on A and books of one contact or of eight.
+template <class T>
+struct ContactResponse {
+    Vec3T<T> force;                                        ///< [N]
+    Vec3T<T> couple;                                       ///< of rolling resistance [N m]
+    T elastic, friction_loss, damping_loss, rolling_loss;  ///< [J]
+};
+
+/// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. With a weight w
+/// all stiffnesses and dashpots count by w: w contacts of one pair of bodies, each of 1/w, act as one.
+template <class T>
+inline ContactResponse<T> respond_to(const SphereSettings& settings, const SurfacePair<T>& pair,
+                                     const ContactMotion<T>& motion, contact::TangentialSpring<T>& spring,
+                                     Vec3T<T>& rolling_couple) {
+    const bool is_hertz = settings.normal == contact::NormalLaw::hertz;
+    const contact::NormalResponse<T> normal =
+        is_hertz ? contact::hertz<T>({pair.modulus, motion.radius, motion.mass, pair.ratio}, motion.overlap)
+                 : contact::linear_spring<T>(pair.normal_stiffness, motion.mass, pair.ratio, motion.overlap);
+    const T closing = dot(motion.velocity, motion.normal);
+    const Vec3T<T> sliding = motion.velocity - motion.normal * closing;
+    const T zero(0.0);
+    T total = normal.elastic + normal.damping * closing;
+    if (!settings.allows_pull) {
+        total = contact::larger(total, zero);
+    }
+    const T dashpot = total - normal.elastic;
+    const T pressing = contact::larger(total, zero) * motion.weight;
+
+    contact::TangentialResponse<T> shear;
+    if (settings.tangential == contact::TangentialLaw::mindlin) {
+        // A tangential dashpot of the normal one's ratio: c_t/c_n = sqrt(k_t/k_n), which is one number per pair.
+        using std::sqrt;
+        const T stiffness =
+            is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness;
+        const T share = is_hertz ? sqrt(T(4.0) * pair.shear_modulus / pair.modulus) : sqrt(pair.shear_ratio);
+        spring.force = contact::turn_with_normal(spring.force, motion.old_normal, motion.normal, motion.mean_turn);
+        shear = contact::advance_spring<T>(spring, sliding, stiffness * motion.weight,
+                                           normal.damping * share * motion.weight, pressing,
+                                           {pair.static_friction, pair.kinetic_friction}, motion.dt);
+    } else {
+        const T share(2.0 / 7),
+            stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness;
+        shear = contact::tanh_friction<T>(sliding, share * stiffness * motion.weight,
+                                          share * normal.damping * motion.weight, pressing, pair.kinetic_friction,
+                                          T(settings.friction_speed), motion.dt);
+    }
+    ContactResponse<T> out;
+    out.force = shear.force - motion.normal * (total * motion.weight);
+    out.couple = {};
+    out.elastic = normal.energy * motion.weight + shear.energy;
+    out.friction_loss = shear.friction_loss;
+    out.damping_loss = motion.dt * (dashpot * closing * motion.weight + shear.dashpot_power);
+    out.rolling_loss = zero;
+    if (settings.rolling != contact::RollingLaw::none) {
+        const Vec3T<T> rolling = motion.spin - motion.normal * dot(motion.spin, motion.normal);
+        contact::RollingResponse<T> roll;
+        if (settings.rolling == contact::RollingLaw::constant) {
+            roll = contact::rolling_constant<T>(rolling, pair.rolling_friction, motion.radius, pressing, motion.dt);
+        } else {
+            const T secant = normal.elastic / contact::larger(motion.overlap, T(1e-300)) * motion.weight;
+            const Vec3T<T> turned =
+                contact::turn_with_normal(rolling_couple, motion.old_normal, motion.normal, motion.mean_turn);
+            roll = contact::rolling_spring<T>(turned, rolling, pair.rolling_friction, motion.radius, pressing, secant,
+                                              motion.dt);
+            rolling_couple = roll.couple;
+        }
+        out.couple = roll.couple;
+        out.elastic = out.elastic + roll.energy;
+        out.rolling_loss = roll.loss;
+    }
+    return out;
+}
+
+}  // namespace riprap::solid::sphere_dem

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/contact/law/contact_table.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+/// Spheres by which bodies meet: Model. One entry per sphere, grouped by body in the order of the bodies.
+struct SphereSet {
+    std::vector<std::int32_t> body;
+    std::vector<double> radius;       ///< [m]
+    std::vector<Vec3> local;          ///< centre in the body frame [m]
+    std::vector<Vec3> face_normal;    ///< outward normal of the face that the sphere lies in, body frame; 0 = none [-]
+    std::vector<std::int32_t> begin;  ///< first sphere of every body; body count + 1 entries, see finish
+
+    std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
+    std::int32_t count_of(std::int32_t of) const {
+        return begin[static_cast<std::size_t>(of) + 1] - begin[static_cast<std::size_t>(of)];
+    }
+    void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {});
+    /// Fills `begin`; call once all spheres are added, in the order of their bodies.
+    void finish(std::int32_t body_count);
+};
+
+/// Triangles of fixed or driven surfaces, open or closed: Model. Spheres meet them from either side.
+struct TriangleSet {
+    std::vector<std::int32_t> body;
+    std::vector<Vec3> corners;           ///< three per triangle, body frame [m]
+    std::vector<std::int32_t> vertices;  ///< three per triangle; equal numbers are one vertex of the surface
+
+    std::int32_t size() const { return static_cast<std::int32_t>(body.size()); }
+    /// Adds one surface of a body; vertex numbers count from those already there.
+    void add(BodyId of, const std::vector<Vec3>& points, const std::vector<std::int32_t>& corner_indices);
+
+ private:
+    std::int32_t vertex_count_{0};
+};
+
+/// Choices of the method.
+struct SphereSettings {
+    contact::NormalLaw normal{contact::NormalLaw::hertz};
+    contact::TangentialLaw tangential{contact::TangentialLaw::mindlin};
+    contact::RollingLaw rolling{contact::RollingLaw::none};
+    contact::Sharing sharing{contact::Sharing::divide};
+    contact::SphereNormals normals{contact::SphereNormals::centres};
+    bool allows_pull{true};        ///< the dashpot may pull at the end of an impact
+    double friction_speed{0.125};  ///< v_0 of the tanh friction [m/s]
+    double local_damping{0};       ///< Cundall's alpha [-]
+    double mass_damping{0};        ///< [1/s]
+    double skin{0.1};              ///< of the candidate pairs, over the median radius [-]
+    double grid_factor{2};         ///< ratio of radii between size classes of the search [-]
+    double steps_per_contact{50};  ///< steps in the shortest impact [-]
+    double max_overlap{0.5};       ///< over the smaller radius; a deeper overlap ends the run [-]
+    double max_speed{1e5};         ///< [m/s]
+};
+
+/// All that the method reads and never writes.
+struct SphereModel {
+    const body::BodySet& bodies;
+    const geometry::ShapeSet& shapes;  ///< of polyhedral parts that spheres meet
+    const SphereSet& spheres;
+    const TriangleSet& triangles;
+    const contact::ContactTable& table;
+    SphereSettings settings{};
+};
+
+}  // namespace riprap::solid::sphere_dem

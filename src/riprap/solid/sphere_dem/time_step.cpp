@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/sphere_dem/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/contact/law/hertz.hpp"
+#include "riprap/contact/law/linear_spring.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+namespace {
+
+/// Stiffest pair that a material takes part in.
+contact::ContactPair stiffest_pair(const SphereModel& model, MaterialId material) {
+    contact::ContactPair stiffest;
+    for (std::int32_t other = 0; other < model.table.size(); ++other) {
+        const contact::ContactPair& pair = model.table.pair(material, MaterialId{other});
+        stiffest.modulus = std::max(stiffest.modulus, pair.modulus);
+        stiffest.normal_stiffness = std::max(stiffest.normal_stiffness, pair.normal_stiffness);
+    }
+    return stiffest;
+}
+
+double smallest_radius(const SphereSet& spheres, std::size_t body) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int32_t s = spheres.begin[body]; s < spheres.begin[body + 1]; ++s) {
+        least = std::min(least, spheres.radius[at(s)]);
+    }
+    return least;
+}
+
+double fastest(const body::BodyState& state) {
+    const double squared = parallel::reduce(
+        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[at(i)]); },
+        [](double a, double b) { return std::max(a, b); });
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+double rayleigh_time(double radius, double density, double youngs_modulus, double poisson_ratio) {
+    const double shear_modulus = youngs_modulus / (2 * (1 + poisson_ratio));
+    return M_PI * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
+}
+
+SphereStep step_limit(const SphereModel& model, const body::BodyState& state, double gravity) {
+    SphereStep step{std::numeric_limits<double>::infinity(), {}, "no sphere can touch another"};
+    const double speed = 2 * fastest(state);
+    std::vector<contact::ContactPair> pairs;
+    for (std::int32_t m = 0; m < model.table.size(); ++m) {
+        pairs.push_back(stiffest_pair(model, MaterialId{m}));
+    }
+    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+        const bool may_move =
+            model.bodies.drive[at(b)] == body::Drive::free || std::isfinite(model.bodies.release_time[at(b)]);
+        if (!may_move || model.spheres.count_of(b) == 0) {
+            continue;
+        }
+        const double radius = smallest_radius(model.spheres, at(b)), mass = model.bodies.mass[at(b)];
+        const contact::ContactPair& pair = pairs[at(model.bodies.material[at(b)].value)];
+        const double v = std::max({speed, std::sqrt(4 * gravity * radius), 1e-6});
+        double duration = 0;
+        if (model.settings.normal == contact::NormalLaw::linear) {
+            duration = contact::linear_contact_time(pair.normal_stiffness, 0.5 * mass, 0);
+        } else {
+            duration = std::min(contact::hertz_contact_time(pair.modulus, 0.5 * radius, 0.5 * mass, v),
+                                contact::hertz_contact_time(pair.modulus, radius, mass, v));
+        }
+        const double limit = duration / model.settings.steps_per_contact;
+        if (limit < step.limit) {
+            step = {limit, BodyId{b}, "duration of an impact of " + model.bodies.name(BodyId{b})};
+        }
+    }
+    return step;
+}
+
+}  // namespace riprap::solid::sphere_dem

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "riprap/solid/sphere_dem/sphere_model.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+/// Time that a Rayleigh wave takes across a sphere [s]: pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = E/(2 (1 + nu))
+/// [Thornton2015]. With R = 5 mm, 2500 kg/m^3, 5 MPa and nu = 0.3 it is 0.6119 ms.
+double rayleigh_time(double radius, double density, double youngs_modulus, double poisson_ratio);
+
+/// The sphere that limits the step.
+struct SphereStep {
+    double limit;  ///< [s]; infinity where no sphere can touch anything
+    BodyId body;
+    std::string reason;
+};
+
+/// Longest step of the explicit scheme [s]: the shortest impact over `steps_per_contact`,
+///
+///     dt = 2.87 (m*^2/(R* E*^2 v))^(1/5)/steps_per_contact,   v = max(2 v_max, sqrt(2 g D)),
+///
+/// of every free body's smallest sphere against a sphere and body like itself, and against the stiffest pair of
+/// materials and an immovable plane (m* = m, R* = R); a linear spring has the duration pi sqrt(m*/k) for any v. The
+/// floor of v is free fall over one diameter D [Mellado2021, eq. 4.26, with the exponent 1/5].
+///
+/// @param gravity  size of gravity [m/s^2]
+SphereStep step_limit(const SphereModel& model, const body::BodyState& state, double gravity);
+
+}  // namespace riprap::solid::sphere_dem
