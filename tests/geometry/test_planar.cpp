@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "riprap/geometry/dda_files.hpp"
+#include "riprap/geometry/planar_cut.hpp"
+#include "riprap/geometry/planar_polygon.hpp"
+
+namespace riprap::geometry {
+namespace {
+
+const Polygon unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+double total_area(const PlanarBlocks& cut) {
+    return std::accumulate(cut.blocks.begin(), cut.blocks.end(), 0.0,
+                           [](double sum, const Polygon& block) { return sum + moments_of(block).area; });
+}
+
+TEST(PlanarPolygon, MomentsOfAnEllAreThoseOfItsThreeSquares) {
+    const Polygon ell{{10, 5}, {12, 5}, {12, 6}, {11, 6}, {11, 7}, {10, 7}};
+    const PolygonMoments m = moments_of(ell);
+    EXPECT_NEAR(m.area, 3, 1e-14);
+    EXPECT_NEAR(m.centroid.x, 10 + 2.5 / 3, 1e-14);
+    EXPECT_NEAR(m.centroid.y, 5 + 2.5 / 3, 1e-14);
+    double xx = 0, xy = 0;
+    for (const Vec2 c : {Vec2{10.5, 5.5}, Vec2{11.5, 5.5}, Vec2{10.5, 6.5}}) {
+        xx += 1.0 / 12 + (c.x - m.centroid.x) * (c.x - m.centroid.x);
+        xy += (c.x - m.centroid.x) * (c.y - m.centroid.y);
+    }
+    EXPECT_NEAR(m.xx, xx, 1e-13);
+    EXPECT_NEAR(m.yy, xx, 1e-13);
+    EXPECT_NEAR(m.xy, xy, 1e-13);
+}
+
+TEST(PlanarPolygon, MomentsDoNotDependOnWhereThePolygonIs) {
+    Polygon far = unit_square;
+    for (Vec2& p : far) {
+        p += {1e6, -1e6};
+    }
+    EXPECT_NEAR(moments_of(far).xx, 1.0 / 12, 1e-9);
+    EXPECT_NEAR(moments_of(far).area, 1, 1e-9);
+}
+
+TEST(PlanarPolygon, OutlinesThatCrossOrEncloseNothingAreRefused) {
+    EXPECT_FALSE(make_polygon(std::vector<Vec2>{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(make_polygon(std::vector<Vec2>{{0, 0}, {1, 1}, {1, 1}}));
+    EXPECT_FALSE(make_polygon(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1e-9}}));
+    EXPECT_FALSE(make_polygon(std::vector<Vec2>{{0, 0}, {NAN, 0}, {1, 1}}));
+    const auto turned = make_polygon(std::vector<Vec2>{{0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}});
+    ASSERT_TRUE(turned);
+    EXPECT_EQ(turned.value().size(), 4u);
+    EXPECT_GT(moments_of(turned.value()).area, 0);
+}
+
+TEST(PlanarCut, CrossingJointsCutASquareIntoFourBlocksAndKeepTheirTypes) {
+    std::vector<PlanarJoint> joints = outline_of(unit_square, 1);
+    joints.push_back({{0.5, -0.2}, {0.5, 1.2}, 2});  // reaches beyond the outline
+    joints.push_back({{0, 0.25}, {1, 0.25}, 3});
+    const auto cut = cut_by_lines(joints);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut.value().blocks.size(), 4u);
+    EXPECT_EQ(cut.value().dead_ends, 2) << "the two tails outside";
+    EXPECT_NEAR(total_area(cut.value()), 1, 1e-14);
+    for (std::size_t b = 0; b < 4; ++b) {
+        EXPECT_EQ(cut.value().blocks[b].size(), 4u);
+        std::int32_t sum = 0;
+        for (const std::int32_t type : cut.value().edge_types[b]) {
+            sum += type;
+        }
+        EXPECT_EQ(sum, 1 + 1 + 2 + 3);
+    }
+}
+
+TEST(PlanarCut, DeadEndsAndDanglingJointsCutNothing) {
+    std::vector<PlanarJoint> joints = outline_of(unit_square);
+    joints.push_back({{0.5, 0}, {0.5, 0.6}, 0});    // ends inside
+    joints.push_back({{0.2, 0.3}, {0.8, 0.3}, 0});  // hangs on it
+    const auto cut = cut_by_lines(joints);
+    ASSERT_TRUE(cut);
+    ASSERT_EQ(cut.value().blocks.size(), 1u);
+    EXPECT_EQ(cut.value().blocks[0].size(), 4u) << "the corner where the joint began is dropped";
+    EXPECT_EQ(cut.value().dead_ends, 4);
+}
+
+TEST(PlanarCut, JointsThatMeetWithinTheSnapDistanceEncloseABlock) {
+    const std::vector<PlanarJoint> open{{{0, 0}, {1, 0}, 0}, {{1, 0.004}, {1, 1}, 0}, {{1.003, 1}, {0, 0}, 0}};
+    EXPECT_FALSE(cut_by_lines(open));
+    const auto cut = cut_by_lines(open, {.snap = 0.01});
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut.value().blocks.size(), 1u);
+}
+
+TEST(PlanarCut, JointsThatLieOnEachOtherAreOne) {
+    std::vector<PlanarJoint> joints = outline_of(unit_square);
+    joints.push_back({{0, 0.5}, {0.7, 0.5}, 0});
+    joints.push_back({{0.3, 0.5}, {1, 0.5}, 0});
+    const auto cut = cut_by_lines(joints);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut.value().blocks.size(), 2u);
+    EXPECT_NEAR(total_area(cut.value()), 1, 1e-14);
+}
+
+TEST(PlanarCut, ALoopThatNothingTiesToTheOutlineIsLeftOut) {
+    std::vector<PlanarJoint> joints = outline_of(unit_square);
+    const Polygon inner{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
+    const std::vector<PlanarJoint> loop = outline_of(inner);
+    joints.insert(joints.end(), loop.begin(), loop.end());
+    const auto cut = cut_by_lines(joints);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut.value().blocks.size(), 1u);
+    EXPECT_EQ(cut.value().loose_loops, 1);
+}
+
+TEST(PlanarCut, ASliverIsRefusedWithItsPlace) {
+    std::vector<PlanarJoint> joints = outline_of(unit_square);
+    joints.push_back({{0, 0.5}, {1, 0.5}, 0});
+    joints.push_back({{0, 0.50001}, {1, 0.50001}, 0});
+    const auto cut = cut_by_lines(joints);
+    ASSERT_FALSE(cut);
+    EXPECT_NE(cut.problems()[0].message.find("(0.5, 0.500005)"), std::string::npos) << cut.problems()[0].message;
+}
+
+TEST(PlanarCut, JointSetsFillASlopeAndKeepItsArea) {
+    const Polygon slope{{0, 0}, {30, 0}, {30, 20}, {12, 20}, {6, 5}, {0, 5}};  // concave at its toe
+    std::vector<PlanarJoint> joints = outline_of(slope);
+    for (const PlanarJointSet& set :
+         {PlanarJointSet{.dip = 0.6, .spacing = 1.3, .spacing_scatter = 0.3},
+          PlanarJointSet{.dip = 2.0, .spacing = 1.9, .length = 6, .bridge = 1, .offset = 0.3}}) {
+        const auto traces = traces_of(set, slope, 7);
+        EXPECT_GT(traces.size(), 10u);
+        joints.insert(joints.end(), traces.begin(), traces.end());
+    }
+    const auto cut = cut_by_lines(joints, {.snap = 0, .sliver = 1e-12});
+    ASSERT_TRUE(cut) << cut.problems()[0].message;
+    EXPECT_GT(cut.value().blocks.size(), 100u);
+    EXPECT_GT(cut.value().dead_ends, 0);
+    EXPECT_NEAR(total_area(cut.value()), moments_of(slope).area, 1e-9);
+}
+
+constexpr const char* marked_geometry = R"(<?xml version="1.0"?>
+<DDA xmlns:B="x">
+<!-- a box on a bar -->
+<B:Geometry>
+   <Edgenodedist distance="0.01"/>
+   <Jointlist>
+      <Joint type="1"> 0 -0.01 0 1.01 </Joint>
+      <Joint type="1"> -0.01 1 4.01 1 </Joint>
+      <Joint type="2"> 4 1.01 4 -0.01</Joint>
+      <Joint type="1"> 4.01 0 -0.01 0</Joint>
+   </Jointlist>
+   <Fixedpointlist> <Point> 1 0.5 </Point> <Line> 2 0.5 3 0.5 </Line> </Fixedpointlist>
+   <Loadpointlist> <Point> 4 0.5 </Point> </Loadpointlist>
+   <Whatever/>
+</B:Geometry>
+</DDA>
+)";
+
+TEST(DdaFiles, AMarkedUpGeometryGivesJointsThatCutItsBlocks) {
+    const DdaGeometry geometry = read_dda_geometry(marked_geometry, "bar.geo");
+    EXPECT_EQ(geometry.snap, 0.01);
+    ASSERT_EQ(geometry.joints.size(), 4u);
+    EXPECT_EQ(geometry.joints[2].type, 2);
+    EXPECT_EQ(geometry.fixed_lines.size(), 2u);
+    EXPECT_EQ(geometry.load_points.size(), 1u);
+    ASSERT_EQ(geometry.notes.size(), 2u);
+    EXPECT_NE(geometry.notes[1].find("line 14: <Whatever>"), std::string::npos) << geometry.notes[1];
+    const auto cut = cut_by_lines(geometry.joints, {.snap = geometry.snap});
+    ASSERT_TRUE(cut);
+    ASSERT_EQ(cut.value().blocks.size(), 1u);
+    EXPECT_NEAR(total_area(cut.value()), 4, 0.1);
+}
+
+TEST(DdaFiles, BareNumbersGiveTheSameJoints) {
+    const DdaGeometry geometry = read_dda_geometry(
+        "0.01\n4 4\n0\n0\n1\n0\n0\n0\n0 0 4 0 1\n4 0 4 1 2\n4 1 0 1 1\n0 1 0 0 1\n1 0.5 1 0.5\n", "bar.geo");
+    EXPECT_EQ(geometry.joints.size(), 4u);
+    EXPECT_EQ(geometry.outline_count, 4);
+    EXPECT_EQ(geometry.joints[1].type, 2);
+    EXPECT_EQ(geometry.fixed_lines.size(), 1u);
+    const DdaAnalysis analysis = read_dda_analysis(
+        "0\n20\n1\n1\n0.006\n0.01\n5 161 1000000 0.49\n0 0 0\n0 0 0\n1 2 3\n30.0 10.0 4.0\n", "bar.ana");
+    EXPECT_FALSE(analysis.is_dynamic);
+    ASSERT_EQ(analysis.materials.size(), 1u);
+    EXPECT_EQ(analysis.materials[0].poisson_ratio, 0.49);
+    EXPECT_EQ(analysis.materials[0].velocity[2], 3);
+    EXPECT_NEAR(analysis.joints[0].friction_angle, std::numbers::pi / 6, 1e-15);
+}
+
+TEST(DdaFiles, AMarkedUpAnalysisIsReadWithItsMaterialsAndLoads) {
+    const DdaAnalysis analysis = read_dda_analysis(R"(<DDA><Analysis>
+<Analysistype type="dynamic"/> <Planestrain flag="yes"/> <Numtimesteps timesteps="500"/>
+<Maxtimestep maxtimestep="0.01"/> <Maxdisplacement maxdisplacement="0.025"/>
+<Autopenalty flag="no" pfactor="50.0"/>
+<Blockmaterial type="1"> <Unitmass> 18 </Unitmass> <Unitweight> 176.58 </Unitweight>
+ <Youngsmod> 3e6 </Youngsmod> <Poissonratio> 0.2 </Poissonratio> <Istress> 1 2 3 </Istress> </Blockmaterial>
+<Jointproperties type="1"><Friction> 45 </Friction><Cohesion> 7 </Cohesion><Tensile> 8</Tensile></Jointproperties>
+<Loadpointlist><Loadpoint numpoints = "2"> 0 5000 500; 5 6000 500; </Loadpoint></Loadpointlist>
+</Analysis></DDA>)",
+                                                   "bar.ana");
+    EXPECT_TRUE(analysis.is_plane_strain);
+    EXPECT_EQ(analysis.step_count, 500);
+    EXPECT_EQ(analysis.materials.at(0).stress[2], 3);
+    EXPECT_EQ(analysis.joints.at(0).tension, 8);
+    ASSERT_EQ(analysis.loads.at(0).records.size(), 2u);
+    EXPECT_EQ(analysis.loads[0].records[1][1], 6000);
+}
+
+/// The first problem of a text as "line:column message".
+std::string problem_of(std::string_view text) {
+    try {
+        read_dda_geometry(text, "bad.geo");
+    } catch (const CaseError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
+TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
+    EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n0 0 x 0 1\n").find("bad.geo:3:5:"), std::string::npos);
+    EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n0 0 1 0\n").find("the text ends before a type"), std::string::npos);
+    EXPECT_NE(problem_of("0.01\n-1 0\n").find("bad.geo:2:1:"), std::string::npos);
+    EXPECT_NE(problem_of("<DDA>\n <Geometry>\n  <Jointlist> <Joint type=\"1\"> 0 0 1 </Joint> </Jointlist>\n"
+                         "</Geometry></DDA>")
+                  .find("bad.geo:3:15: <Joint> holds 3 numbers"),
+              std::string::npos);
+    EXPECT_NE(problem_of("<DDA>\n <Geometry>\n").find("bad.geo:2:2: <Geometry> is not closed"), std::string::npos);
+    EXPECT_NE(problem_of("<DDA></Geometry></DDA>").find("bad.geo:1:6: </Geometry> closes nothing"), std::string::npos);
+    EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace riprap::geometry
