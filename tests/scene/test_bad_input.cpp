@@ -130,9 +130,9 @@ TEST(BadInput, names_that_point_nowhere_are_refused) {
                 ElementsAre(HasSubstr("the name 'block' is taken")));
 }
 
-TEST(BadInput, a_method_that_is_not_implemented_is_an_error_that_says_so) {
-    EXPECT_THAT(problems_of(minimal_case + "[solid]\nmethod = \"explicit_dda\"\n"),
-                ElementsAre(HasSubstr("is not implemented in this version; \"distance_potential_dem\"")));
+TEST(BadInput, a_method_that_does_not_exist_is_refused_with_those_that_do) {
+    EXPECT_THAT(problems_of(minimal_case + "[solid]\nmethod = \"alchemy\"\n"),
+                ElementsAre(AllOf(HasSubstr("is not known"), HasSubstr("\"distance_potential_dem\""))));
 }
 
 TEST(BadInput, different_friction_needs_a_mixing_rule) {

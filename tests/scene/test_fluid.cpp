@@ -115,8 +115,8 @@ TEST(FluidCase, problems_name_their_place) {
                 ElementsAre(HasSubstr("case.toml:20:1: no particle of water fits into this region")));
     EXPECT_THAT(test::problems_of(test::with(tank, "2 cm", "0.01 mm")),
                 ElementsAre(HasSubstr("places of the lattice; particles are at most 50000000")));
-    EXPECT_THAT(test::problems_of(test::with(tank, "spacing = \"2 cm\"", "spacing = \"2 cm\"\nmethod = \"wcmps\"")),
-                ElementsAre(HasSubstr("not implemented")));
+    EXPECT_THAT(test::problems_of(test::with(tank, "spacing = \"2 cm\"", "spacing = \"2 cm\"\nmethod = \"ether\"")),
+                ElementsAre(HasSubstr("is not known")));
 }
 
 TEST(FluidCase, a_level_above_its_region_is_refused) {

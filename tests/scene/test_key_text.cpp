@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -23,7 +24,12 @@ TEST(KeyTable, every_key_is_named_explained_and_has_a_form) {
         EXPECT_FALSE(table->help.empty()) << table->id;
         std::set<std::string_view> names;
         for (const Key& key : table->keys) {
-            EXPECT_TRUE(names.insert(key.name).second) << table->id << "." << key.name;
+            const auto has_name = [&key](const Key& other) { return other.name == key.name; };
+            for (const std::string_view method : table->methods) {
+                const Table part = table->part_of(method);
+                EXPECT_LE(std::count_if(part.keys.begin(), part.keys.end(), has_name), 1) << method << " " << key.name;
+            }
+            EXPECT_TRUE(names.insert(key.name).second || !key.methods.empty()) << table->id << "." << key.name;
             EXPECT_GT(key.help.size(), 5U) << table->id << "." << key.name;
             EXPECT_EQ(key.help.back(), '.') << table->id << "." << key.name;
             EXPECT_FALSE(key.forms.empty()) << table->id << "." << key.name;

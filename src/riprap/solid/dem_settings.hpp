@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "riprap/contact/narrowphase/distance_potential.hpp"
+
+namespace riprap {
+template <class S>
+struct MethodKeys;  // core/key.hpp
+}
 
 namespace riprap::solid {
 
 /// Explicit DEM of polyhedra with the distance potential.
 struct DemSettings {
+    static constexpr std::string_view method_name = "distance_potential_dem";
+    static MethodKeys<DemSettings> keys();
+
     contact::DistancePotentialOptions contact;
     double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
     double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]

@@ -2,9 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/particle/domain.hpp"
+
+namespace riprap {
+template <class S>
+struct MethodKeys;  // core/key.hpp
+}
 
 namespace riprap::fluid {
 
@@ -14,6 +20,9 @@ enum class Viscosity : std::uint8_t { artificial, laminar_sps };
 
 /// What the case says of a particle fluid: Model. One set of defaults serves every case.
 struct SphSettings {
+    static constexpr std::string_view method_name = "sph";
+    static MethodKeys<SphSettings> keys();
+
     SphScheme scheme{SphScheme::delta_sph};
     double spacing{0};            ///< dp: distance of particles at the start [m]
     double smoothing_ratio{1.5};  ///< h/dp [-]; the kernel ends at 2 h

@@ -8,6 +8,7 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 #include "riprap/scene/warnings/paddle_warnings.hpp"
 
@@ -110,8 +111,7 @@ void build_fluid(CaseBuild& build) {
     }
     sim::FluidModel fluid;
     fluid.sph = read_settings(build, *table);
-    fluid.wall =
-        get_text(*table, "wall") == "penalty" ? sim::WallTreatment::penalty : sim::WallTreatment::boundary_particles;
+    read_keys(*table, fluid_model_keys(), fluid);
     const Value& list = get(*table, "region");
     const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
     if (has_domain) {

@@ -18,7 +18,7 @@ void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
         has_driven = has_driven || (bodies.drive[b] == body::Drive::driven && !is_loose);
     }
     // The forces of joints and those of the water have to come from one kernel.
-    fluid.has_joint_pressure = get_boolean(table, "joint_pressure") && has_loose &&
+    fluid.has_joint_pressure = fluid.has_joint_pressure && has_loose &&
                                fluid.wall == sim::WallTreatment::boundary_particles &&
                                fluid.sph.scheme == fluid::SphScheme::delta_sph;
     if (!fluid.has_joint_pressure) {

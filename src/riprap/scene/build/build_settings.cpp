@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -248,16 +249,7 @@ void build_settings(CaseBuild& build) {
     model.time.force_time_step = get_boolean(root, "force_time_step");
     model.time.max_steps = get_integer(root, "max_steps");
 
-    const Value& solid = get(root, "solid");
-    model.solid.contact.potential =
-        get_text(solid, "potential") == "fdem" ? contact::Potential::fdem : contact::Potential::distance;
-    model.solid.contact.sides = get_text(solid, "sides") == "both" ? contact::Sides::both : contact::Sides::contactor;
-    model.solid.local_damping = get_number(solid, "local_damping");
-    model.solid.mass_damping = get_number(solid, "mass_damping");
-    model.solid.grid_factor = get_number(solid, "grid_factor");
-    model.solid.skin = get_number(solid, "skin");
-    model.solid.max_potential = get_number(solid, "max_potential");
-    model.solid.max_speed = get_number(solid, "max_speed");
+    model.solid = std::get<solid::DemSettings>(SolidMethods::read(get(root, "solid"), build.problems));
 }
 
 void build_output(CaseBuild& build) {

@@ -9,6 +9,7 @@
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
 
@@ -76,27 +77,9 @@ bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {
     return is_good;
 }
 
-fluid::SphSettings read_settings(const CaseBuild& build, const Value& table) {
-    fluid::SphSettings sph;
-    sph.spacing = get_number(table, "spacing");
-    sph.smoothing_ratio = get_number(table, "smoothing_ratio");
-    sph.rest_density = get_number(table, "density");
+fluid::SphSettings read_settings(CaseBuild& build, const Value& table) {
+    fluid::SphSettings sph = std::get<fluid::SphSettings>(FluidMethods::read(table, build.problems));
     sph.particle_mass = sph.rest_density * std::pow(sph.spacing, build.is_planar ? 2 : 3);
-    sph.scheme = get_text(table, "scheme") == "muller" ? fluid::SphScheme::muller : fluid::SphScheme::delta_sph;
-    sph.state_equation =
-        get_text(table, "state_equation") == "linear" ? fluid::StateEquation::linear : fluid::StateEquation::tait;
-    sph.tait_exponent = get_number(table, "tait_exponent");
-    sph.viscosity =
-        get_text(table, "viscosity") == "artificial" ? fluid::Viscosity::artificial : fluid::Viscosity::laminar_sps;
-    sph.artificial_alpha = get_number(table, "artificial_alpha");
-    sph.kinematic_viscosity = get_number(table, "kinematic_viscosity");
-    sph.smagorinsky = get_number(table, "smagorinsky");
-    sph.density_diffusion = get_number(table, "density_diffusion");
-    sph.acoustic_damping = get_number(table, "acoustic_damping");
-    sph.gradient_correction = get_boolean(table, "gradient_correction");
-    sph.shifting = get_number(table, "shifting");
-    sph.courant = get_number(table, "courant");
-    sph.sort_interval = get_integer(table, "sort_interval");
     return sph;
 }
 

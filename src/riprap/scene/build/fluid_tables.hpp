@@ -13,8 +13,8 @@ namespace riprap::scene {
 /// The domain in `table`. False with a problem.
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain);
 
-/// Settings of the scheme, but for domain and sound speed.
-fluid::SphSettings read_settings(const CaseBuild& build, const Value& table);
+/// Settings of the method, but for domain and sound speed.
+fluid::SphSettings read_settings(CaseBuild& build, const Value& table);
 
 /// The regions of the case; false where one of them has a problem.
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions);

@@ -30,6 +30,32 @@ class Checker {
     Checker(bool is_planar, std::vector<Diagnostic>& problems) : values_(is_planar, problems), problems_(problems) {}
 
     Value table(const Value& given, const Table& table) {
+        if (table.methods.empty()) {
+            return keys(given, table);
+        }
+        const std::string method = method_of(given, table);
+        if (!method.empty()) {
+            return keys(given, table.part_of(method));
+        }
+        // Only the word itself is told of: which keys belong to it cannot be known.
+        const Table word{table.id, table.header, table.help, {table.keys.front()}};
+        Value alone = Value::table();
+        alone.place = given.place;
+        alone.set("method", *given.find("method"));
+        return keys(alone, word);
+    }
+
+ private:
+    /// The method of a table; the nearest for a misspelt word, empty where none is near.
+    static std::string method_of(const Value& given, const Table& table) {
+        const Value* word = given.find("method");
+        if (word == nullptr) {
+            return std::string(table.methods.front());
+        }
+        return word->is_text() ? nearest(word->text, {table.methods.begin(), table.methods.end()}) : "";
+    }
+
+    Value keys(const Value& given, const Table& table) {
         Value out = Value::table();
         out.place = given.place;
         std::vector<std::string_view> seen;
@@ -49,7 +75,6 @@ class Checker {
         return out;
     }
 
- private:
     void take(const Entry& entry, const Table& table, std::vector<std::string_view>& seen,
               std::map<std::string_view, Value>& accepted) {
         const Key* key = table.find(entry.key);
@@ -199,6 +224,9 @@ class Checker {
             problems_.push_back({entry.place, fmt::format("unknown key '{}'", entry.key), ""});  // will only be counted
             return;
         }
+        if (table.whole != nullptr && key_of_another_method(entry, table)) {
+            return;
+        }
         std::string allowed = nearest(entry.key, known);
         if (!allowed.empty()) {
             allowed = fmt::format("did you mean '{}'?", allowed);
@@ -212,6 +240,25 @@ class Checker {
             allowed = "known keys: " + join(names, ", ");
         }
         problems_.push_back({entry.place, fmt::format("unknown key '{}' in {}", entry.key, table.header), allowed});
+    }
+
+    /// A problem where the key is one of a method that is not chosen.
+    bool key_of_another_method(const Entry& entry, const Table& part) {
+        const auto suffixed = split_unit_suffix(entry.key);
+        std::vector<std::string_view> methods;
+        for (const Key& key : part.whole->keys) {
+            if (key.name == entry.key || (suffixed && key.name == suffixed->base)) {
+                methods.insert(methods.end(), key.methods.begin(), key.methods.end());
+            }
+        }
+        if (methods.empty()) {
+            return false;
+        }
+        problems_.push_back({entry.place,
+                             fmt::format("'{}' is a key of {} with method = \"{}\"; the method here is \"{}\"",
+                                         entry.key, part.header, join(methods, "\" or \""), part.method),
+                             "leave it out, or choose that method"});
+        return true;
     }
 
     static std::string find_elsewhere(std::string_view key) {

@@ -135,29 +135,69 @@ Value required_list(const std::vector<std::string_view>& keys) {
     return list;
 }
 
-Value schema_of(const Table& table) {
-    Value properties = Value::table(), with_units = Value::table();
-    std::vector<std::string_view> required;
-    for (const Key& key : table.keys) {
-        std::vector<Value> forms;
-        for (const Form& form : key.forms) {
-            forms.push_back(schema_of(form));
-            const std::string suffixes = suffixes_for(dimension_of(form));
-            if (!dimension_of(form).is_plain() && !suffixes.empty()) {
-                with_units.set(fmt::format("^{}_({})$", key.name, suffixes),
-                               any_of({type("number"), array_schema(Value::table(), 1, limits::table_rows)}));
+/// The pattern of a key with a unit in its name; empty where it takes none.
+std::string unit_pattern(const Key& key, const Form& form) {
+    const std::string suffixes = suffixes_for(dimension_of(form));
+    return dimension_of(form).is_plain() || suffixes.empty() ? "" : fmt::format("^{}_({})$", key.name, suffixes);
+}
+
+Value property_of(const Key& key) {
+    std::vector<Value> forms;
+    for (const Form& form : key.forms) {
+        forms.push_back(schema_of(form));
+    }
+    Value property = any_of(std::move(forms));
+    property.set("description", Value::of(key.help));
+    if (key.otherwise && !key.otherwise->is_table()) {
+        property.set("default", *key.otherwise);
+    }
+    return property;
+}
+
+/// Keys that must be given under their own name; those that may carry a unit in it cannot be asked for by name.
+std::vector<std::string_view> required_keys(const std::vector<Key>& keys) {
+    std::vector<std::string_view> names;
+    for (const Key& key : keys) {
+        if (key.is_required && unit_pattern(key, key.forms.front()).empty()) {
+            names.push_back(key.name);
+        }
+    }
+    return names;
+}
+
+/// For every method, where it is chosen: its own rows, and no key that only others have.
+Value method_rules(const Table& table) {
+    Value rules = Value::array();
+    for (const std::string_view word : table.methods) {
+        const Table part = table.part_of(word);
+        Value own = Value::table();
+        for (const Key& key : table.keys) {
+            if (key.is_of(word) && !key.methods.empty()) {
+                own.set(key.name, property_of(key));
+            } else if (part.find(key.name) == nullptr) {
+                own.set(key.name, Value::of(false));
             }
         }
-        Value property = any_of(std::move(forms));
-        property.set("description", Value::of(key.help));
-        if (key.otherwise && !key.otherwise->is_table()) {
-            property.set("default", *key.otherwise);
+        Value chosen = object({{"properties", object({{"method", object({{"const", Value::of(word)}})}})}});
+        if (word != table.methods.front()) {
+            chosen.set("required", required_list({"method"}));
         }
-        properties.set(key.name, std::move(property));
-        if (key.is_required && with_units.find(fmt::format("^{}_({})$", key.name,
-                                                           suffixes_for(dimension_of(key.forms.front())))) == nullptr) {
-            required.push_back(key.name);
+        rules.items.push_back(
+            object({{"if", chosen},
+                    {"then", object({{"properties", own}, {"required", required_list(required_keys(part.keys))}})}}));
+    }
+    return rules;
+}
+
+Value schema_of(const Table& table) {
+    Value properties = Value::table(), with_units = Value::table();
+    for (const Key& key : table.keys) {
+        for (const Form& form : key.forms) {
+            if (const std::string pattern = unit_pattern(key, form); !pattern.empty()) {
+                with_units.set(pattern, any_of({type("number"), array_schema(Value::table(), 1, limits::table_rows)}));
+            }
         }
+        properties.set(key.name, key.methods.empty() ? property_of(key) : Value::table());
     }
     Value schema = type("object");
     schema.set("title", Value::of(table.header));
@@ -166,7 +206,9 @@ Value schema_of(const Table& table) {
     if (!with_units.entries.empty()) {
         schema.set("patternProperties", std::move(with_units));
     }
-    if (!required.empty()) {
+    if (table.methods.size() > 1) {
+        schema.set("allOf", method_rules(table));
+    } else if (const auto required = required_keys(table.keys); !required.empty()) {
         schema.set("required", required_list(required));
     }
     schema.set("additionalProperties", Value::of(false));

@@ -2,12 +2,24 @@
 #include "riprap/scene/keys/key_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace riprap::scene {
 
 const Key* Table::find(std::string_view name) const {
     const auto it = std::find_if(keys.begin(), keys.end(), [name](const Key& key) { return key.name == name; });
     return it == keys.end() ? nullptr : &*it;
+}
+
+bool Key::is_of(std::string_view word) const {
+    return methods.empty() || std::find(methods.begin(), methods.end(), word) != methods.end();
+}
+
+Table Table::part_of(std::string_view word) const {
+    Table part{id, header, help, {}, groups, methods, this, word};
+    std::copy_if(keys.begin(), keys.end(), std::back_inserter(part.keys),
+                 [word](const Key& key) { return key.is_of(word); });
+    return part;
 }
 
 namespace {
@@ -44,10 +56,6 @@ std::vector<const Table*> all_tables() {
 }
 
 namespace form {
-Range positive() { return {.low = 0, .is_low_open = true}; }
-Range non_negative() { return {.low = 0}; }
-Range between(double low, double high) { return {.low = low, .high = high}; }
-
 Form boolean() { return {.kind = FormKind::boolean}; }
 Form integer(double low, double high) { return {.kind = FormKind::integer, .range = {.low = low, .high = high}}; }
 Form number(const Dimension& dimension, const Range& range) {
@@ -56,9 +64,7 @@ Form number(const Dimension& dimension, const Range& range) {
 Form text() { return {.kind = FormKind::text}; }
 Form name() { return {.kind = FormKind::name}; }
 Form path() { return {.kind = FormKind::path}; }
-Form choice(std::vector<std::string_view> words, std::vector<std::string_view> planned) {
-    return {.kind = FormKind::choice, .words = std::move(words), .planned = std::move(planned)};
-}
+Form choice(std::vector<std::string_view> words) { return {.kind = FormKind::choice, .words = std::move(words)}; }
 Form vector(const Dimension& dimension, const Range& range) {
     return {.kind = FormKind::vector, .dimension = dimension, .range = range};
 }

@@ -8,27 +8,17 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/core/key.hpp"
 #include "riprap/scene/text/units.hpp"
 #include "riprap/scene/text/value.hpp"
 
 namespace riprap::scene {
 
 // The one declarative table of the case file. It drives checking (check_keys.hpp), the listing on the terminal, the
-// JSON Schema and the manual page (key_text.hpp). A new key is one row here and one line where it is used.
+// JSON Schema and the manual page (key_text.hpp). Keys of methods come from the methods (methods.hpp); any other key is
+// one row here and one line where it is used.
 
 struct Table;
-
-/// Accepted interval of a number.
-struct Range {
-    double low{-std::numeric_limits<double>::infinity()};
-    double high{std::numeric_limits<double>::infinity()};
-    bool is_low_open{false};   ///< low itself is refused
-    bool is_high_open{false};  ///< high itself is refused
-    bool contains(double v) const {
-        return (is_low_open ? v > low : v >= low) && (is_high_open ? v < high : v <= high);
-    }
-    bool is_bounded() const { return low > -1e308 || high < 1e308; }
-};
 
 /// What kind of value a key takes.
 enum class FormKind {
@@ -49,26 +39,27 @@ enum class FormKind {
 /// One way to write the value of a key.
 struct Form {
     FormKind kind{FormKind::number};
-    Dimension dimension{};                    ///< of numbers and components
-    Range range{};                            ///< of a number, integer or component
-    std::vector<std::string_view> words{};    ///< of a choice
-    std::vector<std::string_view> planned{};  ///< words that other versions may know; refused as not implemented
-    std::vector<Form> item{};                 ///< of a list: one entry
-    std::int64_t min_count{0};                ///< entries of a list
+    Dimension dimension{};                  ///< of numbers and components
+    Range range{};                          ///< of a number, integer or component
+    std::vector<std::string_view> words{};  ///< of a choice
+    std::vector<Form> item{};               ///< of a list: one entry
+    std::int64_t min_count{0};              ///< entries of a list
     std::int64_t max_count{std::numeric_limits<std::int64_t>::max()};
     bool is_nonzero{false};            ///< a vector that gives a direction
     bool is_axial{false};              ///< a vector about which something turns: along z in a planar scene
     const Table& (*table)(){nullptr};  ///< of tables; a function, because tables may contain themselves
+    friend bool operator==(const Form&, const Form&) = default;
 };
 
 /// One row of the table.
 struct Key {
     std::string_view name;
     std::vector<Form> forms;  ///< the first whose kind of value fits is used
-    std::string_view help;
+    std::string help;
     std::optional<Value> otherwise;  ///< default
     bool is_required{false};
-    std::string_view since{"0.1"};
+    std::vector<std::string_view> methods{};  ///< words of the methods that have the key; every one when empty
+    bool is_of(std::string_view word) const;
 };
 
 /// How many keys of a group may be given.
@@ -85,8 +76,13 @@ struct Table {
     std::string_view help;
     std::vector<Key> keys;
     std::vector<Group> groups{};
+    std::vector<std::string_view> methods{};  ///< words of its key "method", the default first; none without the key
+    const Table* whole{nullptr};              ///< of a part: the table with the keys of all methods
+    std::string_view method{};                ///< of a part: its method
 
     const Key* find(std::string_view name) const;
+    /// The keys that a case with this method may give.
+    Table part_of(std::string_view word) const;
 };
 
 /// The top of the case file.
@@ -97,16 +93,14 @@ std::vector<const Table*> all_tables();
 
 // Rows are written with these.
 namespace form {
-Range positive();
-Range non_negative();
-Range between(double low, double high);
+using key::above, key::below, key::between, key::non_negative, key::positive;
 Form boolean();
 Form integer(double low, double high);
 Form number(const Dimension& dimension, const Range& range = {});
 Form text();
 Form name();
 Form path();
-Form choice(std::vector<std::string_view> words, std::vector<std::string_view> planned = {});
+Form choice(std::vector<std::string_view> words);
 Form vector(const Dimension& dimension, const Range& range = {});
 Form direction();
 Form axis();

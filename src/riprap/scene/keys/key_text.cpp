@@ -60,12 +60,19 @@ std::string cell(std::string text) {
     return out;
 }
 
+/// "sph, wcmps": the methods that have the key; "all" where every one has.
+std::string methods_text(const Key& key) {
+    return key.methods.empty() ? "all" : fmt::format("{}", fmt::join(key.methods, ", "));
+}
+
 std::string manual_of(const Table& table) {
+    const bool has_methods = table.methods.size() > 1;
     std::string page = fmt::format("\n## `{}`\n\n{}\n\n", table.header, table.help);
-    page += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
+    page += has_methods ? "| key | value | default | methods | meaning |\n| --- | --- | --- | --- | --- |\n"
+                        : "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
     for (const Key& key : table.keys) {
-        page += fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(forms_text(key)), cell(default_text(key)),
-                            cell(std::string(key.help)));
+        page += fmt::format("| `{}` | {} | {} | {}{} |\n", key.name, cell(forms_text(key)), cell(default_text(key)),
+                            has_methods ? methods_text(key) + " | " : "", cell(key.help));
     }
     for (const Group& group : table.groups) {
         page += fmt::format("\n{}\n", group_text(group));
@@ -75,7 +82,7 @@ std::string manual_of(const Table& table) {
 
 constexpr std::string_view preface = R"(# The case file
 
-<!-- Made by `riprap schema --manual` from the key table in src/riprap/scene/keys_*.cpp. Do not edit by hand. -->
+<!-- Made by `riprap schema --manual` from the key table in src/riprap/scene/keys. Do not edit by hand. -->
 
 A case is one TOML file that describes an experiment. Unknown keys, wrong units and values out of range are errors
 with file, line and column; all of them are reported in one run.
@@ -150,8 +157,9 @@ std::string key_listing(const std::string& prefix) {
                 has_header = true;
             }
             text += fmt::format("  {:<24} {}\n", key.name, key.help);
-            text += fmt::format("  {:<24} {}; {}\n", "", forms_text(key),
-                                key.is_required ? "required" : "default " + default_text(key));
+            text += fmt::format("  {:<24} {}; {}{}\n", "", forms_text(key),
+                                key.is_required ? "required" : "default " + default_text(key),
+                                key.methods.empty() ? "" : "; method " + methods_text(key));
         }
     }
     return text;

@@ -2,6 +2,7 @@
 // Rows of the key table: the top of the file, gravity, materials, contact, solid.
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
 
@@ -163,43 +164,8 @@ const Table& contact_table() {
 }
 
 const Table& solid_table() {
-    static const Table table{
-        "solid",
-        "[solid]",
-        "How solids move and touch.",
-        {{"method",
-          {choice({"distance_potential_dem"}, {"explicit_dda", "implicit_dda", "multisphere_dem"})},
-          "Method by which blocks move.",
-          Value::of("distance_potential_dem")},
-         {"potential",
-          {choice({"distance", "fdem"})},
-          "Field of a block: normalised distance to its surface, or the FDEM potential (for comparison).",
-          Value::of("distance")},
-         {"sides",
-          {choice({"both", "contactor"})},
-          "Integrate the field of both blocks of a pair, or of one (for comparison).",
-          Value::of("both")},
-         {"local_damping",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_high_open = true})},
-          "Cundall's damping for quasi-static runs: a share of each force component, against the velocity.",
-          Value::of(0.0)},
-         {"mass_damping",
-          {number(dimension::frequency, non_negative())},
-          "Damping force per mass and velocity.",
-          Value::of(0.0)},
-         {"grid_factor",
-          {number(dimension::plain, {.low = 1, .high = 16, .is_low_open = true})},
-          "Ratio of circumradii between size classes of the contact search; speed only.",
-          Value::of(2.0)},
-         {"skin",
-          {number(dimension::plain, {.low = 0, .high = 2, .is_low_open = true})},
-          "Margin of the pair cache over the median circumradius; speed only.",
-          Value::of(0.1)},
-         {"max_potential",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "An overlap deeper than this share of the inscribed radius ends the run.",
-          Value::of(1.0)},
-         {"max_speed", {number(dimension::velocity, positive())}, "A faster block ends the run.", Value::of(1e5)}}};
+    static const Table table = with_methods({"solid", "[solid]", "How solids move and touch.", {}},
+                                            "Method by which blocks move.", SolidMethods::all(), {});
     return table;
 }
 

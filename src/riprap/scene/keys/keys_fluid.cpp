@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: water.
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
 
@@ -115,105 +115,51 @@ const Table& fluid_outflow_table() {
     return table;
 }
 
+/// Rows that methods may name among their scene_keys.
+std::vector<Key> scene_rows() {
+    std::vector<Key> rows{
+        {"sound_speed",
+         {choice({"auto"}), number(dimension::velocity, positive())},
+         "Of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that the case "
+         "gives water and moving bodies, H the depth of the water at the start. Density then varies by about 1 %.",
+         Value::of("auto")},
+        {"expected_speed",
+         {choice({"auto"}), number(dimension::velocity, non_negative())},
+         "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam break, "
+         "2 sqrt(g H).",
+         Value::of("auto")},
+        {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
+        {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
+        {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
+        {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
+        {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}};
+    const std::vector<Key> bound = rows_of(fluid_model_keys());
+    rows.insert(rows.end(), bound.begin(), bound.end());
+    return rows;
+}
+
 }  // namespace
 
+KeyList<sim::FluidModel> fluid_model_keys() {
+    using S = sim::FluidModel;
+    return {key::choice(&S::wall, "wall",
+                        {{"boundary_particles", sim::WallTreatment::boundary_particles},
+                         {"penalty", sim::WallTreatment::penalty}},
+                        "How solids hold water back: particles in layers under their faces that take part in all sums, "
+                        "or faces that push particles away (for comparison)."),
+            key::boolean(&S::has_joint_pressure, "joint_pressure",
+                         "Water presses apart faces that are too close for particles to come between: uplift of blocks "
+                         "that lie on something. False where joints are watertight. wall = \"penalty\" and scheme = "
+                         "\"muller\" have none.")};
+}
+
 const Table& fluid_table() {
-    static const fluid::SphSettings defaults;  // one place says them, for cases and for programs
-    static const Table table{
-        "fluid",
-        "[fluid]",
-        "Water as particles. The defaults serve every case; spacing, domain and regions say what is special.",
-        {{"method",
-          {choice({"sph"}, {"wcmps", "mps", "finite_volume", "hydrostatic"})},
-          "How water moves.",
-          Value::of("sph")},
-         {"scheme",
-          {choice({"delta_sph", "muller"})},
-          "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. (2003), density "
-          "by summation, for comparison: it needs an artificial_alpha of 0.1 or more.",
-          Value::of("delta_sph")},
-         {"spacing", {number(dimension::length, positive())}, "Distance of particles at the start.", {}, true},
-         {"smoothing_ratio",
-          {number(dimension::plain, between(1, 3))},
-          "Smoothing length over spacing; the kernel ends at twice that.",
-          Value::of(defaults.smoothing_ratio)},
-         {"density",
-          {number(dimension::density, positive())},
-          "At rest, without pressure.",
-          Value::of(defaults.rest_density)},
-         {"sound_speed",
-          {choice({"auto"}), number(dimension::velocity, positive())},
-          "Of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that the case "
-          "gives water and moving bodies, H the depth of the water at the start. Density then varies by about 1 %.",
-          Value::of("auto")},
-         {"expected_speed",
-          {choice({"auto"}), number(dimension::velocity, non_negative())},
-          "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam break, "
-          "2 sqrt(g H).",
-          Value::of("auto")},
-         {"state_equation", {choice({"tait", "linear"})}, "How pressure follows from density.", Value::of("tait")},
-         {"tait_exponent",
-          {number(dimension::plain, between(1, 10))},
-          "Of the Tait equation.",
-          Value::of(defaults.tait_exponent)},
-         {"viscosity",
-          {choice({"artificial", "laminar_sps"})},
-          "Artificial viscosity, or that of water with a model of what turbulence the particles do not resolve.",
-          Value::of("artificial")},
-         {"artificial_alpha",
-          {number(dimension::plain, between(0, 1))},
-          "Strength of the artificial viscosity.",
-          Value::of(defaults.artificial_alpha)},
-         {"kinematic_viscosity",
-          {number(dimension::kinematic_viscosity, non_negative())},
-          "Of the fluid, for laminar_sps.",
-          Value::of(defaults.kinematic_viscosity)},
-         {"smagorinsky",
-          {number(dimension::plain, between(0, 1))},
-          "Constant of the turbulence model of laminar_sps.",
-          Value::of(defaults.smagorinsky)},
-         {"density_diffusion",
-          {number(dimension::plain, between(0, 1))},
-          "Strength of the diffusion of density.",
-          Value::of(defaults.density_diffusion)},
-         {"acoustic_damping",
-          {number(dimension::plain, between(0, 1))},
-          "Strength of the bulk viscosity that damps sound inside the water; 0 = off. None without "
-          "gradient_correction.",
-          Value::of(defaults.acoustic_damping)},
-         {"gradient_correction",
-          {boolean()},
-          "Inside the water density follows the divergence of velocity, not the arrangement of particles; false for "
-          "comparison. Laid out for smoothing_ratio = 1.5.",
-          Value::of(defaults.gradient_correction)},
-         {"shifting",
-          {number(dimension::plain, between(0, 100))},
-          "Strength of the shifting of particles; 0 = off.",
-          Value::of(defaults.shifting)},
-         {"courant",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the time that sound needs through a smoothing length that a step may last; a warning tells where a "
-          "lattice would be unstable.",
-          Value::of(defaults.courant)},
-         {"sort_interval",
-          {integer(1, 1e6)},
-          "Steps between sorts of the particles by place: part of the result, as sums follow the order.",
-          Value::of(defaults.sort_interval)},
-         {"wall",
-          {choice({"boundary_particles", "penalty"})},
-          "How solids hold water back: particles in layers under their faces that take part in all sums, or faces "
-          "that push particles away (for comparison).",
-          Value::of("boundary_particles")},
-         {"joint_pressure",
-          {boolean()},
-          "Water presses apart faces that are too close for particles to come between: uplift of blocks that lie on "
-          "something. False where joints are watertight. wall = \"penalty\" and scheme = \"muller\" have none.",
-          Value::of(true)},
-         {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
-         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
-         {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
-         {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
-         {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}}};
+    static const Table table =
+        with_methods({"fluid",
+                      "[fluid]",
+                      "Water. The defaults serve every case; spacing, domain and regions say what is special.",
+                      {}},
+                     "How water moves.", FluidMethods::all(), scene_rows());
     return table;
 }
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/core/key.hpp"
+#include "riprap/fluid/particle/particle_keys.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+
+namespace riprap::fluid {
+
+using namespace key;
+
+namespace {
+
+using S = SphSettings;
+
+KeyList<S> scheme_keys() {
+    return {
+        choice(&S::scheme, "scheme", {{"delta_sph", SphScheme::delta_sph}, {"muller", SphScheme::muller}},
+               "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. "
+               "(2003), density by summation, for comparison: it needs an artificial_alpha of 0.1 or more."),
+        choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
+               "How pressure follows from density."),
+        number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Of the Tait equation.")};
+}
+
+KeyList<S> viscosity_keys() {
+    return {choice(&S::viscosity, "viscosity",
+                   {{"artificial", Viscosity::artificial}, {"laminar_sps", Viscosity::laminar_sps}},
+                   "Artificial viscosity, or that of water with a model of what turbulence the particles do not "
+                   "resolve."),
+            number(&S::artificial_alpha, "artificial_alpha", dimension::plain, between(0, 1),
+                   "Strength of the artificial viscosity."),
+            number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
+                   "Of the fluid, for laminar_sps."),
+            number(&S::smagorinsky, "smagorinsky", dimension::plain, between(0, 1),
+                   "Constant of the turbulence model of laminar_sps.")};
+}
+
+KeyList<S> particle_order_keys() {
+    return {number(&S::density_diffusion, "density_diffusion", dimension::plain, between(0, 1),
+                   "Strength of the diffusion of density."),
+            number(&S::acoustic_damping, "acoustic_damping", dimension::plain, between(0, 1),
+                   "Strength of the bulk viscosity that damps sound inside the water; 0 = off. None without "
+                   "gradient_correction."),
+            boolean(&S::gradient_correction, "gradient_correction",
+                    "Inside the water density follows the divergence of velocity, not the arrangement of particles; "
+                    "false for comparison. Laid out for smoothing_ratio = 1.5."),
+            number(&S::shifting, "shifting", dimension::plain, between(0, 100),
+                   "Strength of the shifting of particles; 0 = off."),
+            number(&S::courant, "courant", dimension::plain, above(0, 1),
+                   "Share of the time that sound needs through a smoothing length that a step may last; a warning "
+                   "tells where a lattice would be unstable."),
+            integer(&S::sort_interval, "sort_interval", 1, 1e6,
+                    "Steps between sorts of the particles by place: part of the result, as sums follow the order.")};
+}
+
+}  // namespace
+
+MethodKeys<SphSettings> SphSettings::keys() {
+    return {.help = "smoothed particle hydrodynamics, weakly compressible",
+            .keys = particle_keys<S>() + scheme_keys() + viscosity_keys() + particle_order_keys(),
+            .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
+                           "inflow", "outflow"}};
+}
+
+}  // namespace riprap::fluid

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/core/key.hpp"
+#include "riprap/solid/dem_settings.hpp"
+
+namespace riprap::solid {
+
+using namespace key;
+
+namespace {
+
+KeyList<contact::DistancePotentialOptions> contact_keys() {
+    using contact::DistancePotentialOptions, contact::Potential, contact::Sides;
+    return {choice(&DistancePotentialOptions::potential, "potential",
+                   {{"distance", Potential::distance}, {"fdem", Potential::fdem}},
+                   "Field of a block: normalised distance to its surface, or the FDEM potential (for comparison)."),
+            choice(&DistancePotentialOptions::sides, "sides", {{"both", Sides::both}, {"contactor", Sides::contactor}},
+                   "Integrate the field of both blocks of a pair, or of one (for comparison).")};
+}
+
+}  // namespace
+
+MethodKeys<DemSettings> DemSettings::keys() {
+    using S = DemSettings;
+    const KeyList<S> keys{
+        number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
+               "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
+        number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),
+               "Damping force per mass and velocity."),
+        number(&S::grid_factor, "grid_factor", dimension::plain, above(1, 16),
+               "Ratio of circumradii between size classes of the contact search; speed only."),
+        number(&S::skin, "skin", dimension::plain, above(0, 2),
+               "Margin of the pair cache over the median circumradius; speed only."),
+        number(&S::max_potential, "max_potential", dimension::plain, above(0, 1),
+               "An overlap deeper than this share of the inscribed radius ends the run."),
+        number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster block ends the run.")};
+    return {.help = "explicit discrete elements, polyhedra with a distance potential",
+            .keys = within(&S::contact, contact_keys()) + keys};
+}
+
+}  // namespace riprap::solid
