@@ -69,6 +69,7 @@ void BlockContactHistory::clear() {
     slip.clear();
     mode.clear();
     is_intact.clear();
+    energy.clear();
 }
 
 Vec3 turn_with_plane(const Vec3& v, const Vec3& old_normal, const Vec3& normal) {

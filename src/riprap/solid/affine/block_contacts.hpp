@@ -39,6 +39,7 @@ struct BlockContactHistory {
     std::vector<Vec3> slip;               ///< elastic slip t of a against b, which the shear spring holds [m]
     std::vector<std::uint8_t> mode;       ///< ContactMode
     std::vector<std::uint8_t> is_intact;  ///< has neither opened nor slid: cohesion and tension hold
+    std::vector<double> energy;           ///< stored in its springs [J]
 
     std::size_t size() const { return pair.size(); }
     void clear();
@@ -53,6 +54,7 @@ struct BlockContactHistory {
         visit("block_contact.slip", self.slip);
         visit("block_contact.mode", self.mode);
         visit("block_contact.is_intact", self.is_intact);
+        visit("block_contact.energy", self.energy);
     }
 };
 

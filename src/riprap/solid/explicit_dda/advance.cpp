@@ -95,8 +95,7 @@ void add_loads(const affine::BlockState& state, const BlockContact& contact, con
 }
 
 /// The history of the contacts found now; what springs of lost contacts held is dissipated.
-void remember(const BlockSystem& system, const Scratch& scratch, affine::BlockContactHistory& history,
-              StepReport& report) {
+void remember(const Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
     std::vector<std::uint8_t> is_carried(scratch.old.size(), 0);
     history.clear();
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
@@ -116,6 +115,7 @@ void remember(const BlockSystem& system, const Scratch& scratch, affine::BlockCo
         history.mode.push_back(
             static_cast<std::uint8_t>(answer.is_sliding ? affine::ContactMode::slide : affine::ContactMode::lock));
         history.is_intact.push_back(answer.is_intact ? 1 : 0);
+        history.energy.push_back(answer.energy);
         report.contact += answer.energy;
         report.friction_loss += answer.friction_loss;
         report.deepest = std::max(report.deepest, -contact.gap);
@@ -124,11 +124,7 @@ void remember(const BlockSystem& system, const Scratch& scratch, affine::BlockCo
     }
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
         if (is_carried[row] == 0) {
-            const auto a = static_cast<std::int32_t>(scratch.old.pair[row] >> 32U);
-            const auto b = static_cast<std::int32_t>(scratch.old.pair[row] & 0xFFFFFFFFU);
-            const affine::Surface& surface = system.surface_of(a, b);
-            report.lost_energy +=
-                surface.is_per_area ? 0 : 0.5 * surface.shear_stiffness * norm_squared(scratch.old.slip[row]);
+            report.lost_energy += scratch.old.energy[row];
         }
     }
 }
@@ -243,7 +239,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         add_loads(state.blocks, scratch.contacts[i], scratch.forces[i], scratch.loads);
         report.dashpot_loss += dt * scratch.forces[i].answer.dashpot_power;
     }
-    remember(system, scratch, state.contacts, report);
+    remember(scratch, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     const KickSums sums = parallel::reduce(
         system.size(), KickSums{},

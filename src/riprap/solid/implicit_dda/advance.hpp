@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/solid/affine/outcome.hpp"
+#include "riprap/solid/implicit_dda/system.hpp"
+
+// Implicit DDA in three dimensions [Ding2021, chapter 4, corrected]: deformable convex blocks of twelve unknowns,
+// common- plane contact, open-close iteration, Newmark with beta = 1/2 and gamma = 1. Settings, BlockSystem and
+// FixedPoints are Model, State is saved, Scratch may be dropped between steps.
+
+namespace riprap::solid::implicit_dda {
+
+struct Settings {
+    SolveSettings solve{};
+    int open_close{6};   ///< iterations before the step is cut
+    double cut{0.3};     ///< share of the step tried then [-]
+    double reach{0.01};  ///< contacts are sought up to this share of the smallest block apart, besides the way
+                         ///< of a step [-]
+    double max_displacement{
+        0.1};                    ///< of a corner in a step, share of the smallest block; a longer one cuts the step [-]
+    double slide_tolerance{-1};  ///< see OpenCloseRule [m]
+    double dynamic{1};           ///< kappa: share of the velocity that a step starts with; 0 = static [-]
+};
+
+/// A point of a block held by a spring [Ding2021, section 2.2, in three dimensions].
+struct FixedPoint {
+    std::int32_t block;
+    Vec3 place;        ///< in the shape, about its centroid [m]
+    Vec3 anchor;       ///< where it belongs [m]
+    double stiffness;  ///< [N/m]
+};
+
+struct State {
+    affine::BlockState blocks;
+    affine::BlockContactHistory contacts;
+
+    friend bool operator==(const State&, const State&) = default;
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        affine::BlockState::visit_fields(self.blocks, visit);
+        affine::BlockContactHistory::visit_fields(self.contacts, visit);
+    }
+};
+
+struct Scratch {
+    affine::PlacedBlocks placed;
+    affine::ContactFinder finder;
+    std::vector<affine::BlockContact> found;
+    std::vector<ContactTerm> contacts;
+    std::vector<std::int32_t> row, block;  ///< row of a block, -1 = fixed; block of a row
+    Equations equations;
+};
+
+/// Energies at the end of the step and what it did [J].
+struct StepReport {
+    affine::BlockSums sums;
+    double strain{0}, contact{0};    ///< stored in blocks, and in contact springs and fixed points [J]
+    double friction_loss{0};         ///< taken by sliding [J]
+    double numerical_loss{0};        ///< taken by the integrator: 1/2 D K D over all springs [J]
+    double lost_energy{0};           ///< of contact springs, where contact points are found elsewhere than the step of
+                                     ///< the equations left them: on new corners, or not at all [J]
+    double external_work{0};         ///< of given loads [J]
+    double deepest{0};               ///< overlap [m]
+    double largest_displacement{0};  ///< of a corner [m]
+    int open_close{0}, solver_iterations{0};
+    std::int64_t contact_count{0}, sliding_count{0};
+};
+
+/// One step of length dt. Where the open-close iteration does not settle, the solver fails or a corner moves too far,
+/// nothing in `state` has changed and the answer names the pair or block and a shorter step.
+affine::Outcome advance(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
+                        const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
+                        Scratch& scratch, StepReport& report);
+
+/// Advances by dt in one piece, or in several shorter ones where a piece is refused; at most 1024 of them.
+affine::Outcome advance_in_pieces(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
+                                  const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
+                                  Scratch& scratch, StepReport& report);
+
+}  // namespace riprap::solid::implicit_dda

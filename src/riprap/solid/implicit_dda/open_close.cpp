@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/implicit_dda/open_close.hpp"
+
+#include <algorithm>
+
+namespace riprap::solid::implicit_dda {
+
+namespace {
+
+/// Unit vector of the slip that drives friction: of the step, else as before, else of the spring.
+Vec3 slide_direction(const ContactTrial& trial) {
+    for (const Vec3& v : {trial.step_slip, trial.direction, trial.slip}) {
+        const double size = norm(v);
+        if (size > 1e-14) {
+            return v / size;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+double strength(const ContactSprings& springs, const ContactTrial& trial) {
+    const double cohesion = trial.is_intact ? springs.cohesion : 0;
+    return std::max(0.0, -springs.normal * trial.gap * springs.friction + cohesion);
+}
+
+bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, ContactTrial& trial) {
+    const ContactMode before = trial.mode;
+    const double limit = strength(springs, trial);
+    const double tension = trial.is_intact && springs.normal > 0 ? springs.tension / springs.normal : 0;
+    const auto lock_or_slide = [&] {
+        return springs.shear * norm(trial.slip) > limit ? ContactMode::slide : ContactMode::lock;
+    };
+    switch (before) {
+        case ContactMode::open:
+            trial.mode = trial.gap < -rule.close_tolerance ? lock_or_slide() : ContactMode::open;
+            break;
+        case ContactMode::slide: {
+            const bool turns_back = rule.slide_tolerance >= 0 ? norm(trial.step_slip) <= rule.slide_tolerance
+                                                              : dot(trial.step_slip, trial.direction) < 0;
+            trial.mode = trial.gap > rule.open_tolerance                ? ContactMode::open
+                         : turns_back && limit > 0 && !trial.has_locked ? ContactMode::lock
+                                                                        : ContactMode::slide;
+            trial.has_locked = trial.has_locked || trial.mode == ContactMode::lock;
+            break;
+        }
+        case ContactMode::lock:
+            trial.mode = trial.gap > rule.open_tolerance + tension ? ContactMode::open : lock_or_slide();
+            break;
+    }
+    if (trial.mode == ContactMode::slide) {
+        trial.direction =
+            before == ContactMode::lock ? trial.slip / std::max(norm(trial.slip), 1e-300) : slide_direction(trial);
+        trial.friction = limit;
+    }
+    return trial.mode != before;
+}
+
+}  // namespace riprap::solid::implicit_dda

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/implicit_dda/system.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/linear/small_cholesky.hpp"
+#include "riprap/linear/vector_ops.hpp"
+
+namespace riprap::solid::implicit_dda {
+
+namespace {
+
+/// Stiffness that acts across and along the plane in a mode.
+struct ModeStiffness {
+    double normal, shear;
+    explicit ModeStiffness(const ContactTerm& c)
+        : normal(c.trial.mode == ContactMode::open ? 0 : c.springs.normal),
+          shear(c.trial.mode == ContactMode::lock ? c.springs.shear : 0) {}
+};
+
+/// Force of a contact on a at zero displacement of the unknowns; b gets the opposite.
+Vec3 force_at_start(const ContactTerm& c) {
+    Vec3 force = ModeStiffness(c).normal * c.gap * c.normal;
+    if (c.trial.mode == ContactMode::lock) {
+        const Vec3 moved = c.trial.slip_before + c.prescribed - dot(c.prescribed, c.normal) * c.normal;
+        force -= c.springs.shear * moved;
+    } else if (c.trial.mode == ContactMode::slide) {
+        force -= c.trial.friction * c.trial.direction;
+    }
+    return force;
+}
+
+/// One forward sweep of block SOR; returns |F - K D| before it.
+double sweep(const linear::BlockCsr<12>& a, const std::vector<double>& inverse, double omega,
+             const std::vector<double>& b, std::vector<double>& x) {
+    double residual = 0;
+    for (std::int64_t row = 0; row < a.rows(); ++row) {
+        std::array<double, 12> r{};
+        for (std::size_t k = 0; k < 12; ++k) {
+            r[k] = b[at(row) * 12 + k];
+        }
+        for (std::int64_t e = a.pattern().first(row); e < a.pattern().end(row); ++e) {
+            linear::add_product<12>(-1, a.block(e), &x[at(a.pattern().column_of(e)) * 12], r.data());
+        }
+        for (const double value : r) {
+            residual += value * value;
+        }
+        std::array<double, 12> z{};
+        linear::add_product<12>(omega, &inverse[at(row) * 144], r.data(), z.data());
+        for (std::size_t k = 0; k < 12; ++k) {
+            x[at(row) * 12 + k] += z[k];
+        }
+    }
+    return std::sqrt(residual);
+}
+
+linear::SolveReport solve_sor(const SolveSettings& settings, Equations& equations) {
+    const linear::BlockCsr<12>& a = equations.matrix;
+    std::vector<double> inverse(at(a.rows()) * 144);
+    linear::SolveReport report;
+    for (std::int64_t row = 0; row < a.rows(); ++row) {
+        if (!linear::invert_spd<12>(a.block(a.pattern().find(row, row)), &inverse[at(row) * 144])) {
+            report.status = linear::SolveStatus::not_positive_definite;
+            return report;
+        }
+    }
+    const double size = std::sqrt(linear::dot(equations.right, equations.right));
+    report.status = linear::SolveStatus::too_many_iterations;
+    for (report.iterations = 0; report.iterations < settings.max_iterations; ++report.iterations) {
+        report.residual =
+            size > 0 ? sweep(a, inverse, settings.relaxation, equations.right, equations.solution) / size : 0;
+        if (report.residual <= settings.tolerance) {
+            report.status = linear::SolveStatus::converged;
+            break;
+        }
+    }
+    return report;
+}
+
+}  // namespace
+
+void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations& equations) {
+    std::vector<std::array<std::int32_t, 2>> pairs;
+    RowContacts& incident = equations.incident;
+    incident.start.assign(at(rows) + 1, 0);
+    for (const ContactTerm& c : contacts) {
+        for (const std::int32_t row : {c.row_a, c.row_b}) {
+            incident.start[at(row >= 0 ? row + 1 : 0)] += row >= 0 ? 1 : 0;
+        }
+        if (c.row_a >= 0 && c.row_b >= 0 && (pairs.empty() || pairs.back() != std::array{c.row_a, c.row_b})) {
+            pairs.push_back({c.row_a, c.row_b});
+        }
+    }
+    for (std::size_t r = 1; r < incident.start.size(); ++r) {
+        incident.start[r] += incident.start[r - 1];
+    }
+    incident.contact.resize(at(incident.start.back()));
+    std::vector<std::int32_t> next(incident.start.begin(), incident.start.end() - 1);
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        for (const std::int32_t row : {contacts[k].row_a, contacts[k].row_b}) {
+            if (row >= 0) {
+                incident.contact[at(next[at(row)]++)] = static_cast<std::int32_t>(k);
+            }
+        }
+    }
+    linear::BlockPattern pattern = linear::symmetric_pattern(rows, pairs);
+    if (!(pattern == equations.matrix.pattern()) || equations.right.size() != at(rows) * 12) {
+        equations.matrix.set_pattern(std::move(pattern));
+        equations.right.assign(at(rows) * 12, 0);
+    }
+    for (ContactTerm& c : contacts) {
+        const bool is_inner = c.row_a >= 0 && c.row_b >= 0;
+        c.entry_ab = is_inner ? equations.matrix.pattern().find(c.row_a, c.row_b) : -1;
+        c.entry_ba = is_inner ? equations.matrix.pattern().find(c.row_b, c.row_a) : -1;
+    }
+}
+
+void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
+    linear::BlockCsr<12>& k = equations.matrix;
+    parallel::for_each_uneven(k.rows(), 16, [&](std::int64_t row) {
+        for (std::int64_t e = k.pattern().first(row); e < k.pattern().end(row); ++e) {
+            std::fill(k.block(e), k.block(e) + 144, 0.0);
+        }
+        double* const own = k.block(k.pattern().find(row, row));
+        double* const right = &equations.right[at(row) * 12];
+        std::copy(equations.diagonal[at(row)].begin(), equations.diagonal[at(row)].end(), own);
+        std::copy(equations.given[at(row)].begin(), equations.given[at(row)].end(), right);
+        for (const std::int32_t number : equations.incident.of(row)) {
+            const ContactTerm& c = contacts[at(number)];
+            if (c.trial.mode == ContactMode::open) {
+                continue;
+            }
+            const bool is_a = c.row_a == row;
+            const DisplacementMatrix &mine = is_a ? c.at_a : c.at_b, &other = is_a ? c.at_b : c.at_a;
+            const ModeStiffness stiffness(c);
+            add_springs(mine, mine, c.normal, stiffness.normal, stiffness.shear, 1, own);
+            const std::int64_t entry = is_a ? c.entry_ab : c.entry_ba;
+            if (entry >= 0) {
+                add_springs(mine, other, c.normal, stiffness.normal, stiffness.shear, -1, k.block(entry));
+            }
+            add_force(mine, (is_a ? 1.0 : -1.0) * force_at_start(c), right);
+        }
+    });
+}
+
+linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
+    equations.solution.resize(equations.right.size(), 0);
+    if (settings.solver == Solver::sor) {
+        return solve_sor(settings, equations);
+    }
+    const linear::PcgSettings pcg{settings.tolerance, 0, settings.max_iterations};
+    const bool is_cholesky = settings.solver == Solver::pcg_cholesky;
+    const linear::SetUp ready =
+        is_cholesky ? equations.cholesky.set_up(equations.matrix) : equations.jacobi.set_up(equations.matrix);
+    if (!ready.is_ready()) {
+        linear::SolveReport report;
+        report.status = linear::SolveStatus::not_positive_definite;
+        return report;
+    }
+    return is_cholesky
+               ? solve_pcg(equations.matrix, equations.cholesky, equations.right, equations.solution, pcg,
+                           equations.pcg)
+               : solve_pcg(equations.matrix, equations.jacobi, equations.right, equations.solution, pcg, equations.pcg);
+}
+
+void evaluate(const Equations& equations, std::vector<ContactTerm>& contacts) {
+    parallel::for_each(static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
+        ContactTerm& c = contacts[at(i)];
+        Vec3 moved{};
+        if (c.row_a >= 0) {
+            moved += displacement(c.at_a, &equations.solution[at(c.row_a) * 12]);
+        }
+        if (c.row_b >= 0) {
+            moved -= displacement(c.at_b, &equations.solution[at(c.row_b) * 12]);
+        }
+        c.trial.gap = c.gap - dot(c.normal, moved);
+        const Vec3 total = moved + c.prescribed;
+        c.trial.step_slip = total - dot(c.normal, total) * c.normal;
+        c.trial.slip = c.trial.slip_before + c.trial.step_slip;
+    });
+}
+
+}  // namespace riprap::solid::implicit_dda

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/core/quat.hpp"
+#include "riprap/solid/affine/step_update.hpp"
+#include "riprap/solid/implicit_dda/advance.hpp"
+
+namespace riprap::solid::implicit_dda {
+namespace {
+
+using affine::rows_at;
+
+constexpr double gravity = 9.81, degree = std::numbers::pi / 180;
+
+/// A scene under way.
+struct Trial {
+    affine::BlockSystem system;
+    std::vector<FixedPoint> fixed_points;
+    Settings settings{};
+    State state{};
+    Scratch scratch;
+    StepReport report{};
+    affine::BlockLoads external{};
+    double dt{1e-2};
+
+    void step(int count = 1) {
+        for (int i = 0; i < count; ++i) {
+            ASSERT_EQ(advance_in_pieces(system, fixed_points, settings, dt, external, state, scratch, report).problem,
+                      "");
+        }
+    }
+    void rock(double youngs_modulus, const affine::Surface& surface) {
+        add_material(system, {2500, youngs_modulus, 0.25}, surface);
+    }
+    void ground() { add_block(system, state.blocks, {.shape = add_half_space(system, {0, 0, 1}, 0)}); }
+    double energy() const { return report.sums.kinetic + report.sums.potential + report.strain + report.contact; }
+};
+
+TEST(ImplicitDda, constant_forces_are_exact_at_any_step) {
+    for (const double dt : {0.1, 0.01, 0.001}) {
+        Trial run;
+        run.rock(5e10, {});
+        run.system.gravity = {0, 0, -gravity};
+        run.settings.max_displacement = 10;
+        add_box(run.system, run.state.blocks, {1, 2, 3}, {});
+        run.dt = dt;
+        run.step(static_cast<int>(std::lround(1 / dt)));
+        EXPECT_NEAR(run.state.blocks.position[0].z, -0.5 * gravity, 1e-11);
+        EXPECT_NEAR(run.state.blocks.velocity[0].z, -gravity, 1e-11);
+    }
+}
+
+TEST(ImplicitDda, a_tumbling_block_keeps_volume_and_angular_momentum) {
+    Trial run;
+    run.rock(5e10, {});
+    run.settings.max_displacement = 10;
+    add_box(run.system, run.state.blocks, {1, 2, 3}, {.spin = {0.2, 2 * std::numbers::pi, 0.1}});
+    run.dt = 1e-3;
+    const Vec3 momentum = measure(run.system, run.state.blocks).angular_momentum;
+    run.step(1000);
+    EXPECT_NEAR(determinant(rows_at(run.state.blocks.deformation, 0)), 1, 1e-10);
+    EXPECT_LT(norm(measure(run.system, run.state.blocks).angular_momentum - momentum) / norm(momentum), 1e-10);
+}
+
+TEST(ImplicitDda, a_static_pull_gives_the_stress_and_strain_of_hookes_law_in_one_step) {
+    Trial run;
+    run.rock(1e9, {});
+    run.settings.dynamic = 0;
+    add_box(run.system, run.state.blocks, {1, 2, 3}, {});
+    const Mat3 stress{{{1e5, 2e4, 0}, {2e4, -3e4, 1e4}, {0, 1e4, 5e4}}};
+    const std::vector<Mat3> pull{6 * stress};
+    run.external.pull = pull;
+    run.dt = 1e3;  // inertia 2 J/dt^2 is nothing beside the stiffness
+    run.step();
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            EXPECT_NEAR(rows_at(run.state.blocks.stress, 0)(i, j), stress(i, j), 1e-6);
+        }
+    }
+}
+
+TEST(ImplicitDda, a_block_settles_to_the_overlap_of_its_weight) {
+    Trial run;
+    run.rock(1e9, {1e7, 1e7});
+    run.system.gravity = {0, 0, -gravity};
+    run.ground();
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.501}});
+    run.settings.dynamic = 0;
+    run.step(40);
+    EXPECT_EQ(run.report.contact_count, 4);
+    EXPECT_NEAR(run.report.deepest, 2500 * gravity / 4e7, 1e-9);
+}
+
+/// Block on a plane with gravity tilted by `slope`, at the overlap of its weight.
+Trial incline(double slope, double friction, double dt) {
+    Trial run;
+    run.rock(3e9, {1e8, 1e8, false, friction});
+    run.system.gravity = gravity * Vec3{std::sin(slope), 0, -std::cos(slope)};
+    run.ground();
+    add_box(run.system, run.state.blocks, {1, 1, 1},
+            {.position = {0, 0, 0.5 - 2500 * gravity * std::cos(slope) / 4e8}});
+    run.settings.max_displacement = 10;
+    run.dt = dt;
+    return run;
+}
+
+TEST(ImplicitDda, a_block_on_a_slope_slides_by_coulomb) {
+    for (const double angle : {0.0, 10.0, 20.0}) {
+        const double friction = std::tan(angle * degree);
+        Trial run = incline(30 * degree, friction, 0.01);
+        run.step(20);
+        const double before = run.state.blocks.velocity[1].x;
+        run.step(80);
+        const double a = gravity * (std::sin(30 * degree) - std::cos(30 * degree) * friction);
+        EXPECT_NEAR((run.state.blocks.velocity[1].x - before) / 0.8, a, 1e-3 * a) << angle;
+    }
+}
+
+TEST(ImplicitDda, a_block_steeper_than_its_slope_stays_and_does_not_creep) {
+    Trial run = incline(30 * degree, std::tan(35 * degree), 0.01);
+    run.step(50);
+    const double before = run.state.blocks.position[1].x;
+    run.step(200);
+    EXPECT_NEAR(run.state.blocks.position[1].x, before, 1e-9);
+}
+
+TEST(ImplicitDda, cohesion_holds_a_block_without_friction_until_it_breaks) {
+    const double driving = 2500 * gravity * std::sin(30 * degree);  // on 1 m^2
+    for (const double factor : {0.9, 1.1}) {
+        Trial run = incline(30 * degree, 0, 0.01);
+        run.system.surfaces[0].cohesion = driving * factor;
+        run.settings.dynamic = 0;
+        run.step(30);
+        run.settings.dynamic = 1;
+        run.step(50);
+        EXPECT_EQ(run.state.blocks.position[1].x > 0.1, factor < 1) << factor;
+    }
+}
+
+TEST(ImplicitDda, a_fixed_point_holds_its_block) {
+    Trial run;
+    run.rock(1e9, {});
+    run.system.gravity = {0, 0, -gravity};
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {});
+    for (const Vec3& corner :
+         {Vec3{0.5, 0.5, 0.5}, Vec3{-0.5, 0.5, 0.5}, Vec3{0.5, -0.5, 0.5}, Vec3{-0.5, -0.5, 0.5}}) {
+        run.fixed_points.push_back({0, corner, corner, 1e10});
+    }
+    run.settings.dynamic = 0;
+    run.step(30);
+    // Hung from its top face, the single stress is the mean of weight below: half of rho g h.
+    EXPECT_NEAR(run.state.blocks.stress[2].z, 0.5 * 2500 * gravity, 1);
+    EXPECT_LT(std::abs(run.state.blocks.position[0].z), 1e-4);
+}
+
+/// A wall of blocks that lean on each other, started with random speeds.
+Trial heap() {
+    Trial run;
+    run.rock(1e8, {1e7, 5e6, false, 0.4});
+    run.system.gravity = {0, 0, -gravity};
+    run.ground();
+    for (int i = 0; i < 12; ++i) {
+        add_box(run.system, run.state.blocks, {1, 0.9, 0.5},
+                {.position = {1.01 * (i % 3) + 0.3 * (i / 3 % 2), 0, 0.251 + 0.502 * (i / 3)},
+                 .velocity = {0.1 * std::sin(i), 0, 0}});
+    }
+    run.dt = 2e-3;
+    return run;
+}
+
+TEST(ImplicitDda, all_solvers_agree) {
+    std::vector<Vec3> first;
+    for (const Solver solver : {Solver::pcg_jacobi, Solver::pcg_cholesky, Solver::sor}) {
+        Trial run = heap();
+        run.settings.solve = {solver, 1e-12, 20000};
+        run.step(10);
+        if (first.empty()) {
+            first = run.state.blocks.position;
+        }
+        for (std::size_t b = 0; b < first.size(); ++b) {
+            EXPECT_LT(norm(run.state.blocks.position[b] - first[b]), 1e-8);
+        }
+    }
+}
+
+TEST(ImplicitDda, the_energy_ledger_closes_with_the_loss_of_the_integrator) {
+    Trial run = heap();
+    run.step(1);
+    const double before = run.energy();
+    double lost = 0, turned_over = 0;
+    for (int i = 0; i < 300; ++i) {
+        run.step();
+        lost += run.report.friction_loss + run.report.numerical_loss + run.report.lost_energy;
+        turned_over = std::max(turned_over, std::abs(run.report.sums.potential));
+    }
+    // Turning blocks exactly after a linear step moves energy by the square of the angle.
+    EXPECT_NEAR(run.energy() + lost - before, 0, 2e-4 * turned_over);
+    EXPECT_GT(lost, 0);
+}
+
+TEST(ImplicitDda, momentum_of_an_impact_is_kept) {
+    Trial run;
+    run.rock(1e9, {1e7, 5e6, false, 0.5});
+    const auto turned = [](const Vec3& w) { return to_matrix(from_rotation_vector(w)); };
+    add_box(run.system, run.state.blocks, {1, 0.8, 0.6},
+            {.deformation = turned({0.2, 0.3, 0.1}), .velocity = {1, 0, 0}});
+    add_box(run.system, run.state.blocks, {0.7, 1, 0.9},
+            {.position = {1.15, 0.3, 0.2}, .deformation = turned({-0.4, 0.1, 0.5}), .velocity = {-1, 0.1, 0}});
+    run.dt = 1e-4;
+    const affine::BlockSums before = measure(run.system, run.state.blocks);
+    bool has_touched = false;
+    for (int i = 0; i < 1500; ++i) {
+        run.step();
+        has_touched = has_touched || run.report.contact_count > 0;
+    }
+    const affine::BlockSums after = measure(run.system, run.state.blocks);
+    EXPECT_TRUE(has_touched);
+    EXPECT_LT(norm(after.momentum - before.momentum), 1e-6);  // the solver's tolerance, of 1e3 kg m/s
+    EXPECT_LT(norm(after.angular_momentum - before.angular_momentum), 1e-2 * norm(before.angular_momentum));
+}
+
+TEST(ImplicitDda, a_step_that_is_refused_changes_nothing_and_shorter_pieces_get_through) {
+    Trial run;
+    run.rock(1e9, {1e7, 1e7});
+    run.system.gravity = {0, 0, -gravity};
+    run.settings.max_displacement = 0.01;
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {.velocity = {0, 0, -1}});
+    const State before = run.state;
+    const affine::Outcome refused = advance(run.system, {}, run.settings, 0.1, {}, run.state, run.scratch, run.report);
+    EXPECT_FALSE(refused.ok());
+    EXPECT_GT(refused.shorten, 0);
+    EXPECT_EQ(run.state, before);
+    EXPECT_TRUE(advance_in_pieces(run.system, {}, run.settings, 0.1, {}, run.state, run.scratch, run.report).ok());
+    EXPECT_NEAR(run.state.blocks.position[0].z, -0.1 - 0.5 * gravity * 0.01, 1e-12);
+}
+
+TEST(ImplicitDda, the_same_bits_with_any_number_of_threads_and_from_a_fresh_scratch) {
+    const auto hash_after = [](int threads, bool drop_scratch) {
+        const int before = parallel::thread_count();
+        parallel::set_thread_count(threads);
+        Trial run = heap();
+        run.step(10);
+        if (drop_scratch) {
+            run.scratch = Scratch();
+        }
+        run.step(10);
+        parallel::set_thread_count(before);
+        return hash_fields(run.state);
+    };
+    const std::uint64_t one = hash_after(1, false);
+    EXPECT_EQ(hash_after(2, false), one);
+    EXPECT_EQ(hash_after(4, true), one);
+}
+
+TEST(ImplicitDda, newmark_damps_an_oscillator_by_the_factor_of_its_step) {
+    // A block on four fixed-point springs: amplitude per step (1 + (w dt)^2/2)^(-1/2).
+    Trial run;
+    run.rock(1e12, {});
+    const double mass = 2500, k = 4e6, w = std::sqrt(k / mass);
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.01}});
+    for (const Vec3& corner : {Vec3{0.5, 0.5, 0}, Vec3{-0.5, 0.5, 0}, Vec3{0.5, -0.5, 0}, Vec3{-0.5, -0.5, 0}}) {
+        run.fixed_points.push_back({0, corner, corner, k / 4});
+    }
+    run.dt = 0.05 / w;
+    const auto amplitude_squared = [&] {
+        const double x = run.state.blocks.position[0].z, v = run.state.blocks.velocity[0].z;
+        return x * x + v * v / (w * w);
+    };
+    run.step(1);
+    const double before = amplitude_squared();
+    run.step(400);
+    const double factor = std::pow(1 + 0.5 * 0.05 * 0.05, -400);
+    EXPECT_NEAR(amplitude_squared() / before / factor, 1, 0.05);
+}
+
+}  // namespace
+}  // namespace riprap::solid::implicit_dda
