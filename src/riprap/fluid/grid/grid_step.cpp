@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/grid/grid_step.hpp"
+
+#include <cmath>
+
+#include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/k_epsilon.hpp"
+#include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/porous.hpp"
+#include "riprap/fluid/grid/pressure.hpp"
+#include "riprap/fluid/grid/surface.hpp"
+#include "riprap/fluid/grid/surface_tension.hpp"
+#include "riprap/fluid/grid/viscous.hpp"
+
+namespace riprap::fluid::grid {
+
+namespace {
+
+/// Capacities and open areas from the medium and the shares that solids leave open.
+void find_capacities(const GridSettings& settings, GridScratch& s) {
+    const Mesh& mesh = settings.mesh;
+    const CellBox& box = mesh.box;
+    std::array<int, 3> first{}, last = box.cells;
+    for (int a = 0; a < box.axes; ++a) {
+        first[at(a)] = -Mesh::ghosts;
+        last[at(a)] += Mesh::ghosts;
+    }
+    for_box(box, first, last, [&](std::int64_t c, int i, int j, int k) {
+        const double porosity = s.medium.has_stones ? s.medium.porosity[at(c)] : 1;
+        const double open = s.open.has_bodies ? s.open.volume[at(c)] : 1;
+        s.capacity[at(c)] = porosity * open * mesh.volume(i, j, k);
+        for (int a = 0; a < box.axes; ++a) {
+            s.area[at(a)][at(c)] = mesh.face_area(a, i, j, k) * (s.open.has_bodies ? s.open.area[at(a)][at(c)] : 1);
+        }
+    });
+}
+
+/// Velocity in the pores, n = 1 outside of stones.
+void to_pore_velocity(const GridSettings& settings, const GridScratch& s, std::array<std::vector<double>, 3>& u) {
+    if (!s.medium.has_stones) {
+        return;
+    }
+    const Mesh& mesh = settings.mesh;
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        const std::int64_t sa = mesh.box.stride[at(a)];
+        std::array<int, 3> first{}, last = mesh.box.cells;
+        for (int b = 0; b < mesh.box.axes; ++b) {
+            first[at(b)] = b == a ? -1 : -2;
+            last[at(b)] += 2;
+        }
+        for_box(mesh.box, first, last, [&](std::int64_t f, int, int, int) {
+            u[at(a)][at(f)] /= 0.5 * (s.medium.porosity[at(f - sa)] + s.medium.porosity[at(f)]);
+        });
+    }
+}
+
+}  // namespace
+
+GridState make_state(const GridSettings& settings, const std::function<double(const Vec3&)>& fraction,
+                     const std::function<Vec3(const Vec3&)>& velocity) {
+    const Mesh& mesh = settings.mesh;
+    GridState state;
+    state.fraction.assign(at(mesh.box.size), 0.0);
+    state.pressure.assign(at(mesh.box.size), 0.0);
+    for_cells(mesh.box,
+              [&](std::int64_t c, int i, int j, int k) { state.fraction[at(c)] = fraction(mesh.centre(i, j, k)); });
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        state.velocity[at(a)].assign(at(mesh.box.size), 0.0);
+        for_faces(mesh.box, a, [&](std::int64_t f, int i, int j, int k) {
+            Vec3 place{};
+            const std::array<int, 3> index{i, j, k};
+            for (int b = 0; b < 3; ++b) {
+                place[b] = b == a ? mesh.edge[at(b)][at(index[at(b)])] : mesh.centre(b, index[at(b)]);
+            }
+            state.velocity[at(a)][at(f)] = velocity(place)[a];
+        });
+    }
+    start_turbulence(settings, state);
+    return state;
+}
+
+GridState make_state(const GridSettings& settings, const std::function<bool(const Vec3&)>& is_water) {
+    const Mesh& mesh = settings.mesh;
+    constexpr int points = 4;
+    GridState state = make_state(
+        settings, [](const Vec3&) { return 0.0; }, [](const Vec3&) { return Vec3{}; });
+    for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
+        const Vec3 centre = mesh.centre(i, j, k);
+        const Vec3 h{mesh.h(0, i), mesh.h(1, j), mesh.h(2, k)};
+        int wet = 0;
+        for (int q = 0; q < points * points * points; ++q) {
+            const std::array<int, 3> p{q % points, q / points % points, q / points / points};
+            Vec3 place = centre;
+            for (int a = 0; a < 3; ++a) {
+                place[a] += ((p[at(a)] + 0.5) / points - 0.5) * h[a];
+            }
+            wet += is_water(place) ? 1 : 0;
+        }
+        state.fraction[at(c)] = static_cast<double>(wet) / (points * points * points);
+    });
+    return state;
+}
+
+void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
+    if (s.is_ready) {
+        return;
+    }
+    const Mesh& mesh = settings.mesh;
+    const auto size = at(mesh.box.size);
+    for (auto* field : {&s.capacity, &s.capacity_before, &s.start_fraction, &s.water, &s.colour, &s.mass,
+                        &s.mass_before, &s.viscosity, &s.curvature, &s.rhs}) {
+        field->assign(size, 0.0);
+    }
+    s.plane.assign(size, {});
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        for (auto* fields :
+             {&s.area, &s.carrier, &s.water_flux, &s.flux, &s.predicted, &s.mobility, &s.start_velocity}) {
+            (*fields)[at(a)].assign(size, 0.0);
+        }
+    }
+    s.conductance = linear::FaceConductance(mesh.box);
+    s.medium = medium_fields(settings);
+    find_capacities(settings, s);
+    s.capacity_before = s.capacity;
+    if (settings.turbulence != Turbulence::laminar) {
+        s.eddy_viscosity.assign(size, 0.0);
+        find_eddy_viscosity(settings, state, s);
+    }
+    s.is_ready = true;
+    fill_velocity_ghosts(settings, state.time, state.velocity);
+    if (state.step == 0) {
+        state.water_volume = water_volume(settings, state, s);
+    }
+}
+
+void set_open_shares(const GridSettings& settings, GridState& state, GridScratch& s, OpenShares shares) {
+    prepare(settings, state, s);
+    const bool is_first = !s.open.has_bodies;
+    s.open = std::move(shares);
+    s.capacity_before = s.capacity;
+    find_capacities(settings, s);
+    if (is_first) {
+        s.capacity_before = s.capacity;
+        for (int a = 0; a < settings.mesh.box.axes; ++a) {
+            s.wall_drag[at(a)].assign(at(settings.mesh.box.size), 0.0);
+        }
+        if (state.step == 0) {
+            state.water_volume = water_volume(settings, state, s);
+        }
+    }
+}
+
+double stable_step(const GridSettings& settings, GridState& state, GridScratch& s) {
+    prepare(settings, state, s);
+    const Mesh& mesh = settings.mesh;
+    const CellBox& box = mesh.box;
+    const double fastest = reduce_cells(
+        box, 0.0,
+        [&](std::int64_t c, int i, int j, int k) {
+            const std::array<int, 3> place{i, j, k};
+            double rate = 0;
+            for (int a = 0; a < box.axes; ++a) {
+                const auto& u = state.velocity[at(a)];
+                const double size =
+                    std::max(s.area[at(a)][at(c)] > 0 ? std::abs(u[at(c)]) : 0,
+                             s.area[at(a)][at(c + box.stride[at(a)])] > 0 ? std::abs(u[at(c + box.stride[at(a)])]) : 0);
+                rate += size / mesh.h(a, place[at(a)]);
+            }
+            return rate / (s.medium.has_stones ? s.medium.porosity[at(c)] : 1);
+        },
+        max_of);
+    const double h = mesh.smallest_width();
+    double dt = settings.longest_step;
+    const double g = norm(body_force(settings, state.time));
+    if (settings.has_surface && g > 0) {
+        // the velocity grows by g dt within the step: C = (u + g dt) dt/h
+        const double u = fastest * h;
+        dt = std::min(dt, (std::sqrt(u * u + 4 * settings.courant * g * h) - u) / (2 * g));
+    } else if (fastest > 0) {
+        dt = std::min(dt, settings.courant / fastest);
+    }
+    if (settings.surface_tension > 0) {
+        const double density = settings.water.density + settings.air.density;
+        dt = std::min(dt, std::sqrt(density * h * h * h / (4 * M_PI * settings.surface_tension)));
+    }
+    const double molecular =
+        std::max(settings.water.kinematic_viscosity, settings.has_surface ? settings.air.kinematic_viscosity : 0.0);
+    const double eddy =
+        s.eddy_viscosity.empty()
+            ? 0
+            : reduce_cells(
+                  box, 0.0, [&](std::int64_t c, int, int, int) { return s.eddy_viscosity[at(c)]; }, max_of);
+    if (molecular + eddy > 0) {
+        dt = std::min(dt, 0.4 * h * h / (2 * box.axes * (molecular + eddy)));
+    }
+    return dt;
+}
+
+void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    prepare(settings, state, s);
+    s.start_fraction = state.fraction;
+    fill_velocity_ghosts(settings, state.time, state.velocity);
+    s.carrier = state.velocity;
+    fill_fraction_ghosts(settings, s.carrier, state.time, s.start_fraction);
+    move_water(settings, state, s, dt);
+    find_masses(settings, state, s);
+    find_curvature(settings, state, s);
+    s.start_velocity = state.velocity;
+    to_pore_velocity(settings, s, s.start_velocity);
+    if (s.open.has_bodies) {
+        find_wall_drag(settings, s);
+    }
+    fill_velocity_ghosts(settings, state.time + dt, state.velocity);  // what sides give at the end of the step
+    predict_velocity(settings, state, s, s.start_velocity, settings.outer_corrections > 1, dt);
+}
+
+void end_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    fill_velocity_ghosts(settings, state.time + dt, state.velocity);
+    if (settings.turbulence != Turbulence::laminar) {
+        advance_turbulence(settings, state, s, dt);
+    }
+    s.capacity_before = s.capacity;
+    state.time += dt;
+    state.step += 1;
+    state.last_step = dt;
+}
+
+GridReport advance(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    prepare(settings, state, s);
+    const double volume_before = state.water_volume;
+    const auto start = state.velocity;
+    begin_step(settings, state, s, dt);
+    linear::SolveReport report = project_velocity(settings, state, s, dt);
+    for (int pass = 1; pass < settings.outer_corrections; ++pass) {
+        // transport and stresses once more, with the velocity of the middle of the step
+        fill_velocity_ghosts(settings, state.time + dt, state.velocity);
+        for (int a = 0; a < settings.mesh.box.axes; ++a) {
+            for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
+                s.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
+            }
+        }
+        fill_velocity_ghosts(settings, state.time + 0.5 * dt, s.carrier);
+        state.fraction = s.start_fraction;
+        state.water_volume = volume_before;
+        move_water(settings, state, s, dt);
+        find_masses(settings, state, s);
+        find_curvature(settings, state, s);
+        auto middle = s.carrier;
+        to_pore_velocity(settings, s, middle);
+        predict_velocity(settings, state, s, middle, true, dt);
+        report = project_velocity(settings, state, s, dt);
+    }
+    end_step(settings, state, s, dt);
+    return {report.iterations, report.residual, report.converged};
+}
+
+}  // namespace riprap::fluid::grid

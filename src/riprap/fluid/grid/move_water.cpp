@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/surface.hpp"
+
+namespace riprap::fluid::grid {
+
+namespace {
+
+/// A cell that a step flushes by more than this share of its volume hands on its contents of the end of the step [-].
+constexpr double most_flushed = 0.5;
+/// Sweeps over such cells; each carries water through one more of them in a row [-].
+constexpr int flush_sweeps = 4;
+
+/// Volume that leaves a cell in the step through all its faces [m^3].
+double outflow(const CellBox& box, const GridScratch& s, std::int64_t c) {
+    double out = 0;
+    for (int a = 0; a < box.axes; ++a) {
+        out += std::max(0.0, -s.flux[at(a)][at(c)]) + std::max(0.0, s.flux[at(a)][at(c + box.stride[at(a)])]);
+    }
+    return out;
+}
+
+bool is_sliver(const CellBox& box, const GridScratch& s, std::int64_t c, double volume) {
+    const double capacity = std::min(s.capacity[at(c)], s.capacity_before[at(c)]);
+    return capacity < 0.999 * volume && capacity < outflow(box, s, c) / most_flushed;
+}
+
+/// Water fraction of what leaves a cell through a face in the step: of the slab of the cell next to the face that the
+/// step sweeps.
+double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, int a, std::int64_t face, int place,
+               double dt) {
+    const double u = s.carrier[at(a)][at(face)];
+    const std::int64_t stride = mesh.box.stride[at(a)];
+    const std::int64_t donor = u > 0 ? face - stride : face;
+    const double f = state.fraction[at(donor)];
+    if (!is_mixed(f)) {
+        return f;
+    }
+    const double porosity = s.medium.has_stones ? s.medium.porosity[at(donor)] : 1;
+    const double swept = std::min(1.0, std::abs(u) * dt / (mesh.h(a, u > 0 ? place - 1 : place) * porosity));
+    if (swept < 1e-12) {
+        return f;
+    }
+    return u > 0 ? slab_fraction(s.plane[at(donor)], a, 0.5 - swept, 0.5)
+                 : slab_fraction(s.plane[at(donor)], a, -0.5, -0.5 + swept);
+}
+
+/// Fractions at the end of the step of slivers, which the step flushes: (alpha C + inflow of water)/(C + inflow).
+void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s,
+                   std::vector<double>& end_fraction) {
+    const CellBox& box = settings.mesh.box;
+    end_fraction = state.fraction;
+    for (int sweep = 0; sweep < flush_sweeps; ++sweep) {
+        for_cells(box, [&](std::int64_t c, int i, int j, int k) {
+            if (!is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
+                return;
+            }
+            double water = state.fraction[at(c)] * s.capacity_before[at(c)], volume = s.capacity_before[at(c)];
+            for (int a = 0; a < box.axes; ++a) {
+                const std::int64_t stride = box.stride[at(a)];
+                const double low = std::max(0.0, s.flux[at(a)][at(c)]);
+                const double high = std::max(0.0, -s.flux[at(a)][at(c + stride)]);
+                water += low * end_fraction[at(c - stride)] + high * end_fraction[at(c + stride)];
+                volume += low + high;
+            }
+            s.water[at(c)] = volume > 0 ? water / volume : state.fraction[at(c)];
+        });
+        for_cells(box, [&](std::int64_t c, int i, int j, int k) {
+            if (is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
+                end_fraction[at(c)] = s.water[at(c)];
+            }
+        });
+    }
+}
+
+void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
+    for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
+            s.flux[at(a)][at(f)] = s.carrier[at(a)][at(f)] * s.area[at(a)][at(f)] * dt;
+        });
+    }
+}
+
+/// Books what crosses the sides.
+double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
+    double sum = 0;
+    const CellBox& box = settings.mesh.box;
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        if (is_wall(settings.side[at(side)].kind)) {
+            continue;
+        }
+        const int a = side / 2;
+        std::array<int, 3> first{}, last = box.cells;
+        first[at(a)] = side % 2 == 0 ? 0 : box.cells[at(a)];
+        last[at(a)] = first[at(a)] + 1;
+        for (int k = first[2]; k < last[2]; ++k) {
+            for (int j = first[1]; j < last[1]; ++j) {
+                for (int i = first[0]; i < last[0]; ++i) {
+                    sum += (side % 2 == 0 ? 1 : -1) * s.water_flux[at(a)][at(box.index(i, j, k))];
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+/// One direction of the split transport.
+void move_along(const GridSettings& settings, GridState& state, GridScratch& s, int a, double dt,
+                const std::vector<double>& end_fraction) {
+    const Mesh& mesh = settings.mesh;
+    const CellBox& box = mesh.box;
+    const std::int64_t stride = box.stride[at(a)];
+    fill_fraction_ghosts(settings, s.carrier, state.time, state.fraction);
+    reconstruct_surface(mesh, state.fraction, s.plane);
+    for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
+        const double volume = s.flux[at(a)][at(f)];
+        if (volume == 0) {
+            s.water_flux[at(a)][at(f)] = 0;
+            return;
+        }
+        const std::array<int, 3> place{i, j, k};
+        const bool forward = volume > 0;
+        const std::int64_t donor = forward ? f - stride : f;
+        const int p = place[at(a)] - (forward ? 1 : 0);
+        bool flushed = false;
+        if (s.open.has_bodies && p >= 0 && p < box.cells[at(a)]) {
+            std::array<int, 3> d = place;
+            d[at(a)] = p;
+            flushed = is_sliver(box, s, donor, mesh.volume(d[0], d[1], d[2]));
+        }
+        s.water_flux[at(a)][at(f)] =
+            volume * (flushed ? end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
+    });
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        const double out = s.flux[at(a)][at(c + stride)] - s.flux[at(a)][at(c)];
+        const double water_out = s.water_flux[at(a)][at(c + stride)] - s.water_flux[at(a)][at(c)];
+        s.water[at(c)] += s.colour[at(c)] * out - water_out;
+        const double capacity = s.capacity_before[at(c)];
+        // between directions a fraction may leave 0..1 only where solids move or leave slivers
+        state.fraction[at(c)] = capacity > 0 ? std::clamp(s.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
+    });
+}
+
+}  // namespace
+
+void move_water(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    const CellBox& box = settings.mesh.box;
+    find_fluxes(settings, s, dt);
+    if (!settings.has_surface) {
+        for (int a = 0; a < box.axes; ++a) {
+            s.water_flux[at(a)] = s.flux[at(a)];
+        }
+        return;
+    }
+    if (settings.vof == VofScheme::compressive) {
+        move_water_compressive(settings, state, s, dt);
+    } else {
+        for_cells(box, [&](std::int64_t c, int, int, int) { s.colour[at(c)] = state.fraction[at(c)] > 0.5 ? 1 : 0; });
+        std::vector<double> end_fraction;
+        if (s.open.has_bodies) {
+            flush_slivers(settings, state, s, end_fraction);
+        }
+        for_cells(box, [&](std::int64_t c, int, int, int) {
+            s.water[at(c)] = state.fraction[at(c)] * s.capacity_before[at(c)];
+        });
+        for (int turn = 0; turn < box.axes; ++turn) {
+            const int a = static_cast<int>((turn + state.step) % box.axes);
+            move_along(settings, state, s, a, dt, end_fraction);
+        }
+        for_cells(box, [&](std::int64_t c, int, int, int) {
+            const double capacity = s.capacity[at(c)];
+            if (capacity > 0) {
+                const double grown = capacity - s.capacity_before[at(c)];
+                state.fraction[at(c)] = (s.water[at(c)] + s.colour[at(c)] * grown) / capacity;
+            }
+        });
+    }
+    state.water_volume += inflow_of_water(settings, s);
+    settle_volume(settings, state, s);
+    fill_fraction_ghosts(settings, s.carrier, state.time + dt, state.fraction);
+}
+
+}  // namespace riprap::fluid::grid

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/grid/pressure.hpp"
+
+#include <cmath>
+
+#include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/momentum.hpp"
+
+namespace riprap::fluid::grid {
+
+namespace {
+
+/// Of the first solve of a run [-].
+constexpr double first_tolerance = 1e-14;
+
+/// P = p - rho g.x on an open side, beyond which lies what the ghost cell holds [Pa].
+double side_pressure(const GridSettings& settings, const GridState& state, int side, std::int64_t ghost,
+                     const std::array<int, 3>& place, const Vec3& g) {
+    const Mesh& mesh = settings.mesh;
+    const int a = side / 2;
+    Vec3 x{};
+    for (int b = 0; b < 3; ++b) {
+        x[b] = b == a ? (side % 2 == 0 ? mesh.edge[at(b)].front() : mesh.edge[at(b)].back())
+                      : mesh.centre(b, place[at(b)]);
+    }
+    const double weight = settings.has_surface ? density_of(settings, state.fraction[at(ghost)]) * dot(g, x) : 0;
+    return settings.side[at(side)].pressure - weight;
+}
+
+/// Sets conductances and, on open sides, adds what they bring to the right side.
+void find_conductances(const GridSettings& settings, const GridState& state, GridScratch& s, double dt) {
+    const Mesh& mesh = settings.mesh;
+    const CellBox& box = mesh.box;
+    const Vec3 g = body_force(settings, state.time + dt);
+    for (int a = 0; a < box.axes; ++a) {
+        const int n = box.cells[at(a)];
+        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
+            const std::array<int, 3> place{i, j, k};
+            const int p = place[at(a)];
+            const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
+            s.conductance.face[at(a)][at(f)] = dt * s.mobility[at(a)][at(f)] * s.area[at(a)][at(f)] / distance;
+        });
+        for (const int side : {low_side(a), high_side(a)}) {
+            if (settings.side[at(side)].kind != SideKind::open) {
+                continue;
+            }
+            for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
+                const std::array<int, 3> place{i, j, k};
+                for (int b = 0; b < a; ++b) {
+                    if (place[at(b)] < 0 || place[at(b)] >= box.cells[at(b)]) {
+                        return;
+                    }
+                }
+                if (layer == 0) {
+                    const double p = side_pressure(settings, state, side, ghost, place, g);
+                    s.rhs[at(inside)] += s.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
+                }
+            });
+        }
+    }
+}
+
+/// Takes the mean off the right side of a domain that nothing leaves: its sum is what solves cannot take away.
+void balance(const GridSettings& settings, GridScratch& s) {
+    const CellBox& box = settings.mesh.box;
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        if (settings.side[at(side)].kind == SideKind::open) {
+            return;
+        }
+    }
+    const double sum = reduce_cells(
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.rhs[at(c)]; }, sum_of);
+    const double volume = reduce_cells(
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.capacity[at(c)]; }, sum_of);
+    for_cells(box, [&](std::int64_t c, int, int, int) { s.rhs[at(c)] -= sum * s.capacity[at(c)] / volume; });
+}
+
+double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>& u, const GridScratch& s,
+                   std::int64_t c) {
+    double sum = s.open.has_bodies ? s.open.displacement[at(c)] : 0;
+    for (int a = 0; a < box.axes; ++a) {
+        const std::int64_t t = box.stride[at(a)];
+        sum += s.area[at(a)][at(c + t)] * u[at(a)][at(c + t)] - s.area[at(a)][at(c)] * u[at(a)][at(c)];
+    }
+    return sum;
+}
+
+}  // namespace
+
+linear::SolveReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    const Mesh& mesh = settings.mesh;
+    const CellBox& box = mesh.box;
+    const Vec3 g = body_force(settings, state.time + dt);
+    // net_outflow sums in the same order for a fluid at rest as for one that moves: exact zeros stay zero
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        s.rhs[at(c)] = s.capacity[at(c)] > 0 ? -net_outflow(box, s.predicted, s, c) : 0;
+    });
+    find_conductances(settings, state, s, dt);
+    balance(settings, s);
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        double open = 0;
+        for (int a = 0; a < box.axes; ++a) {
+            open += s.conductance.face[at(a)][at(c)] + s.conductance.face[at(a)][at(c + box.stride[at(a)])];
+        }
+        if (open == 0) {
+            s.rhs[at(c)] = 0;
+            state.pressure[at(c)] = 0;
+        }
+    });
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        for_ghosts(box, side,
+                   [&](std::int64_t ghost, std::int64_t, int, int, int, int) { state.pressure[at(ghost)] = 0; });
+    }
+    s.solver.set_operator(s.conductance);
+    // The first solve has no pressure to start from: an error there would leave waves for good.
+    const double tolerance = state.step == 0 ? first_tolerance : settings.tolerance;
+    const linear::SolveReport report =
+        s.solver.solve(s.conductance, s.rhs, state.pressure, tolerance, settings.longest_solve);
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        const bool is_open = settings.side[at(side)].kind == SideKind::open;
+        for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
+            state.pressure[at(ghost)] = is_open && layer == 0
+                                            ? side_pressure(settings, state, side, ghost, {i, j, k}, g)
+                                            : state.pressure[at(inside)];
+        });
+    }
+    for (int a = 0; a < box.axes; ++a) {
+        const int n = box.cells[at(a)];
+        const std::int64_t sa = box.stride[at(a)];
+        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
+            const int p = std::array<int, 3>{i, j, k}[at(a)];
+            const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
+            state.velocity[at(a)][at(f)] =
+                s.predicted[at(a)][at(f)] -
+                dt * s.mobility[at(a)][at(f)] * (state.pressure[at(f)] - state.pressure[at(f - sa)]) / distance;
+        });
+    }
+    return report;
+}
+
+double largest_divergence(const GridSettings& settings, const GridState& state, const GridScratch& s) {
+    return reduce_cells(
+        settings.mesh.box, 0.0,
+        [&](std::int64_t c, int i, int j, int k) {
+            return std::abs(net_outflow(settings.mesh.box, state.velocity, s, c)) / settings.mesh.volume(i, j, k);
+        },
+        max_of);
+}
+
+}  // namespace riprap::fluid::grid

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/grid/surface.hpp"
+
+#include <cmath>
+
+namespace riprap::fluid::grid {
+
+namespace {
+
+using Normal = std::array<double, 3>;
+
+double sum_of_sizes(const Normal& m) { return std::abs(m[0]) + std::abs(m[1]) + std::abs(m[2]); }
+Normal scaled(const Normal& m) {
+    const double sum = sum_of_sizes(m);
+    return sum > 0 ? Normal{m[0] / sum, m[1] / sum, m[2] / sum} : m;
+}
+double largest(const Normal& m) { return std::max({std::abs(m[0]), std::abs(m[1]), std::abs(m[2])}); }
+
+/// Sum of the three fractions of a column through the cell.
+double column(const std::vector<double>& f, std::int64_t c, std::int64_t s) {
+    return f[at(c - s)] + f[at(c)] + f[at(c + s)];
+}
+
+/// - grad of the fraction over the 3 x 3 (x 3) cells around, weights 1 2 1.
+Normal youngs(const CellBox& box, const std::vector<double>& f, std::int64_t c) {
+    Normal m{};
+    for (int a = 0; a < box.axes; ++a) {
+        const std::int64_t s = box.stride[at(a)];
+        double sum = 0;
+        const int b1 = (a + 1) % 3, b2 = (a + 2) % 3;
+        const int r1 = b1 < box.axes ? 1 : 0, r2 = b2 < box.axes ? 1 : 0;
+        for (int q = -r2; q <= r2; ++q) {
+            for (int p = -r1; p <= r1; ++p) {
+                const double weight = (p == 0 ? 2 : 1) * (q == 0 ? 2 : 1);
+                const std::int64_t i = c + p * box.stride[at(b1)] + q * box.stride[at(b2)];
+                sum += weight * (f[at(i - s)] - f[at(i + s)]);
+            }
+        }
+        m[at(a)] = sum;
+    }
+    return scaled(m);
+}
+
+}  // namespace
+
+Normal surface_normal(const CellBox& box, const std::vector<double>& f, std::int64_t c) {
+    const Normal by_youngs = youngs(box, f, c);
+    Normal best{};
+    for (int a = 0; a < box.axes; ++a) {
+        const std::int64_t s = box.stride[at(a)];
+        Normal m{};
+        const double rise =
+            column(f, c - s, box.stride[at((a + 1) % box.axes)]) - column(f, c + s, box.stride[at((a + 1) % box.axes)]);
+        m[at(a)] = rise > 0 || (rise == 0 && by_youngs[at(a)] > 0) ? 1 : -1;
+        for (int b = 0; b < box.axes; ++b) {
+            if (b != a) {
+                const std::int64_t t = box.stride[at(b)];
+                m[at(b)] = 0.5 * (column(f, c - t, s) - column(f, c + t, s));
+            }
+        }
+        m = scaled(m);
+        if (std::abs(m[at(a)]) > largest(best) || a == 0) {
+            best = m;
+        }
+    }
+    return largest(best) > largest(by_youngs) && sum_of_sizes(by_youngs) > 0 ? by_youngs : best;
+}
+
+void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, std::vector<CellPlane>& plane) {
+    const CellBox& box = mesh.box;
+    std::array<int, 3> first{}, last = box.cells;
+    for (int a = 0; a < box.axes; ++a) {
+        first[at(a)] = -1;
+        last[at(a)] += 1;
+    }
+    for_box(box, first, last, [&](std::int64_t c, int, int, int) {
+        if (is_mixed(fraction[at(c)])) {
+            plane[at(c)] = place_plane(surface_normal(box, fraction, c), fraction[at(c)]);
+        }
+    });
+}
+
+double water_volume(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
+    return reduce_cells(
+        settings.mesh.box, 0.0,
+        [&](std::int64_t c, int, int, int) { return state.fraction[at(c)] * scratch.capacity[at(c)]; }, sum_of);
+}
+
+void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch) {
+    const CellBox& box = settings.mesh.box;
+    auto& f = state.fraction;
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        double& value = f[at(c)];
+        value = value < least_fraction ? 0 : value > 1 - least_fraction ? 1 : value;
+    });
+    for (int pass = 0; pass < 2; ++pass) {  // the second takes what the first rounds off
+        const double missing = state.water_volume - water_volume(settings, state, scratch);
+        const double room = reduce_cells(
+            box, 0.0,
+            [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.capacity[at(c)]; }, sum_of);
+        if (!(room > 0)) {
+            return;
+        }
+        const double share = std::clamp(missing / room, -1.0, 1.0);
+        for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * f[at(c)] * (1 - f[at(c)]); });
+    }
+}
+
+}  // namespace riprap::fluid::grid

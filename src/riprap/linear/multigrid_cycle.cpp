@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "riprap/linear/multigrid.hpp"
+
+namespace riprap::linear {
+
+namespace {
+
+/// Sweeps of both colours before and after each coarse correction [-].
+constexpr int level_sweeps = 2;
+/// Sweeps of both colours on the coarsest level, half of them in either order [-].
+constexpr int coarsest_sweeps = 8;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Pointers to one row of a level, so that the compiler sees plain arrays.
+struct Row {
+    const float *cx, *cy, *cy_up, *cz, *cz_up, *inverse, *b;
+    float* x;
+    std::int64_t sy, sz;
+};
+
+/// x = (b + sum of c_f x_neighbour)/diagonal for every second cell of the row, beginning at `from`. Cells of one colour
+/// have neighbours of the other alone, so the order within the row is free.
+template <bool has_z>
+void relax_row(const Row& row, int n, int from) {
+    float* const x = row.x;
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+        float sum = row.b[i] + row.cx[i] * x[i - 1] + row.cx[i + 1] * x[i + 1] + row.cy[i] * x[i - row.sy] +
+                    row.cy_up[i] * x[i + row.sy];
+        if constexpr (has_z) {
+            sum += row.cz[i] * x[i - row.sz] + row.cz_up[i] * x[i + row.sz];
+        }
+        const float value = sum * row.inverse[i];
+        if (((i ^ from) & 1) == 0) {
+            x[i] = value;
+        }
+    }
+}
+
+}  // namespace
+
+void Multigrid::smooth(Level& level, int colour) {
+    const CellBox& box = level.box;
+    const bool has_z = box.axes == 3;
+    for_rows(box, [&](std::int64_t start, std::int64_t index) {
+        const auto s = at(start), sy = at(box.stride[1]), sz = at(box.stride[2]);
+        const Row row{level.face[0].data() + s,
+                      level.face[1].data() + s,
+                      level.face[1].data() + s + sy,
+                      has_z ? level.face[2].data() + s : nullptr,
+                      has_z ? level.face[2].data() + s + sz : nullptr,
+                      level.inverse.data() + s,
+                      level.b.data() + s,
+                      level.x.data() + s,
+                      box.stride[1],
+                      box.stride[2]};
+        const int from = static_cast<int>((index % box.cells[1] + index / box.cells[1] + colour) % 2);
+        has_z ? relax_row<true>(row, box.cells[0], from) : relax_row<false>(row, box.cells[0], from);
+    });
+}
+
+void Multigrid::start_smooth(Level& level) {
+    // the first colour from x = 0: x = b/diagonal there, 0 elsewhere
+    const CellBox& box = level.box;
+    for_rows(box, [&](std::int64_t start, std::int64_t index) {
+        const int from = static_cast<int>((index % box.cells[1] + index / box.cells[1]) % 2);
+        for (int i = 0; i < box.cells[0]; ++i) {
+            const auto p = at(start + i);
+            level.x[p] = ((i ^ from) & 1) == 0 ? level.b[p] * level.inverse[p] : 0.0F;
+        }
+    });
+    smooth(level, 1);
+}
+
+void Multigrid::find_residual(Level& level) {
+    const CellBox& box = level.box;
+    for_rows(box, [&](std::int64_t start, std::int64_t) {
+        const float* x = level.x.data() + start;
+        float* r = level.r.data() + start;
+        const float *b = level.b.data() + start, *inverse = level.inverse.data() + start;
+        for (int i = 0; i < box.cells[0]; ++i) {
+            r[i] = b[i];
+        }
+        for (int a = 0; a < box.axes; ++a) {
+            const std::int64_t s = box.stride[at(a)];
+            const float* c = level.face[at(a)].data() + start;
+#pragma GCC ivdep
+            for (int i = 0; i < box.cells[0]; ++i) {
+                r[i] += c[i] * (x[i - s] - x[i]) + c[i + s] * (x[i + s] - x[i]);
+            }
+        }
+        for (int i = 0; i < box.cells[0]; ++i) {
+            r[i] = inverse[i] > 0 ? r[i] : 0.0F;
+        }
+    });
+}
+
+void Multigrid::restrict_to(const Level& fine, Level& coarse) {
+    const CellBox& fb = fine.box;
+    const CellBox& cb = coarse.box;
+    // first the share that stays with the own coarse cell, then what the neighbours' nearest cells hand over
+    const auto own_share = [&](std::int64_t i) {
+        float share = 1;
+        for (int a = 0; a < fb.axes; ++a) {
+            share -= fine.coarsened[at(a)] ? fine.weight[at(a)][at(i)] : 0.0F;
+        }
+        return share * fine.r[at(i)];
+    };
+    for_rows(cb, [&](std::int64_t start, std::int64_t row) {
+        std::array<int, 3> place{0, static_cast<int>(row % cb.cells[1]), static_cast<int>(row / cb.cells[1])};
+        for (int ci = 0; ci < cb.cells[0]; ++ci) {
+            place[0] = ci;
+            std::array<int, 3> first{}, last{};
+            for (std::size_t t = 0; t < 3; ++t) {
+                first[t] = fine.coarsened[t] ? 2 * place[t] : place[t];
+                last[t] = fine.coarsened[t] ? std::min(first[t] + 1, fb.cells[t] - 1) : first[t];
+            }
+            float sum = 0;
+            for (int k = first[2]; k <= last[2]; ++k) {
+                for (int j = first[1]; j <= last[1]; ++j) {
+                    for (int i = first[0]; i <= last[0]; ++i) {
+                        const std::int64_t f = fb.index(i, j, k);
+                        sum += own_share(f);
+                        for (int a = 0; a < fb.axes; ++a) {
+                            if (!fine.coarsened[at(a)]) {
+                                continue;
+                            }
+                            const int p = a == 0 ? i : a == 1 ? j : k;
+                            const std::int64_t s = fb.stride[at(a)];
+                            if (p == first[at(a)] && p > 0) {
+                                sum += fine.weight[at(a)][at(f - s)] * fine.r[at(f - s)];
+                            }
+                            if (p == last[at(a)] && p + 1 < fb.cells[at(a)]) {
+                                sum += fine.weight[at(a)][at(f + s)] * fine.r[at(f + s)];
+                            }
+                        }
+                    }
+                }
+            }
+            coarse.b[at(start + ci)] = sum;
+        }
+    });
+}
+
+void Multigrid::prolong(const Level& coarse, Level& fine) {
+    const CellBox& fb = fine.box;
+    const CellBox& cb = coarse.box;
+    for_rows(fb, [&](std::int64_t start, std::int64_t row) {
+        std::array<int, 3> place{0, static_cast<int>(row % fb.cells[1]), static_cast<int>(row / fb.cells[1])};
+        const int cj = fine.coarsened[1] ? place[1] / 2 : place[1], ck = fine.coarsened[2] ? place[2] / 2 : place[2];
+        const std::int64_t coarse_start = cb.index(0, cj, ck);
+        for (int i = 0; i < fb.cells[0]; ++i) {
+            place[0] = i;
+            const auto f = at(start + i);
+            const std::int64_t c = coarse_start + (fine.coarsened[0] ? i / 2 : i);
+            const float own = coarse.x[at(c)];
+            float value = own;
+            for (int a = 0; a < fb.axes; ++a) {
+                if (fine.coarsened[at(a)]) {
+                    const std::int64_t s = place[at(a)] % 2 == 0 ? -cb.stride[at(a)] : cb.stride[at(a)];
+                    value += fine.weight[at(a)][f] * (coarse.x[at(c + s)] - own);
+                }
+            }
+            fine.x[f] += fine.inverse[f] > 0 ? value : 0.0F;
+        }
+    });
+}
+
+void Multigrid::cycle(std::size_t l) {
+    Level& level = levels_[l];
+    start_smooth(level);
+    if (l + 1 == level_count_) {
+        for (int i = 1; i < coarsest_sweeps; ++i) {
+            smooth(level, 0);
+            smooth(level, 1);
+        }
+        for (int i = 0; i < coarsest_sweeps; ++i) {
+            smooth(level, 1);
+            smooth(level, 0);
+        }
+        return;
+    }
+    Level& next = levels_[l + 1];
+    for (int sweep = 1; sweep < level_sweeps; ++sweep) {
+        smooth(level, 0);
+        smooth(level, 1);
+    }
+    find_residual(level);
+    restrict_to(level, next);
+    cycle(l + 1);
+    prolong(next, level);
+    for (int sweep = 0; sweep < level_sweeps; ++sweep) {
+        smooth(level, 1);
+        smooth(level, 0);
+    }
+}
+
+void Multigrid::apply(const std::vector<double>& r, std::vector<double>& z) {
+    Level& finest = levels_[0];
+    // residuals of any size fit single precision once they are of size 1
+    const auto largest_in_row = [&](std::int64_t start, std::int64_t) {
+        double largest = 0;
+        for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
+            largest = std::max(largest, std::abs(r[at(i)]));
+        }
+        return largest;
+    };
+    const double size = reduce_rows(finest.box, 0.0, largest_in_row, [](double a, double b) { return std::max(a, b); });
+    const double down = size > 0 ? 1 / size : 0, up = size * scale_;
+    for_rows(finest.box, [&](std::int64_t start, std::int64_t) {
+        for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
+            finest.b[at(i)] = static_cast<float>(down * r[at(i)]);
+        }
+    });
+    cycle(0);
+    for_rows(finest.box, [&](std::int64_t start, std::int64_t) {
+        for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
+            z[at(i)] = up * static_cast<double>(finest.x[at(i)]);
+        }
+    });
+}
+
+}  // namespace riprap::linear

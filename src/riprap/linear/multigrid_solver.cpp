@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "riprap/linear/multigrid.hpp"
+
+namespace riprap::linear {
+
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+/// Dot product of two rows in eight running sums, so that it fills vector registers in a fixed order.
+double dot_row(const double* x, const double* y, int n) {
+    std::array<double, 8> sum{};
+    int i = 0;
+    for (; i + 8 <= n; i += 8) {
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            sum[lane] += x[i + static_cast<int>(lane)] * y[i + static_cast<int>(lane)];
+        }
+    }
+    double tail = 0;
+    for (; i < n; ++i) {
+        tail += x[i] * y[i];
+    }
+    return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7])) + tail;
+}
+
+/// y = A x along one row.
+void apply_row(const FaceConductance& m, const double* x, double* y, std::int64_t start) {
+    const int n = m.box.cells[0];
+    for (int a = 0; a < m.box.axes; ++a) {
+        const std::int64_t s = m.box.stride[at(a)];
+        const double* c = m.face[at(a)].data() + start;
+        if (a == 0) {
+            for (int i = 0; i < n; ++i) {
+                y[i] = c[i] * (x[i] - x[i - 1]) + c[i + 1] * (x[i] - x[i + 1]);
+            }
+        } else {
+            for (int i = 0; i < n; ++i) {
+                y[i] += c[i] * (x[i] - x[i - s]) + c[i + s] * (x[i] - x[i + s]);
+            }
+        }
+    }
+}
+
+/// Share of ||b|| below which a residual is round-off [-].
+constexpr double round_off = 1e-14;
+
+double sum_of(double a, double b) { return a + b; }
+
+}  // namespace
+
+double dot_cells(const CellBox& box, const std::vector<double>& x, const std::vector<double>& y) {
+    return reduce_rows(
+        box, 0.0,
+        [&](std::int64_t start, std::int64_t) { return dot_row(x.data() + start, y.data() + start, box.cells[0]); },
+        sum_of);
+}
+
+void apply_operator(const FaceConductance& a, const std::vector<double>& x, std::vector<double>& y) {
+    for_rows(a.box, [&](std::int64_t start, std::int64_t) { apply_row(a, x.data() + start, y.data() + start, start); });
+}
+
+void PoissonSolver::set_operator(const FaceConductance& a) { multigrid_.build(a); }
+
+SolveReport PoissonSolver::solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
+                                 double tolerance, int max_iterations) {
+    const CellBox& box = a.box;
+    const int n = box.cells[0];
+    for (auto* field : {&r_, &z_, &d_, &q_}) {
+        field->resize(at(box.size), 0.0);
+    }
+    const double b_norm = std::sqrt(dot_cells(box, b, b));
+    double rr = reduce_rows(
+        box, 0.0,
+        [&](std::int64_t s, std::int64_t) {
+            apply_row(a, p.data() + s, q_.data() + s, s);
+            for (std::int64_t i = s; i < s + n; ++i) {
+                r_[at(i)] = b[at(i)] - q_[at(i)];
+            }
+            return dot_row(r_.data() + s, r_.data() + s, n);
+        },
+        sum_of);
+    const double first = std::sqrt(rr), goal = std::max(tolerance * first, round_off * b_norm);
+    SolveReport report;
+    double rz_before = 0;
+    while (std::sqrt(rr) > goal && report.iterations < max_iterations) {
+        multigrid_.apply(r_, z_);
+        const double rz = dot_cells(box, r_, z_);
+        if (!(rz > 0)) {
+            break;
+        }
+        const double beta = report.iterations == 0 ? 0 : rz / rz_before;
+        for_rows(box, [&](std::int64_t s, std::int64_t) {
+            for (std::int64_t i = s; i < s + n; ++i) {
+                d_[at(i)] = z_[at(i)] + beta * d_[at(i)];
+            }
+        });
+        const double dq = reduce_rows(
+            box, 0.0,
+            [&](std::int64_t s, std::int64_t) {
+                apply_row(a, d_.data() + s, q_.data() + s, s);
+                return dot_row(d_.data() + s, q_.data() + s, n);
+            },
+            sum_of);
+        if (!(dq > 0)) {
+            break;
+        }
+        const double alpha = rz / dq;
+        rr = reduce_rows(
+            box, 0.0,
+            [&](std::int64_t s, std::int64_t) {
+                for (std::int64_t i = s; i < s + n; ++i) {
+                    p[at(i)] += alpha * d_[at(i)];
+                    r_[at(i)] -= alpha * q_[at(i)];
+                }
+                return dot_row(r_.data() + s, r_.data() + s, n);
+            },
+            sum_of);
+        rz_before = rz;
+        ++report.iterations;
+    }
+    report.residual = first > 0 ? std::sqrt(rr) / first : 0;
+    report.converged = std::sqrt(rr) <= goal;
+    return report;
+}
+
+}  // namespace riprap::linear

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid/grid/tank.hpp"
+#include "riprap/core/fields.hpp"
+
+namespace riprap::fluid::grid {
+namespace {
+
+void run(const GridSettings& settings, GridState& state, GridScratch& scratch, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        advance(settings, state, scratch, stable_step(settings, state, scratch));
+    }
+}
+
+TEST(GridStep, still_water_under_air_stays_still_to_round_off_with_hydrostatic_pressure) {
+    GridSettings settings = tank({1, 1, 0.1}, {12, 20, 1});
+    settings.side[3].kind = SideKind::open;
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.5375; });
+    GridScratch scratch;
+    run(settings, state, scratch, 60);
+    EXPECT_LT(largest_speed(settings, state), 1e-10);
+    const double depth = 0.5375, y = settings.mesh.centre(1, 3);
+    const double p = state.pressure[at(settings.mesh.box.index(5, 3, 0))] - 1000 * 9.81 * y;
+    EXPECT_NEAR(p, 9.81 * (1000 * (depth - y) + 1.2 * (1 - depth)), 1e-6 * p);
+}
+
+TEST(GridStep, still_water_over_a_step_of_stones_stays_still_to_round_off) {
+    GridSettings settings = tank({1, 1, 0.1}, {16, 16, 1});
+    settings.side[3].kind = SideKind::open;
+    settings.porous.push_back({PorousMedium{0.45, 0.02}, [](const Vec3& x) { return x.x > 0.4 && x.y < 0.7; }});
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.52; });
+    GridScratch scratch;
+    run(settings, state, scratch, 60);
+    EXPECT_LT(largest_speed(settings, state), 1e-10);
+}
+
+TEST(GridStep, a_drop_in_a_uniform_wind_keeps_its_velocity_at_a_density_ratio_of_833) {
+    GridSettings settings = tank({1, 1, 0.1}, {24, 24, 1});
+    settings.gravity = {};
+    settings.water.kinematic_viscosity = settings.air.kinematic_viscosity = 0;
+    const Vec3 wind{1, 0.5, 0};
+    for (int side = 0; side < 4; ++side) {
+        settings.side[at(side)].kind = SideKind::inflow;
+        settings.side[at(side)].inflow = [wind](const Vec3&, double) { return Inflow{wind, 0}; };
+    }
+    GridState state = make_state(
+        settings, [](const Vec3& x) { return std::hypot(x.x - 0.4, x.y - 0.4) < 0.15 ? 1.0 : 0.0; },
+        [wind](const Vec3&) { return wind; });
+    GridScratch scratch;
+    run(settings, state, scratch, 30);
+    double worst = 0;
+    for_faces(settings.mesh.box, 0, [&](std::int64_t f, int, int, int) {
+        worst = std::max(worst, std::abs(state.velocity[0][at(f)] - wind.x));
+    });
+    EXPECT_LT(worst, 1e-10);
+}
+
+TEST(GridStep, a_dam_break_has_the_same_bits_at_any_thread_count_and_without_its_scratch) {
+    std::uint64_t first = 0;
+    for (const int threads : {1, 2, 4}) {
+        for (const bool drops : {false, true}) {
+            parallel::set_thread_count(threads);
+            GridSettings settings = tank({1, 0.6, 0.1}, {100, 60, 1});
+            settings.side[3].kind = SideKind::open;
+            GridState state = make_state(settings, [](const Vec3& x) { return x.x < 0.3 && x.y < 0.4; });
+            GridScratch scratch;
+            for (int i = 0; i < 12; ++i) {
+                if (drops) {
+                    scratch = GridScratch{};
+                }
+                advance(settings, state, scratch, stable_step(settings, state, scratch));
+            }
+            const std::uint64_t hash = hash_fields(state);
+            first = first == 0 ? hash : first;
+            EXPECT_EQ(hash, first) << threads << " threads, " << (drops ? "dropped" : "kept");
+        }
+    }
+    parallel::set_thread_count(1);
+}
+
+TEST(GridStep, a_dam_break_keeps_its_water_to_round_off_and_its_fractions_between_zero_and_one) {
+    GridSettings settings = tank({1, 0.6, 0.1}, {50, 30, 1});
+    GridState state = make_state(settings, [](const Vec3& x) { return x.x < 0.3 && x.y < 0.4; });
+    GridScratch scratch;
+    prepare(settings, state, scratch);
+    const double volume = water_volume(settings, state, scratch);
+    run(settings, state, scratch, 400);
+    EXPECT_NEAR(water_volume(settings, state, scratch) / volume, 1, 1e-12);
+    for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+        EXPECT_GE(state.fraction[at(c)], 0);
+        EXPECT_LE(state.fraction[at(c)], 1);
+    });
+}
+
+TEST(GridStep, a_taylor_green_vortex_decays_at_second_order) {
+    std::array<double, 2> errors{};
+    for (const int doubling : {0, 1}) {
+        const int n = 12 << doubling;
+        GridSettings settings = tank({M_PI, M_PI, 1}, {n, n, 1});
+        settings.has_surface = false;
+        settings.gravity = {};
+        settings.water = {1, 0.01};
+        settings.outer_corrections = 2;
+        GridState state = make_state(
+            settings, [](const Vec3&) { return 1.0; },
+            [](const Vec3& x) {
+                return Vec3{std::sin(x.x) * std::cos(x.y), -std::cos(x.x) * std::sin(x.y), 0};
+            });
+        GridScratch scratch;
+        for (int i = 0; i < 2 * n; ++i) {
+            advance(settings, state, scratch, 1.0 / n);
+        }
+        for_faces(settings.mesh.box, 0, [&](std::int64_t f, int i, int j, int) {
+            const double exact =
+                std::exp(-0.04) * std::sin(settings.mesh.edge[0][at(i)]) * std::cos(settings.mesh.centre(1, j));
+            errors[at(doubling)] = std::max(errors[at(doubling)], std::abs(state.velocity[0][at(f)] - exact));
+        });
+    }
+    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.7);
+}
+
+TEST(GridStep, flow_through_stones_loses_the_pressure_of_their_resistance_exactly) {
+    GridSettings settings = tank({1, 0.1, 0.1}, {20, 2, 1});
+    settings.has_surface = false;
+    settings.gravity = {};
+    const PorousMedium stones{0.45, 0.02};
+    settings.porous.push_back({stones, [](const Vec3& x) { return x.x > 0.3 && x.x < 0.7; }});
+    settings.side[0].kind = SideKind::inflow;
+    settings.side[0].inflow = [](const Vec3&, double) { return Inflow{{0.1, 0, 0}, 1}; };
+    settings.side[1].kind = SideKind::open;
+    GridState state = make_state(
+        settings, [](const Vec3&) { return 1.0; },
+        [](const Vec3&) {
+            return Vec3{0.1, 0, 0};
+        });
+    GridScratch scratch;
+    for (int i = 0; i < 400; ++i) {
+        advance(settings, state, scratch, 0.02);
+    }
+    const Resistance r = resistance_of(stones);
+    const double drop =
+        state.pressure[at(settings.mesh.box.index(8, 0, 0))] - state.pressure[at(settings.mesh.box.index(12, 0, 0))];
+    EXPECT_NEAR(drop / (0.2 * (r.linear * 1e-3 * 0.1 + r.quadratic * 1000 * 0.01)), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace riprap::fluid::grid
