@@ -20,14 +20,17 @@ struct BoundaryParticles {
     std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
     std::vector<double> given_pressure;     ///< instead of that of the fluid; none where negative, or empty [Pa]
 
+    std::vector<Vec3> outward_area;  ///< area of solid that a particle stands for, along the outward normal, zero
+                                     ///< below the outermost layer; empty where no fluid asks for it [m^2]
+
     std::vector<double> pressure;  ///< of the fluid there, found by the fluid [Pa]
 
     /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N].
     std::vector<Vec3> pressure_force, viscous_force;
 
     std::size_t bytes() const {
-        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, pressure, pressure_force,
-                        viscous_force);
+        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, outward_area, pressure,
+                        pressure_force, viscous_force);
     }
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
 };

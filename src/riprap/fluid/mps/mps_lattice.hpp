@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace riprap::fluid {
+
+/// Constants of the weight on the full lattice that particles start from, which normalise every operator.
+struct MpsLattice {
+    double number_density;  ///< n_0 = sum W [-]
+    double lambda;          ///< sum r^2 W / sum W [m^2]
+    double neighbours;      ///< N_0, particles within the support [-]
+    int dimension;          ///< D
+    double spacing;         ///< l_0 [m]
+
+    /// D/n_0: factor of gradients and divergences [-]
+    double first_order() const { return dimension / number_density; }
+    /// 2 D/(lambda n_0): factor of Laplacians [1/m^2]
+    double second_order() const { return 2 * dimension / (lambda * number_density); }
+};
+
+/// @param support_ratio  r_e/l_0 [-]
+/// @param spacing        l_0 [m]
+/// @param dimension      2 or 3
+MpsLattice mps_lattice(double support_ratio, double spacing, int dimension);
+
+}  // namespace riprap::fluid

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/wcmps/wcmps_scratch.hpp"
+
+// Number density from step to step.
+
+namespace riprap::fluid::wcmps {
+
+/// Limits of the classification [JandaghianShakibaeinia2020].
+inline constexpr double splash_limit = 0.4;      ///< beta_E of C
+inline constexpr double surface_limit = 0.9;     ///< beta_F of C
+inline constexpr double neighbour_limit = 0.75;  ///< beta_N of N/N_0
+
+/// x and p and q of every particle, from its density.
+void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
+
+/// b, m and P of wall particles.
+void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsScratchData& scratch);
+
+/// Changes the density by continuity, diffusion and tearing; leaves C, numbers of neighbours and normals in scratch.
+void update_density(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                    const Vec3& gravity, double dt, WcmpsScratchData& scratch, FluidReport& report);
+
+}  // namespace riprap::fluid::wcmps

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/wcmps/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/wcmps/continuity.hpp"
+#include "riprap/fluid/wcmps/pair_sums.hpp"
+
+namespace riprap::fluid::wcmps {
+namespace {
+
+double square(double a) { return a * a; }
+
+/// E, F or, for the time being, I.
+SurfaceClass class_alone(const MpsLattice& lattice, double crowding, double neighbours, double in_front) {
+    if (crowding < splash_limit) {
+        return SurfaceClass::splash;
+    }
+    // in_front is a sum of ones
+    const bool is_open = in_front < 0.5 || neighbours < neighbour_limit * lattice.neighbours;
+    return crowding <= surface_limit && is_open ? SurfaceClass::surface : SurfaceClass::internal;
+}
+
+double fastest(const ParticleState& state) {
+    const double squared = parallel::reduce(
+        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        [](double a, double b) { return std::max(a, b); });
+    return std::sqrt(squared);
+}
+
+/// What a class leaves of a shift.
+Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_normal, const Vec3& shift) {
+    if (surface == SurfaceClass::splash) {
+        return {};
+    }
+    if (surface == SurfaceClass::internal) {
+        return shift;
+    }
+    const double length = norm(inner_normal);
+    const Vec3 n = surface == SurfaceClass::surface ? normal : length > 0 ? inner_normal / length : Vec3{};
+    const double outward = dot(n, shift);
+    const bool keeps_inward = surface == SurfaceClass::near && outward < 0;
+    return keeps_inward ? shift : shift - outward * n;
+}
+
+}  // namespace
+
+void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
+    const auto count = state.position.size();
+    const MpsLattice lattice = settings.lattice();
+    s.surface.resize(count);
+    s.is_surface.resize(count);
+    s.surface_normal.resize(count);
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.surface[i] = class_alone(lattice, s.crowding[i], s.neighbours[i], s.in_front[i]);
+        const bool is_surface = s.surface[i] == SurfaceClass::surface;
+        s.is_surface[i] = is_surface ? 1 : 0;
+        s.surface_normal[i] = is_surface ? s.normal[i] : Vec3{};
+    });
+    clear(s.adjacent, count);
+    clear(s.approaching, count);
+    clear(s.inner_normal, count);
+    const double l = settings.spacing;
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const auto n = [&](int axis) { return component(s.surface_normal, axis); };
+    const auto inner = [&](int axis) { return sink_component(s.inner_normal, axis); };
+    add_pair_sums_within(settings,
+                         MpsSurface{settings.weight(), square(2.1 * l), square(settings.collision_distance * l)},
+                         {state.position, {v(0), v(1), v(2), field(s.is_surface), n(0), n(1), n(2)}},
+                         {sink(s.adjacent), inner(0), inner(1), inner(2), sink(s.approaching)}, s.fluid_fluid);
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        if (s.surface[i] == SurfaceClass::internal && s.adjacent[i] > 0.5) {
+            s.surface[i] = SurfaceClass::near;
+        }
+    });
+}
+
+double collide(const WcmpsSettings& settings, ParticleState& state, WcmpsScratchData& s) {
+    const auto count = state.position.size();
+    s.collision_share.resize(count);
+    const double size = 0.5 * (1 + settings.collision_ratio);
+    const double most = parallel::reduce(
+        state.size(), 0.0,
+        [&](std::int64_t entry) {
+            const auto i = static_cast<std::size_t>(entry);
+            const bool may = s.surface[i] == SurfaceClass::surface || s.surface[i] == SurfaceClass::near;
+            s.collision_share[i] = may && s.approaching[i] > 0.5 ? size / s.approaching[i] : 0;
+            return s.collision_share[i];
+        },
+        [](double a, double b) { return std::max(a, b); });
+    if (most == 0) {
+        return 0;
+    }
+    clear(s.collision, count);
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const auto c = [&](int axis) { return sink_component(s.collision, axis); };
+    const double l = settings.spacing;
+    add_pair_sums_within(settings, MpsCollision{square(settings.collision_distance * l), 1e-8 * l * l},
+                         {state.position, {v(0), v(1), v(2), field(s.collision_share)}}, {c(0), c(1), c(2)},
+                         s.fluid_fluid);
+    return parallel::reduce(
+        state.size(), 0.0,
+        [&](std::int64_t entry) {
+            const auto i = static_cast<std::size_t>(entry);
+            const Vec3 before = state.velocity[i];
+            state.velocity[i] += s.collision[i];
+            return 0.5 * settings.particle_mass * (norm_squared(before) - norm_squared(state.velocity[i]));
+        },
+        [](double a, double b) { return a + b; });
+}
+
+Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
+               const WcmpsScratchData& s) {
+    if (settings.shifting == 0) {
+        return {};
+    }
+    const double strength = settings.shifting * 2 * settings.spacing * dt * fastest(state);
+    const double longest = 0.1 * settings.spacing;
+    const auto shift_one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        Vec3 move = along_surface(s.surface[i], s.normal[i], s.inner_normal[i], -strength * s.crowding_gradient[i]);
+        const double length = norm(move);
+        move *= length > longest ? longest / length : 1;
+        state.position[i] += move;
+        return Shifting{settings.particle_mass * dot(gravity, move), norm_squared(move)};
+    };
+    return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
+        return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+    });
+}
+
+}  // namespace riprap::fluid::wcmps

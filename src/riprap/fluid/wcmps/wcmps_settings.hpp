@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "riprap/core/vec3.hpp"
+#include "riprap/fluid/mps/mps_lattice.hpp"
+#include "riprap/fluid/mps/mps_weight.hpp"
+#include "riprap/fluid/particle/domain.hpp"
+
+namespace riprap::fluid {
+
+/// Loads on solids: the exact reaction to what their particles do to the fluid, or pressure times area of the surface
+/// particles along their normal [Mellado2021, eq. 5.40], which loses momentum.
+enum class WallLoads : std::uint8_t { pair_sum, pressure_area };
+
+/// Settings of weakly compressible MPS: Model.
+struct WcmpsSettings {
+    double spacing{0};                 ///< l_0: distance of particles at the start [m]
+    double support_ratio{3.1};         ///< r_e/l_0 [-]
+    double rest_density{1000};         ///< rho_0 [kg/m^3]
+    double particle_mass{0};           ///< rho_0 l_0^dimension [kg]; in 2D per metre of width [kg/m]
+    double sound_speed{0};             ///< c_0 [m/s]
+    double tait_exponent{7};           ///< gamma [-]
+    double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
+    double density_diffusion{0.35};    ///< delta [-], 0 to 1
+    bool diffuses_hydrostatic{false};  ///< diffusion of all of n as in the source, not only of what gravity does not
+                                       ///< explain; still water then creeps
+    double shifting{1};                ///< multiple of the shift of the source [-]; 0 = off
+    double collision_distance{0.9};    ///< share of l_0 below which surface particles collide [-]; 0 = off
+    double collision_ratio{0.5};       ///< speed of separation over that of approach [-]
+    WallLoads wall_loads{WallLoads::pair_sum};
+    double courant{0.5};             ///< share of l_0/(c + v) that a step may last [-]
+    bool is_plain{false};            ///< pair sums in double, one pair at a time: the oracle of the fast ones
+    std::int64_t sort_interval{50};  ///< steps between sorts of the State by place
+    Domain domain;
+
+    double support_radius() const { return support_ratio * spacing; }
+    MpsWeight weight() const { return {support_radius(), spacing}; }
+    MpsLattice lattice() const { return mps_lattice(support_ratio, spacing, domain.dimension); }
+};
+
+// The state equation in the concentration x = n/n_0 = rho/rho_0 [Mellado2021, eq. 5.17]:
+//
+//     p = rho_0 c_0^2/gamma (x^gamma - 1),     e = c_0^2/gamma ((x^gamma - 1)/gamma - ln x),
+//
+// e = integral of p/(rho_0 x) from x = 1: the energy per mass that the operators conserve, whose m/rho_0 is the same
+// for all particles (docs/theory/wcmps.md, 4).
+
+/// p [Pa] at x = rho/rho_0
+double pressure_of(const WcmpsSettings& settings, double concentration);
+/// x at which the pressure is p [Pa] [Mellado2021, eq. 5.42]
+double concentration_of(const WcmpsSettings& settings, double pressure);
+/// e [J/kg]
+double internal_energy_of(const WcmpsSettings& settings, double concentration);
+
+}  // namespace riprap::fluid

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/mps/mps_lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include "riprap/fluid/mps/mps_weight.hpp"
+
+namespace riprap::fluid {
+namespace {
+
+TEST(MpsLattice, has_the_sums_that_were_computed_by_hand) {
+    struct Row {
+        int dimension;
+        double ratio, number_density, lambda, neighbours;
+    };
+    for (const Row& row : {Row{2, 2.1, 6.539697, 1.388351, 12}, Row{2, 3.1, 18.976417, 2.448472, 28},
+                           Row{3, 2.1, 14.418575, 1.701738, 32}, Row{3, 3.1, 54.321209, 3.243422, 122}}) {
+        const MpsLattice lattice = mps_lattice(row.ratio, 0.02, row.dimension);
+        EXPECT_NEAR(lattice.number_density, row.number_density, 1e-6);
+        EXPECT_NEAR(lattice.lambda, row.lambda * 0.02 * 0.02, 1e-6 * 0.02 * 0.02);
+        EXPECT_EQ(lattice.neighbours, row.neighbours);
+    }
+}
+
+TEST(MpsWeight, is_zero_at_its_end_beyond_it_and_where_a_particle_meets_itself) {
+    const MpsWeight weight(3.1, 1);
+    EXPECT_NEAR(weight.value(1.0), 2.1, 1e-7);
+    EXPECT_NEAR(weight.value(2.0 * 2.0), 0.55, 1e-7);
+    EXPECT_EQ(weight.value(3.1001 * 3.1001), 0);
+    EXPECT_EQ(weight.value(100.0), 0);
+    EXPECT_EQ(weight.value(0.0), 0);
+}
+
+}  // namespace
+}  // namespace riprap::fluid
