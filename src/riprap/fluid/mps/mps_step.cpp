@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/mps/mps_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/mps/mps_pairs.hpp"
+#include "riprap/fluid/mps/mps_scratch.hpp"
+#include "riprap/fluid/mps/prediction.hpp"
+#include "riprap/fluid/mps/pressure.hpp"
+#include "riprap/fluid/sph/kick.hpp"
+#include "riprap/fluid/wcmps/pair_sums.hpp"
+
+namespace riprap::fluid {
+namespace {
+
+Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
+
+/// What every particle fluid has; nothing is too fast but for the step.
+SphSettings common_part(const MpsSettings& settings) {
+    SphSettings common;
+    common.domain = settings.domain;
+    common.sound_speed = std::numeric_limits<double>::max();
+    return common;
+}
+
+Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
+    return {t[0] * a.x + t[2] * a.y + t[4] * a.z, t[2] * a.x + t[1] * a.y + t[5] * a.z,
+            t[4] * a.x + t[5] * a.y + t[3] * a.z};
+}
+
+/// Reactions of the conservative pressure forces, of viscosity and of collisions on walls, and the pressure there.
+void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity, MpsScratchData& s) {
+    const auto count = walls.position.size();
+    mps::clear(s.wall_slope, count);
+    mps::clear(s.wall_push, count);
+    mps::clear(s.wall_spread, count);
+    s.ones.assign(s.predicted.size(), 1.0);
+    const auto at = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
+    const auto spread = [&](std::size_t k) {
+        return FieldSink{count == 0 ? nullptr : s.wall_spread[0].data() + k, symmetric_numbers};
+    };
+    mps::add_pair_sums(
+        settings, wcmps::MpsPressureOnWalls{settings.weight()}, {s.predicted_walls, {}},
+        {s.predicted, {field(s.ones), field(s.pressure)}},
+        {at(s.wall_slope, 0), at(s.wall_slope, 1), at(s.wall_slope, 2), at(s.wall_push, 0), at(s.wall_push, 1),
+         at(s.wall_push, 2), spread(0), spread(1), spread(2), spread(3), spread(4), spread(5)},
+        s.walls_fluid);
+    const MpsLattice lattice = settings.lattice();
+    const double factor = lattice.first_order() * settings.particle_mass / settings.rest_density;
+    walls.pressure.resize(count);
+    walls.pressure_force.resize(count);
+    walls.viscous_force = s.wall_viscous;
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const double head = dot(gravity - walls.acceleration[w], s.wall_moment[w]);
+        const double seen = s.wall_weight[w] > 0 ? (s.wall_pressure[w] + head) / s.wall_weight[w] : 0;
+        walls.pressure[w] = s.wall_mirrors[w] == 0 ? s.wall_given[w] : std::max(0.0, seen);
+        const Vec3 carried = (1 + s.wall_mirrors[w]) * s.wall_push[w] + s.wall_given[w] * s.wall_slope[w] +
+                             times(s.wall_spread[w], s.wall_head[w]);
+        walls.pressure_force[w] = factor * s.wall_share[w] * carried + s.wall_collision[w];
+    });
+    s.slope_factor = lattice.first_order();
+    s.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
+}
+
+struct Sums {
+    double kinetic{0}, potential{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
+    double speed_squared{0}, acceleration_squared{0};
+    Vec3 momentum{}, extra{};
+};
+
+Sums operator+(Sums a, const Sums& b) {
+    a.kinetic += b.kinetic;
+    a.potential += b.potential;
+    a.viscous += b.viscous;
+    a.collisions += b.collisions;
+    a.pressure += b.pressure;
+    a.external += b.external;
+    a.speed_squared = std::max(a.speed_squared, b.speed_squared);
+    a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
+    a.momentum += b.momentum;
+    a.extra += b.extra;
+    return a;
+}
+
+/// v_(n+1) = u** + dt (pressure + extra force)/m, and the report of all that belongs to particles. Work is that of
+/// each force along (v_n + v_(n+1))/2.
+Sums kick(const MpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt, const MpsScratchData& s,
+          std::span<const Vec3> extra_force) {
+    const double m = settings.particle_mass;
+    const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
+    const auto kick_one = [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
+        const Vec3 start = s.start_velocity[i];
+        const Vec3 collided = state.velocity[i] - start - dt * (s.viscous_force[i] / m + gravity);
+        state.velocity[i] += (dt / m) * (s.pressure_force[i] + extra);
+        state.density[i] = density_of(settings, s.pressure[i]);
+        const Vec3 after = state.velocity[i], middle = 0.5 * (start + after);
+        Sums sums;
+        sums.kinetic = 0.5 * m * dot(start, after);
+        sums.potential = -m * dot(downward, state.position[i]);
+        sums.viscous = dt * dot(s.viscous_force[i], middle);
+        sums.collisions = m * dot(collided, middle);
+        sums.pressure = dt * dot(s.pressure_force[i], middle);
+        sums.external = dt * dot(extra + m * along, middle);
+        sums.speed_squared = norm_squared(after);
+        sums.acceleration_squared = norm_squared((s.pressure_force[i] + s.viscous_force[i] + extra) / m + gravity);
+        sums.momentum = m * after;
+        sums.extra = extra;
+        return sums;
+    };
+    return parallel::reduce(state.size(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+}
+
+/// Work on walls by pressure, viscosity and collisions [W].
+struct WallPower {
+    double pressure{0}, viscous{0}, collisions{0};
+};
+
+WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratchData& s) {
+    const auto one = [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const Vec3 v = walls.velocity[w];
+        return WallPower{dot(walls.pressure_force[w] - s.wall_collision[w], v), dot(walls.viscous_force[w], v),
+                         dot(s.wall_collision[w], v)};
+    };
+    return parallel::reduce(walls.size(), WallPower{}, one, [](const WallPower& a, const WallPower& b) {
+        return WallPower{a.pressure + b.pressure, a.viscous + b.viscous, a.collisions + b.collisions};
+    });
+}
+
+}  // namespace
+
+MpsScratch::MpsScratch() : data_(std::make_unique<MpsScratchData>()) {}
+MpsScratch::~MpsScratch() = default;
+MpsScratch::MpsScratch(MpsScratch&&) noexcept = default;
+MpsScratch& MpsScratch::operator=(MpsScratch&&) noexcept = default;
+std::size_t MpsScratch::bytes() const { return data_->bytes(); }
+
+FluidTimeStep choose_fluid_time_step(const MpsSettings& settings, const ParticleState& state) {
+    const double squared = parallel::reduce(
+        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        [](double a, double b) { return std::max(a, b); });
+    const double l = settings.spacing, none = std::numeric_limits<double>::infinity();
+    const double speed = std::max(settings.expected_speed, std::sqrt(squared));
+    FluidTimeStep step{};
+    step.acoustic = speed > 0 ? settings.courant * l / speed : none;
+    step.force = none;
+    step.viscous = settings.kinematic_viscosity > 0 ? 0.125 * l * l / settings.kinematic_viscosity : none;
+    step.limit = std::min(step.acoustic, step.viscous);
+    step.reason = step.limit == step.acoustic ? "speed of water" : "viscosity of water";
+    return step;
+}
+
+void drift(const MpsSettings& settings, ParticleState& state, double dt) { drift(common_part(settings), state, dt); }
+
+void begin_forces(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
+                  const Vec3& gravity, double dt, double time, MpsScratch& scratch, MpsReport& report) {
+    find_lost_particle(common_part(settings), state, time, report);
+    if (!report.problem.empty()) {
+        return;
+    }
+    MpsScratchData& s = scratch.data();
+    mps::predict(settings, state, walls, in_plane(gravity, settings.domain), dt, s);
+    mps::collide(settings, state, walls, dt, s);
+    mps::set_up_pressure(settings, state, walls, dt, s);
+}
+
+void load_walls(const MpsSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, MpsScratch& scratch, MpsReport& report) {
+    MpsScratchData& s = scratch.data();
+    const Vec3 g = in_plane(gravity, settings.domain);
+    const linear::SolveReport solve = mps::solve_pressure(settings, state, walls, g, dt, s);
+    const int before = report.solve.iterations;
+    report.solve = solve;
+    report.solve.iterations += before;
+    report.unknowns = static_cast<std::int64_t>(s.particle.size());
+    if (!solve.is_converged()) {
+        report.problem = fmt::format(
+            "the pressure equation of {} unknowns is not solved at t = {:.6g} s: {} after {} iterations, residual "
+            "{:.3g} "
+            "where {:.3g} is asked for",
+            s.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
+            settings.tolerance);
+    }
+    load(settings, walls, g, s);
+}
+
+void kick_fluid(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force) {
+    MpsScratchData& s = scratch.data();
+    const Vec3 g = in_plane(gravity, settings.domain);
+    mps::find_pressure_forces(settings, s);
+    const Sums sums = kick(settings, state, g, dt, s, extra_force);
+    const WallPower walls_take = power_on_walls(walls, s);
+    report.kinetic = sums.kinetic;
+    report.potential = sums.potential;
+    report.dissipated_viscous = -sums.viscous - dt * walls_take.viscous;
+    report.dissipated_collisions = -sums.collisions - dt * walls_take.collisions;
+    report.pressure_loss = -sums.pressure - dt * walls_take.pressure;
+    report.work_external = sums.external;
+    report.momentum = sums.momentum;
+    report.mass = settings.particle_mass * static_cast<double>(state.size());
+    report.impulse = dt * (report.mass * g + sums.extra);
+    report.max_speed = std::sqrt(sums.speed_squared);
+    report.max_acceleration = std::sqrt(sums.acceleration_squared);
+    state.max_acceleration = report.max_acceleration;
+    book_walls(walls, dt, report);
+    find_wild_particle(common_part(settings), state, time, report);
+}
+
+void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
+                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force) {
+    begin_forces(settings, state, walls, gravity, dt, time, scratch, report);
+    if (report.problem.empty()) {
+        load_walls(settings, state, walls, gravity, dt, time, scratch, report);
+    }
+    if (report.problem.empty()) {
+        kick_fluid(settings, state, walls, gravity, dt, time, scratch, report, extra_force);
+    }
+}
+
+void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water) {
+    const MpsScratchData& s = scratch.data();
+    const auto count = s.wall_weight.size();
+    water.weight.resize(count);
+    water.slope.resize(count);
+    water.pressure.resize(count);
+    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        water.weight[w] = s.cell_weight * s.wall_weight[w];
+        water.slope[w] = -s.slope_factor * s.wall_slope[w];
+        water.pressure[w] =
+            s.wall_weight[w] > 0
+                ? std::max(0.0, (s.wall_pressure[w] + dot(gravity, s.wall_moment[w])) / s.wall_weight[w])
+                : 0;
+    });
+}
+
+std::span<const std::uint8_t> surface_particles(const MpsScratch& scratch) { return scratch.data().surface; }
+
+}  // namespace riprap::fluid

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/mps/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/fluid/mps/mps_pairs.hpp"
+#include "riprap/fluid/wcmps/pair_sums.hpp"
+
+namespace riprap::fluid::mps {
+namespace {
+
+std::array<FieldView, 3> fields_of(const std::vector<Vec3>& v) {
+    return {component(v, 0), component(v, 1), component(v, 2)};
+}
+std::array<FieldSink, 3> sinks_of(std::vector<Vec3>& v) {
+    return {sink_component(v, 0), sink_component(v, 1), sink_component(v, 2)};
+}
+
+/// b, m, P and the velocity of the fluid mirrored in walls [Adami2012, eq. 23].
+void describe_walls(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                    MpsScratchData& s) {
+    const auto count = walls.position.size();
+    for (std::vector<double>* values : {&s.wall_share, &s.wall_mirrors, &s.wall_given, &s.grip_share}) {
+        values->resize(count);
+    }
+    s.wall_ones.assign(count, 1);
+    s.mirrored_velocity.resize(count);
+    clear(s.wall_weight, count);
+    clear(s.wall_pressure, count);
+    clear(s.wall_moment, count);
+    clear(s.wall_velocity, count);
+    const auto v = fields_of(state.velocity);
+    const auto m = sinks_of(s.wall_moment), u = sinks_of(s.wall_velocity);
+    add_pair_sums(settings, wcmps::MpsWallAverages{settings.weight(), settings.rest_density}, {walls.position, {}},
+                  {state.position, {v[0], v[1], v[2], field(s.pressure)}},
+                  {sink(s.wall_weight), sink(s.wall_pressure), m[0], m[1], m[2], u[0], u[1], u[2]}, s.walls_fluid);
+    const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
+        s.wall_share[w] = walls.volume[w] * per_volume;
+        s.wall_mirrors[w] = is_given ? 0 : 1;
+        s.wall_given[w] = is_given ? walls.given_pressure[w] : 0;
+        s.grip_share[w] = walls.is_slippery[w] != 0 ? 0 : s.wall_share[w];
+        s.mirrored_velocity[w] =
+            s.wall_weight[w] > 0 ? 2.0 * walls.velocity[w] - s.wall_velocity[w] / s.wall_weight[w] : walls.velocity[w];
+    });
+}
+
+/// Viscous forces on particles and walls [N].
+void add_viscosity(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                   MpsScratchData& s) {
+    const MpsLattice lattice = settings.lattice();
+    const double volume = settings.particle_mass / settings.rest_density;
+    const double k = lattice.second_order() * settings.rest_density * settings.kinematic_viscosity * volume;
+    const auto v = fields_of(state.velocity), u = fields_of(s.mirrored_velocity);
+    const auto f = sinks_of(s.viscous_force), t = sinks_of(s.wall_viscous);
+    add_pair_sums_within(settings, Viscosity{settings.weight(), k}, {state.position, v}, f, s.fluid_fluid);
+    add_pair_sums(settings, ViscosityFromWalls{settings.weight(), k}, {state.position, v},
+                  {walls.position, {u[0], u[1], u[2], field(s.grip_share)}}, f, s.fluid_walls);
+    add_pair_sums(settings, wcmps::MpsViscosityOnWalls{settings.weight(), k},
+                  {walls.position, {u[0], u[1], u[2], field(s.grip_share)}}, {state.position, v}, t, s.walls_fluid);
+}
+
+/// Makes s.share the share over the number of approaching pairs, 0 where there is none; tells whether any is not.
+bool find_shares(double share, MpsScratchData& s) {
+    s.share.resize(s.approaching.size());
+    const double most = parallel::reduce(
+        static_cast<std::int64_t>(s.share.size()), 0.0,
+        [&](std::int64_t entry) {
+            const auto i = static_cast<std::size_t>(entry);
+            s.share[i] = s.approaching[i] > 0.5 ? share / s.approaching[i] : 0;
+            return s.share[i];
+        },
+        [](double a, double b) { return std::max(a, b); });
+    return most > 0;
+}
+
+void add_collisions(ParticleState& state, const MpsScratchData& s) {
+    parallel::for_each(state.size(), [&](std::int64_t i) {
+        state.velocity[static_cast<std::size_t>(i)] += s.collision[static_cast<std::size_t>(i)];
+    });
+}
+
+}  // namespace
+
+void predict(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
+             double dt, MpsScratchData& s) {
+    const auto count = state.position.size();
+    s.start_velocity = state.velocity;
+    s.pressure.resize(count);
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.pressure[i] = pressure_of(settings, state.density[i]);
+    });
+    clear(s.viscous_force, count);
+    clear(s.wall_viscous, walls.position.size());
+    clear(s.wall_collision, walls.position.size());
+    describe_walls(settings, state, walls, s);
+    if (settings.kinematic_viscosity > 0) {
+        add_viscosity(settings, state, walls, s);
+    }
+    parallel::for_each(state.size(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        state.velocity[i] += dt * (s.viscous_force[i] / settings.particle_mass + gravity);
+    });
+}
+
+void collide(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, double dt,
+             MpsScratchData& s) {
+    const auto count = state.position.size();
+    const double contact = std::pow(settings.collision_distance * settings.spacing, 2);
+    const double tiny = 1e-8 * settings.spacing * settings.spacing;
+    const auto v = fields_of(state.velocity);
+    clear(s.approaching, count);
+    add_pair_sums_within(settings, Approach{contact}, {state.position, v}, {sink(s.approaching)}, s.fluid_fluid);
+    if (find_shares(0.5 * (1 + settings.collision_ratio), s)) {
+        clear(s.collision, count);
+        add_pair_sums_within(settings, wcmps::MpsCollision{contact, tiny},
+                             {state.position, {v[0], v[1], v[2], field(s.share)}}, sinks_of(s.collision),
+                             s.fluid_fluid);
+        add_collisions(state, s);
+    }
+    const auto w = fields_of(walls.velocity);
+    clear(s.approaching, count);
+    add_pair_sums(settings, Approach{contact}, {state.position, v}, {walls.position, w}, {sink(s.approaching)},
+                  s.fluid_walls);
+    if (find_shares(1 + settings.collision_ratio, s)) {
+        clear(s.collision, count);
+        const SweepSide<4> fluid{state.position, {v[0], v[1], v[2], field(s.share)}};
+        const SweepSide<4> solid{walls.position, {w[0], w[1], w[2], field(s.wall_ones)}};
+        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, fluid, solid, sinks_of(s.collision), s.fluid_walls);
+        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, solid, fluid, sinks_of(s.wall_collision),
+                      s.walls_fluid);
+        add_collisions(state, s);
+        const double per_time = settings.particle_mass / dt;
+        parallel::for_each(walls.size(),
+                           [&](std::int64_t i) { s.wall_collision[static_cast<std::size_t>(i)] *= per_time; });
+    }
+}
+
+}  // namespace riprap::fluid::mps

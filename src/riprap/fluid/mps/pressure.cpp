@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/mps/pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/mat3.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::fluid::mps {
+namespace {
+
+/// x_i - x_j to the nearest image, without z in planar scenes.
+class Separation {
+ public:
+    explicit Separation(const Domain& domain) : nearest_(domain), is_planar_(domain.dimension == 2) {}
+    Vec3 operator()(const Vec3& a, const Vec3& b) const {
+        Vec3 d = nearest_(a - b);
+        d.z = is_planar_ ? 0 : d.z;
+        return d;
+    }
+
+ private:
+    NearestImage nearest_;
+    bool is_planar_;
+};
+
+/// n**/n_0 and whether p = 0: too few neighbours, and those to one side.
+void look_around(const MpsSettings& settings, const MpsLattice& lattice, std::size_t i, MpsScratchData& s) {
+    const Separation separation(settings.domain);
+    double sum = 0;
+    Vec3 moment{};
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        sum += s.fluid.weight(e);
+        moment += s.fluid.weight(e) * separation(s.predicted[i], s.predicted[s.fluid.index(e)]);
+    }
+    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+        const std::size_t w = s.walls.index(e);
+        const double weight = s.wall_share[w] * s.walls.weight(e);
+        sum += weight;
+        moment += weight * separation(s.predicted[i], s.predicted_walls[w]);
+    }
+    s.density[i] = sum / lattice.number_density;
+    const bool is_bare = s.density[i] < settings.surface_density;
+    s.surface[i] = is_bare && norm(moment) >= settings.surface_offset * settings.spacing * sum ? 1 : 0;
+}
+
+void number_unknowns(MpsScratchData& s) {
+    s.unknown.resize(s.surface.size());
+    parallel::for_each(static_cast<std::int64_t>(s.surface.size()), [&](std::int64_t i) {
+        s.unknown[static_cast<std::size_t>(i)] = s.surface[static_cast<std::size_t>(i)] != 0 ? 0 : 1;
+    });
+    const std::int32_t total = parallel::exclusive_scan<std::int32_t>(s.unknown, s.unknown);
+    s.particle.resize(static_cast<std::size_t>(total));
+    parallel::for_each(static_cast<std::int64_t>(s.surface.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        if (s.surface[i] != 0) {
+            s.unknown[i] = -1;
+        } else {
+            s.particle[static_cast<std::size_t>(s.unknown[i])] = static_cast<std::int32_t>(i);
+        }
+    });
+}
+
+/// f(column) for the unknowns that row i couples to, ascending, with the weight; i itself with 0 in its place.
+template <class F>
+void for_couplings(const MpsScratchData& s, std::size_t i, const F& f) {
+    bool has_self = false;
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        const std::size_t j = s.fluid.index(e);
+        if (j > i && !has_self) {
+            f(s.unknown[i], 0.0);
+            has_self = true;
+        }
+        if (s.unknown[j] >= 0) {
+            f(s.unknown[j], s.fluid.weight(e));
+        }
+    }
+    if (!has_self) {
+        f(s.unknown[i], 0.0);
+    }
+}
+
+linear::BlockPattern pattern_of(const MpsScratchData& s) {
+    linear::BlockPattern pattern;
+    pattern.start.assign(s.particle.size() + 1, 0);
+    const auto rows = static_cast<std::int64_t>(s.particle.size());
+    const auto particle = [&](std::int64_t row) {
+        return static_cast<std::size_t>(s.particle[static_cast<std::size_t>(row)]);
+    };
+    parallel::for_each_uneven(rows, 256, [&](std::int64_t row) {
+        for_couplings(s, particle(row), [&](std::int32_t, double) { ++pattern.start[static_cast<std::size_t>(row)]; });
+    });
+    pattern.column.resize(
+        static_cast<std::size_t>(parallel::exclusive_scan<std::int64_t>(pattern.start, pattern.start)));
+    parallel::for_each_uneven(rows, 256, [&](std::int64_t row) {
+        auto entry = static_cast<std::size_t>(pattern.first(row));
+        for_couplings(s, particle(row), [&](std::int32_t column, double) { pattern.column[entry++] = column; });
+    });
+    return pattern;
+}
+
+void fill_matrix(const MpsSettings& settings, const MpsLattice& lattice, double dt, MpsScratchData& s) {
+    const double c = lattice.second_order();
+    const double compression = settings.rest_density * settings.compressibility / (dt * dt);
+    parallel::for_each_uneven(s.matrix.rows(), 256, [&](std::int64_t row) {
+        const auto i = static_cast<std::size_t>(s.particle[static_cast<std::size_t>(row)]);
+        double diagonal = compression;
+        for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+            diagonal += c * s.fluid.weight(e);
+        }
+        for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+            const std::size_t w = s.walls.index(e);
+            diagonal += (1 - s.wall_mirrors[w]) * c * s.wall_share[w] * s.walls.weight(e);
+        }
+        std::int64_t entry = s.matrix.pattern().first(row);
+        for_couplings(s, i, [&](std::int32_t column, double weight) {
+            s.matrix.at(entry++, 0, 0) = column == row ? diagonal : -c * weight;
+        });
+    });
+}
+
+/// Force on i by pairs in balance, (P_i + P_j) for fluid and 2 P_i - h.d for walls.
+Vec3 conservative_force(const MpsSettings& settings, const Separation& separation, std::size_t i,
+                        const MpsScratchData& s) {
+    const MpsWeight weight = settings.weight();
+    Vec3 force{};
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        const std::size_t j = s.fluid.index(e);
+        const Vec3 d = separation(s.predicted[i], s.predicted[j]);
+        force += (s.pressure[i] + s.pressure[j]) * weight.over_square(norm_squared(d), s.fluid.weight(e)) * d;
+    }
+    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+        const std::size_t w = s.walls.index(e);
+        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
+        const double push = (1 + s.wall_mirrors[w]) * s.pressure[i] + s.wall_given[w] - dot(s.wall_head[w], d);
+        force += push * s.wall_share[w] * weight.over_square(norm_squared(d), s.walls.weight(e)) * d;
+    }
+    return force;
+}
+
+/// n_0/D times minus the gradient that is exact for linear pressures, with P_j - min P in place of P_j - P_i.
+Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, const Separation& separation,
+                     std::size_t i, const MpsScratchData& s) {
+    const MpsWeight weight = settings.weight();
+    const auto wall_pressure = [&](std::size_t w, const Vec3& d) {
+        return std::max(0.0, s.wall_mirrors[w] * s.pressure[i] + s.wall_given[w] - dot(s.wall_head[w], d));
+    };
+    double least = s.pressure[i];
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        least = std::min(least, s.pressure[s.fluid.index(e)]);
+    }
+    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+        const std::size_t w = s.walls.index(e);
+        least = std::min(least, wall_pressure(w, separation(s.predicted[i], s.predicted_walls[w])));
+    }
+    Vec3 sum{};
+    Mat3 moment = settings.domain.dimension == 2 ? Mat3::diagonal({0, 0, lattice.number_density}) : Mat3{};
+    const auto add = [&](const Vec3& d, double w, double pressure) {
+        const Vec3 slope = weight.over_square(norm_squared(d), w) * d;
+        sum += (pressure - least) * slope;
+        moment = moment + outer(slope, d);
+    };
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        const std::size_t j = s.fluid.index(e);
+        add(separation(s.predicted[i], s.predicted[j]), s.fluid.weight(e), s.pressure[j]);
+    }
+    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+        const std::size_t w = s.walls.index(e);
+        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
+        add(d, s.wall_share[w] * s.walls.weight(e), wall_pressure(w, d));
+    }
+    const double even = lattice.number_density / settings.domain.dimension;
+    const bool is_regular = determinant(moment) > 1e-3 * lattice.number_density * even * even;
+    return is_regular ? even * (inverse(moment) * sum) : sum;
+}
+
+/// div u** = D/n_0 sum v.d W/r^2, walls moving as mirror images.
+double divergence(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                  const Separation& separation, std::size_t i, const MpsScratchData& s) {
+    const MpsWeight weight = settings.weight();
+    double sum = 0;
+    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
+        const std::size_t j = s.fluid.index(e);
+        const Vec3 d = separation(s.predicted[i], s.predicted[j]);
+        sum += dot(state.velocity[i] - state.velocity[j], d) * weight.over_square(norm_squared(d), s.fluid.weight(e));
+    }
+    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+        const std::size_t w = s.walls.index(e);
+        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
+        sum += (1 + s.wall_mirrors[w]) * s.wall_share[w] * dot(state.velocity[i] - walls.velocity[w], d) *
+               weight.over_square(norm_squared(d), s.walls.weight(e));
+    }
+    return sum;
+}
+
+}  // namespace
+
+void set_up_pressure(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls, double dt,
+                     MpsScratchData& s) {
+    const auto count = state.position.size();
+    s.predicted.resize(count);
+    s.density.resize(count);
+    s.surface.resize(count);
+    parallel::for_each(state.size(), [&](std::int64_t i) {
+        const auto k = static_cast<std::size_t>(i);
+        s.predicted[k] = state.position[k] + 0.5 * dt * state.velocity[k];
+    });
+    s.predicted_walls.resize(walls.position.size());
+    parallel::for_each(walls.size(), [&](std::int64_t i) {
+        const auto k = static_cast<std::size_t>(i);
+        s.predicted_walls[k] = walls.position[k] + 0.5 * dt * walls.velocity[k];
+    });
+    s.fluid.find(settings, s.predicted, s.predicted, true);
+    s.walls.find(settings, s.predicted, s.predicted_walls, false);
+    const MpsLattice lattice = settings.lattice();
+    parallel::for_each_uneven(state.size(), 256,
+                              [&](std::int64_t i) { look_around(settings, lattice, static_cast<std::size_t>(i), s); });
+    number_unknowns(s);
+    s.matrix.set_pattern(pattern_of(s));
+    fill_matrix(settings, lattice, dt, s);
+    s.preconditioner.set_up(s.matrix);
+}
+
+linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleState& state,
+                                   const BoundaryParticles& walls, const Vec3& gravity, double dt, MpsScratchData& s) {
+    const MpsLattice lattice = settings.lattice();
+    const Separation separation(settings.domain);
+    const double c = lattice.second_order();
+    const double flow = settings.divergence_share * lattice.first_order() * settings.rest_density / dt;
+    const double stiffness = settings.relaxation * settings.rest_density / (dt * dt);
+    s.wall_head.resize(walls.position.size());
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        s.wall_head[w] = s.wall_mirrors[w] * settings.rest_density * (gravity - walls.acceleration[w]);
+    });
+    s.right.resize(s.particle.size());
+    s.solution.resize(s.particle.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(s.particle.size()), 256, [&](std::int64_t entry) {
+        const auto row = static_cast<std::size_t>(entry);
+        const auto i = static_cast<std::size_t>(s.particle[row]);
+        double flux = 0;
+        for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
+            const std::size_t w = s.walls.index(e);
+            const double head = -dot(s.wall_head[w], separation(s.predicted[i], s.predicted_walls[w]));
+            flux += s.wall_share[w] * s.walls.weight(e) * (head + s.wall_given[w]);
+        }
+        s.right[row] = stiffness * (s.density[i] - 1) + c * flux;
+        if (flow > 0) {
+            s.right[row] -= flow * divergence(settings, state, walls, separation, i, s);
+        }
+        s.solution[row] = s.pressure[i];
+    });
+    const linear::PcgSettings solver{settings.tolerance, 0, settings.max_iterations};
+    const linear::SolveReport report =
+        linear::solve_pcg(s.matrix, s.preconditioner, s.right, s.solution, solver, s.solver);
+    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.pressure[i] = s.unknown[i] >= 0 ? std::max(0.0, s.solution[static_cast<std::size_t>(s.unknown[i])]) : 0.0;
+    });
+    return report;
+}
+
+void find_pressure_forces(const MpsSettings& settings, MpsScratchData& s) {
+    const MpsLattice lattice = settings.lattice();
+    const Separation separation(settings.domain);
+    const double factor = lattice.first_order() * settings.particle_mass / settings.rest_density;
+    s.pressure_force.resize(s.predicted.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(s.predicted.size()), 256, [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.pressure_force[i] = factor * (settings.gradient == MpsGradient::conservative
+                                            ? conservative_force(settings, separation, i, s)
+                                            : corrected_force(settings, lattice, separation, i, s));
+    });
+}
+
+}  // namespace riprap::fluid::mps
