@@ -119,6 +119,7 @@ struct OneContact {
         c.trial.slip_before = cross(c.normal, Vec3{0.01, 0.02, 0.03});
         c.trial.friction = 0.3;
         c.trial.direction = normalized(cross(c.normal, Vec3{1, 0, 0}));
+        c.trial.across = 13;
         terms.push_back(c);
         equations.diagonal.assign(2, Matrix12{});
         equations.given.assign(2, Vector12{});
@@ -136,7 +137,8 @@ struct OneContact {
             energy += 0.5 * c.springs.shear * norm_squared(c.trial.slip_before + slide);
         }
         if (c.trial.mode == ContactMode::slide) {
-            energy += c.trial.friction * dot(c.trial.direction, moved);
+            const double off = dot(cross(c.normal, c.trial.direction), c.trial.slip_before + moved);
+            energy += c.trial.friction * dot(c.trial.direction, moved) + 0.5 * c.trial.across * off * off;
         }
         return energy;
     }
@@ -180,7 +182,7 @@ TEST(ContactTerms, what_one_block_gets_the_other_gives) {
 TEST(OpenClose, the_modes_follow_the_table) {
     const ContactSprings springs{100, 50, 0.5, 0, 0};
     const auto next = [&](ContactMode mode, double gap, const Vec3& slip, const Vec3& step, const Vec3& direction) {
-        ContactTrial trial{mode, false, {}, gap, slip, step, 0, direction};
+        ContactTrial trial{mode, false, {}, gap, slip, step, 0, direction, 0, false};
         update_mode(springs, {}, trial);
         return trial.mode;
     };
@@ -191,7 +193,8 @@ TEST(OpenClose, the_modes_follow_the_table) {
     EXPECT_EQ(next(open, -0.01, much, much, {}), slide);
     EXPECT_EQ(next(slide, 0.01, much, much, x), open);
     EXPECT_EQ(next(slide, -0.01, much, much, x), slide);
-    EXPECT_EQ(next(slide, -0.01, much, -little, x), lock);
+    EXPECT_EQ(next(slide, -0.01, -much, -much, x), lock);
+    EXPECT_EQ(next(slide, -0.01, little, -little, x), lock);
     EXPECT_EQ(next(lock, 0.01, {}, {}, {}), open);
     EXPECT_EQ(next(lock, -0.01, little, little, {}), lock);
     EXPECT_EQ(next(lock, -0.01, much, little, {}), slide);
@@ -199,7 +202,7 @@ TEST(OpenClose, the_modes_follow_the_table) {
 
 TEST(OpenClose, an_intact_contact_holds_tension_up_to_its_strength) {
     const ContactSprings springs{100, 50, 0.5, 3, 2};
-    ContactTrial trial{ContactMode::lock, true, {}, 0.019, {}, {}, 0, {}};
+    ContactTrial trial{ContactMode::lock, true, {}, 0.019, {}, {}, 0, {}, 0, false};
     update_mode(springs, {}, trial);
     EXPECT_EQ(trial.mode, ContactMode::lock);
     trial.gap = 0.021;

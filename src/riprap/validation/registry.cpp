@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "riprap/validation/dda/cases_3d.hpp"
+#include "riprap/validation/ding/cases_3d.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
@@ -102,6 +104,22 @@ std::span<const ValidationCase> all_cases() {
                        mikola::scott_russell},
         ValidationCase{"mikola", "common_plane", "Common plane of random pairs: fast against exact", false,
                        mikola::common_plane},
+        ValidationCase{"mikola", "patch_test", "A block between platens: stress and strain", false, mikola::patch_test},
+        ValidationCase{"mikola", "rotating_block", "A block turns many times", false, mikola::rotating_block},
+        ValidationCase{"mikola", "bar_waves", "A pulse in a bar of blocks; restitution; critical step", false,
+                       mikola::bar_waves},
+        ValidationCase{"ding", "free_fall_3d", "3D-DDA: free fall and tumbling", false, ding::free_fall_3d},
+        ValidationCase{"ding", "incline_3d", "3D-DDA: a block on an incline", false, ding::incline_3d},
+        ValidationCase{"ding", "arch_3d", "3D-DDA: an arch against the same in two dimensions", false, ding::arch_3d},
+        ValidationCase{"ding", "gravity_dam", "3D-DDA: a cracked gravity dam as the water rises", false,
+                       ding::gravity_dam},
+        ValidationCase{"dda", "rock_wedges_3d", "3D-DDA: wedges on two joint planes hold or slide (Hoek and Bray)",
+                       false, dda::rock_wedges_3d},
+        ValidationCase{"dda", "sliding_block_3d", "3D-DDA: a block on an incline slides, holds, stops", false,
+                       dda::sliding_block_3d},
+        ValidationCase{"dda", "stack_3d", "3D-DDA: stacked blocks carry their weight", false, dda::stack_3d},
+        ValidationCase{"dda", "rocking_3d", "3D-DDA: a block rocks from one edge to the other (Housner)", false,
+                       dda::rocking_3d},
     };
     return cases;
 }

@@ -124,6 +124,30 @@ CommonPlane plane_of_half_space(const PlacedHull& a, const PlacedHull& b) {
     return {n, plane_gap(a, b, n), {b.is_half_space() ? PlaneKind::face_b : PlaneKind::face_a, 0, 0}, false};
 }
 
+/// The face of a body that turns most towards `outward`.
+std::int32_t facing_face(const PlacedHull& hull, const Vec3& outward) {
+    std::size_t best = 0;
+    for (std::size_t f = 1; f < hull.normals.size(); ++f) {
+        best = dot(hull.normals[f], outward) > dot(hull.normals[best], outward) ? f : best;
+    }
+    return static_cast<std::int32_t>(best);
+}
+
+/// Puts a plane parallel to a face halfway to the face opposite, where that one is as good and nearly parallel.
+void share_plane(const PlacedHull& a, const PlacedHull& b, double tolerance, CommonPlane& plane) {
+    if (plane.feature.kind != PlaneKind::face_a && plane.feature.kind != PlaneKind::face_b) {
+        return;
+    }
+    const bool is_of_a = plane.feature.kind == PlaneKind::face_a;
+    const PlaneFeature shared{PlaneKind::faces, is_of_a ? plane.feature.a : facing_face(a, plane.normal),
+                              is_of_a ? facing_face(b, -plane.normal) : plane.feature.b};
+    const Vec3 other = is_of_a ? -b.normals[at(shared.b)] : a.normals[at(shared.a)];
+    if (dot(other, plane.normal) > 0.9 && plane_gap(a, b, other) > plane.gap - tolerance) {
+        const Vec3 n = feature_normal(a, b, shared);
+        plane = {n, plane_gap(a, b, n), shared, plane.is_fallback};
+    }
+}
+
 }  // namespace
 
 std::uint64_t pack(const PlaneFeature& feature) {
@@ -153,6 +177,8 @@ Vec3 feature_normal(const PlacedHull& a, const PlacedHull& b, const PlaneFeature
             return a.normals[at(feature.a)];
         case PlaneKind::face_b:
             return -b.normals[at(feature.b)];
+        case PlaneKind::faces:
+            return normalized(a.normals[at(feature.a)] - b.normals[at(feature.b)]);
         case PlaneKind::edges: {
             const Vec3 ea = direction(a, feature.a), eb = direction(b, feature.b);
             const Vec3 n = cross(ea, eb);
@@ -206,12 +232,13 @@ CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFe
         plane = common_plane_exact(a, b);
         plane.is_fallback = true;
     }
-    if (has_memory) {
+    if (has_memory && before.kind != PlaneKind::faces) {
         const double old_gap = plane_gap(a, b, old_normal);
         if (old_gap > plane.gap - 1e-6 * size) {
-            return {old_normal, old_gap, before, plane.is_fallback};
+            plane = {old_normal, old_gap, before, plane.is_fallback};
         }
     }
+    share_plane(a, b, 1e-6 * size, plane);
     return plane;
 }
 

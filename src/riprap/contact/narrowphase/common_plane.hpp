@@ -12,6 +12,7 @@ enum class PlaneKind : std::uint8_t {
     none,    ///< no common plane yet
     face_a,  ///< parallel to a face of A
     face_b,  ///< parallel to a face of B
+    faces,   ///< halfway between a face of A and one of B that are equally good
     edges,   ///< parallel to an edge of A and an edge of B
     link     ///< across the shortest link of two features that do not overlap (vertex to vertex or to edge)
 };
@@ -62,7 +63,8 @@ CommonPlane common_plane_search(const PlacedHull& a, const PlacedHull& b);
 /// The common plane that contact uses: from the feature of the last step where there is one, else fast, with the exact
 /// search where the fast one is not certain: where the touching features do not face each other, and for an overlap
 /// without a memory. The old feature is kept while its gap is within 1e-6 of the smaller body's size of the best, so
-/// that a symmetric contact does not jump between equal planes.
+/// that a symmetric contact does not jump between equal planes. Where a face of A and one of B give the same gap (to
+/// the same share), the plane lies halfway between them: neither body is preferred, and what is symmetric stays so.
 /// @param reach  bodies farther apart than this are no contact: returns the first plane found that shows it [m]
 CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach);
 

@@ -132,11 +132,13 @@ CommonPlane plane_of_link(const PlacedHull& a, const PlacedHull& b, const Common
         }
     }
     const double length = norm(best);
-    if (!(length > otherwise.gap * (1 + 1e-12))) {
+    if (!(length > 0)) {
         return otherwise;
     }
+    // The direction of a very short link has lost digits; a face or a pair of edges has not.
     const Vec3 n = best / length;
-    return {n, plane_gap(a, b, n), {PlaneKind::link, -1, -1}, false};
+    const double gap = plane_gap(a, b, n);
+    return gap > otherwise.gap * (1 + 1e-12) ? CommonPlane{n, gap, {PlaneKind::link, -1, -1}, false} : otherwise;
 }
 
 }  // namespace

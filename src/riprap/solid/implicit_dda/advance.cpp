@@ -91,6 +91,7 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
         const double size = norm(trial.slip_before);
         trial.direction = size > 0 ? trial.slip_before / size : Vec3{};
         trial.friction = strength(c.springs, trial);
+        trial.across = c.springs.shear;
     }
     return c;
 }
@@ -129,7 +130,7 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
         if (row >= 0) {
             const Vec3 arm = rows_at(state.deformation, at(point.block)) * point.place;
             const DisplacementMatrix t = displacement_matrix(arm);
-            add_springs(t, t, {0, 0, 1}, point.stiffness, point.stiffness, 1, equations.diagonal[at(row)].data());
+            add_springs(t, t, point.stiffness * Mat3::identity(), 1, equations.diagonal[at(row)].data());
             add_force(t, point.stiffness * (point.anchor - state.position[at(point.block)] - arm),
                       equations.given[at(row)].data());
         }

@@ -126,11 +126,10 @@ void add_initial_stress(const Mat3& s, double volume, Vector12& out) {
     }
 }
 
-void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Vec3& n, double normal, double shear,
-                 double factor, double* block) {
+void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Mat3& stiffness, double factor,
+                 double* block) {
     for (std::size_t c = 0; c < 12; ++c) {
-        const double along = riprap::dot(n, b[c]);
-        const Vec3 force = (factor * shear) * b[c] + (factor * (normal - shear) * along) * n;
+        const Vec3 force = factor * (stiffness * b[c]);
         for (std::size_t r = 0; r < 12; ++r) {
             block[c * 12 + r] += riprap::dot(a[r], force);
         }

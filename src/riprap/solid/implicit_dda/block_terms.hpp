@@ -44,10 +44,10 @@ void add_elastic(const affine::Material& material, double volume, Matrix12& k);
 /// out -= V s0, the stress at the start of the step [Ding2021, eq. 4.28, corrected sign].
 void add_initial_stress(const Mat3& stress, double volume, Vector12& out);
 
-/// block += T_a^T N T_b, N = k_n n n^T + k_s (1 - n n^T): normal and shear springs of a contact in one
-/// [Ding2021, eqs. 4.63-4.86, corrected].
-void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Vec3& n, double normal, double shear,
-                 double factor, double* block);
+/// block += factor T_a^T N T_b, N the stiffness of a contact point, symmetric: k_n n n^T + k_s (1 - n n^T) where it is
+/// locked [Ding2021, eqs. 4.63-4.86, corrected].
+void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Mat3& stiffness, double factor,
+                 double* block);
 
 /// y = A x
 Vector12 times(const Matrix12& a, const Vector12& x);

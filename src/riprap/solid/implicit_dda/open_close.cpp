@@ -5,21 +5,6 @@
 
 namespace riprap::solid::implicit_dda {
 
-namespace {
-
-/// Unit vector of the slip that drives friction: of the step, else as before, else of the spring.
-Vec3 slide_direction(const ContactTrial& trial) {
-    for (const Vec3& v : {trial.step_slip, trial.direction, trial.slip}) {
-        const double size = norm(v);
-        if (size > 1e-14) {
-            return v / size;
-        }
-    }
-    return {};
-}
-
-}  // namespace
-
 double strength(const ContactSprings& springs, const ContactTrial& trial) {
     const double cohesion = trial.is_intact ? springs.cohesion : 0;
     return std::max(0.0, -springs.normal * trial.gap * springs.friction + cohesion);
@@ -37,11 +22,11 @@ bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, Conta
             trial.mode = trial.gap < -rule.close_tolerance ? lock_or_slide() : ContactMode::open;
             break;
         case ContactMode::slide: {
-            const bool turns_back = rule.slide_tolerance >= 0 ? norm(trial.step_slip) <= rule.slide_tolerance
-                                                              : dot(trial.step_slip, trial.direction) < 0;
-            trial.mode = trial.gap > rule.open_tolerance                ? ContactMode::open
-                         : turns_back && limit > 0 && !trial.has_locked ? ContactMode::lock
-                                                                        : ContactMode::slide;
+            const bool is_slow = rule.slide_tolerance >= 0 && norm(trial.step_slip) <= rule.slide_tolerance;
+            const bool is_held = springs.shear * norm(trial.slip) < limit || dot(trial.slip, trial.direction) < 0;
+            trial.mode = trial.gap > rule.open_tolerance                          ? ContactMode::open
+                         : (is_slow || is_held) && limit > 0 && !trial.has_locked ? ContactMode::lock
+                                                                                  : ContactMode::slide;
             trial.has_locked = trial.has_locked || trial.mode == ContactMode::lock;
             break;
         }
@@ -50,9 +35,12 @@ bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, Conta
             break;
     }
     if (trial.mode == ContactMode::slide) {
-        trial.direction =
-            before == ContactMode::lock ? trial.slip / std::max(norm(trial.slip), 1e-300) : slide_direction(trial);
+        const double size = norm(trial.slip);
+        if (size > 1e-14 && !(before == ContactMode::slide && dot(trial.slip, trial.direction) < 0)) {
+            trial.direction = trial.slip / size;
+        }
         trial.friction = limit;
+        trial.across = size > 1e-14 ? std::min(limit / size, springs.shear) : springs.shear;
     }
     return trial.mode != before;
 }

@@ -24,7 +24,8 @@ struct ContactTrial {
     Vec3 slip{};             ///< elastic slip plus the motion of the step, in the plane [m]
     Vec3 step_slip{};        ///< motion of the step alone, a against b, in the plane [m]
     double friction{0};      ///< F_f that acts while sliding [N]
-    Vec3 direction{};        ///< of sliding, a against b [-]
+    Vec3 direction{};        ///< l of sliding, a against b [-]
+    double across{0};        ///< stiffness F_f/|t| with which friction turns with the slip [N/m]
     bool has_locked{false};  ///< went from sliding to lock in this step; if it slides again, it goes on sliding
 };
 
@@ -41,13 +42,16 @@ double strength(const ContactSprings& springs, const ContactTrial& trial);
 
 /// The next mode after a solution [Ding2021, table 4.2]:
 ///
-///     open  -> lock or slide  where d_n < 0, by k_s d_t against k_n |d_n| tan phi + C
-///     slide -> open           where d_n > 0;  -> lock where the slip turns back (or falls below a tolerance)
-///     lock  -> open           where d_n > 0 (tension T/k_n while intact);  -> slide where k_s d_t passes the strength
+///     open  -> lock or slide  where d_n < 0, by k_s |t| against k_n |d_n| tan phi + C
+///     slide -> open           where d_n > 0;  -> lock where k_s |t| falls below the strength or t turns back
+///     lock  -> open           where d_n > 0 (tension T/k_n while intact);  -> slide where k_s |t| passes the strength
 ///
-/// A contact that slides again after it has locked in the same step goes on sliding: at the limit of friction both
-/// answers are near, and the iteration would go from one to the other for ever. Sets friction and direction of what
-/// slides. @returns true when springs came or went
+/// t is the elastic slip at the start of the step plus the motion of the step: the elastic-plastic spring of Coulomb's
+/// law. Sets what slides: friction F_f, its direction l = t/|t|, and the stiffness F_f/|t| across l in the plane, the
+/// derivative of F_f t/|t|; with F_f l alone the direction would turn without end where blocks are soft. Differs from
+/// the source, which locks by the slip of the step. A contact that slides again after it has locked in the same step
+/// goes on sliding: at the limit both answers are near.
+/// @returns true when springs came or went
 bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, ContactTrial& trial);
 
 }  // namespace riprap::solid::implicit_dda

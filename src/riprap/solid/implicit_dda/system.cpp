@@ -13,22 +13,26 @@ namespace riprap::solid::implicit_dda {
 
 namespace {
 
-/// Stiffness that acts across and along the plane in a mode.
-struct ModeStiffness {
-    double normal, shear;
-    explicit ModeStiffness(const ContactTerm& c)
-        : normal(c.trial.mode == ContactMode::open ? 0 : c.springs.normal),
-          shear(c.trial.mode == ContactMode::lock ? c.springs.shear : 0) {}
-};
+/// Stiffness of a contact point in its mode: k_n n n^T, besides k_s (1 - n n^T) where it is locked and F_f/|t| across
+/// the slip where it slides.
+Mat3 stiffness_of(const ContactTerm& c) {
+    const Mat3 along = outer(c.normal, c.normal);
+    if (c.trial.mode == ContactMode::lock) {
+        return c.springs.normal * along + c.springs.shear * (Mat3::identity() - along);
+    }
+    const Vec3 across = cross(c.normal, c.trial.direction);
+    return c.springs.normal * along + c.trial.across * outer(across, across);
+}
 
 /// Force of a contact on a at zero displacement of the unknowns; b gets the opposite.
 Vec3 force_at_start(const ContactTerm& c) {
-    Vec3 force = ModeStiffness(c).normal * c.gap * c.normal;
+    Vec3 force = c.springs.normal * c.gap * c.normal;
+    const Vec3 slip = c.trial.slip_before + c.prescribed - dot(c.prescribed, c.normal) * c.normal;
     if (c.trial.mode == ContactMode::lock) {
-        const Vec3 moved = c.trial.slip_before + c.prescribed - dot(c.prescribed, c.normal) * c.normal;
-        force -= c.springs.shear * moved;
-    } else if (c.trial.mode == ContactMode::slide) {
-        force -= c.trial.friction * c.trial.direction;
+        force -= c.springs.shear * slip;
+    } else {
+        const Vec3 across = cross(c.normal, c.trial.direction);
+        force -= c.trial.friction * c.trial.direction + (c.trial.across * dot(across, slip)) * across;
     }
     return force;
 }
@@ -135,11 +139,11 @@ void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
             }
             const bool is_a = c.row_a == row;
             const DisplacementMatrix &mine = is_a ? c.at_a : c.at_b, &other = is_a ? c.at_b : c.at_a;
-            const ModeStiffness stiffness(c);
-            add_springs(mine, mine, c.normal, stiffness.normal, stiffness.shear, 1, own);
+            const Mat3 stiffness = stiffness_of(c);
+            add_springs(mine, mine, stiffness, 1, own);
             const std::int64_t entry = is_a ? c.entry_ab : c.entry_ba;
             if (entry >= 0) {
-                add_springs(mine, other, c.normal, stiffness.normal, stiffness.shear, -1, k.block(entry));
+                add_springs(mine, other, stiffness, -1, k.block(entry));
             }
             add_force(mine, (is_a ? 1.0 : -1.0) * force_at_start(c), right);
         }
