@@ -101,6 +101,17 @@ TEST(BlockTerms, initial_stress_does_the_work_of_its_strain) {
     EXPECT_NEAR(dot(load, d), -2 * trace(stress * gradient_of(d.data())), 1e-13);
 }
 
+TEST(BlockTerms, springs_summed_by_translation_and_gradient_are_those_of_the_displacement_matrix) {
+    const Mat3 n{{{2, 0.3, -0.2}, {0.3, 3, 0.4}, {-0.2, 0.4, 5}}};
+    Matrix12 plain{}, affine{}, fast{};
+    add_springs(displacement_matrix(arm_a), displacement_matrix(arm_b), n, -1.5, plain.data());
+    add_affine_springs(arm_a, arm_b, n, -1.5, affine.data());
+    add_in_unknowns(affine, fast.data());
+    for (std::size_t i = 0; i < 144; ++i) {
+        EXPECT_NEAR(fast[i], plain[i], 1e-14) << i;
+    }
+}
+
 /// One contact between rows 0 and 1 whose system is K D = F.
 struct OneContact {
     std::vector<ContactTerm> terms;
@@ -110,8 +121,8 @@ struct OneContact {
         ContactTerm c{};
         c.row_a = 0;
         c.row_b = 1;
-        c.at_a = displacement_matrix(arm_a);
-        c.at_b = displacement_matrix(arm_b);
+        c.arm_a = arm_a;
+        c.arm_b = arm_b;
         c.normal = normalized(Vec3{1, 2, -1});
         c.gap = -0.01;
         c.springs = {50, 20, 0.4, 0, 0};
@@ -129,7 +140,8 @@ struct OneContact {
     /// Energy of the springs, minus the work of friction, at displacements of both blocks.
     double energy(const std::array<double, 24>& d) const {
         const ContactTerm& c = terms[0];
-        const Vec3 moved = displacement(c.at_a, d.data()) - displacement(c.at_b, &d[12]);
+        const Vec3 moved =
+            displacement(displacement_matrix(c.arm_a), d.data()) - displacement(displacement_matrix(c.arm_b), &d[12]);
         const double gap = c.gap - dot(c.normal, moved);
         const Vec3 slide = moved - dot(c.normal, moved) * c.normal;
         double energy = c.trial.mode == ContactMode::open ? 0 : 0.5 * c.springs.normal * gap * gap;

@@ -31,4 +31,8 @@ void linear_pcg(const Setting& setting, std::vector<Result>& results);
 // broadphase.cpp
 void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 
+// dda_3d.cpp
+void dda_implicit_3400(const Setting& setting, std::vector<Result>& results);
+void dda_explicit(const Setting& setting, std::vector<Result>& results);
+
 }  // namespace riprap::bench

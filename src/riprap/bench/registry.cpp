@@ -22,6 +22,8 @@ std::span<const Bench> all_benches() {
         Bench{"broadphase.slope", "Search for candidate pairs against the number of bodies", false, broadphase_slope},
         Bench{"sph.h1732", "Water by SPH, smoothing length of 1.732 spacings", false, sph_h1732},
         Bench{"sph.h12", "Water by SPH, smoothing length of 1.2 spacings", false, sph_h12},
+        Bench{"dda.implicit_3400", "Implicit 3D-DDA: a wall of 3400 blocks", false, dda_implicit_3400},
+        Bench{"dda.explicit", "Explicit 3D-DDA: walls of 1000 and 8000 blocks", false, dda_explicit},
         Bench{"linear.product", "Block-sparse matrix times vector, against the bandwidth", false, linear_product},
         Bench{"linear.pcg", "Conjugate gradients by preconditioner", false, linear_pcg},
     };

@@ -70,8 +70,8 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     ContactTerm c{};
     c.row_a = scratch.row[at(found.a)];
     c.row_b = scratch.row[at(found.b)];
-    c.at_a = displacement_matrix(found.on_a - state.blocks.position[at(found.a)]);
-    c.at_b = displacement_matrix(found.on_b - state.blocks.position[at(found.b)]);
+    c.arm_a = found.on_a - state.blocks.position[at(found.a)];
+    c.arm_b = found.on_b - state.blocks.position[at(found.b)];
     c.normal = found.normal;
     c.springs = springs_of(system.surface_of(found.a, found.b), found.area);
     c.prescribed = prescribed_motion(system, state.blocks, found.a, found.on_a, dt) -

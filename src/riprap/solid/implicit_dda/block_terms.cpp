@@ -136,6 +136,56 @@ void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const
     }
 }
 
+void add_affine_springs(const Vec3& arm_a, const Vec3& arm_b, const Mat3& stiffness, double factor, double* block) {
+    const double left[4]{factor, factor * arm_a.x, factor * arm_a.y, factor * arm_a.z};
+    const double right[4]{1, arm_b.x, arm_b.y, arm_b.z};
+    for (int j = 0; j < 3; ++j) {
+        double column[12];
+        for (int a = 0; a < 4; ++a) {
+            for (int i = 0; i < 3; ++i) {
+                column[3 * a + i] = left[a] * stiffness(i, j);
+            }
+        }
+        for (int b = 0; b < 4; ++b) {
+            double* const out = block + 12 * (3 * b + j);
+            for (int r = 0; r < 12; ++r) {
+                out[r] += right[b] * column[r];
+            }
+        }
+    }
+}
+
+void add_in_unknowns(const Matrix12& affine, double* block) {
+    // Each unknown moves one entry, or two: rotations by opposite entries of the gradient, shears by half of both.
+    struct Entries {
+        std::size_t first, second;
+        double of_first, of_second;
+    };
+    static constexpr std::array<Entries, 12> entries{{{0, 0, 1, 0},
+                                                      {1, 1, 1, 0},
+                                                      {2, 2, 1, 0},
+                                                      {8, 10, 1, -1},
+                                                      {9, 5, 1, -1},
+                                                      {4, 6, 1, -1},
+                                                      {3, 3, 1, 0},
+                                                      {7, 7, 1, 0},
+                                                      {11, 11, 1, 0},
+                                                      {6, 4, 0.5, 0.5},
+                                                      {10, 8, 0.5, 0.5},
+                                                      {5, 9, 0.5, 0.5}}};
+    for (std::size_t c = 0; c < 12; ++c) {
+        const Entries& ec = entries[c];
+        double column[12];
+        for (std::size_t r = 0; r < 12; ++r) {
+            column[r] = ec.of_first * affine[12 * ec.first + r] + ec.of_second * affine[12 * ec.second + r];
+        }
+        for (std::size_t r = 0; r < 12; ++r) {
+            const Entries& er = entries[r];
+            block[12 * c + r] += er.of_first * column[er.first] + er.of_second * column[er.second];
+        }
+    }
+}
+
 Vector12 times(const Matrix12& a, const Vector12& x) {
     Vector12 y{};
     for (std::size_t c = 0; c < 12; ++c) {

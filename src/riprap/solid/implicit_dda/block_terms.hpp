@@ -49,6 +49,13 @@ void add_initial_stress(const Mat3& stress, double volume, Vector12& out);
 void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Mat3& stiffness, double factor,
                  double* block);
 
+/// The same sum before it is brought to the unknowns: rows and columns count 3 a + i, a = 0 the translation i, a = 1,
+/// 2, 3 the entry (i, a) of the displacement gradient. T is linear in (1, r), so that a contact costs one
+/// multiplication and addition a number; to_unknowns() follows once, when all contacts of a block are in.
+void add_affine_springs(const Vec3& arm_a, const Vec3& arm_b, const Mat3& stiffness, double factor, double* block);
+/// block += the 12 x 12 numbers of `affine` brought to the unknowns.
+void add_in_unknowns(const Matrix12& affine, double* block);
+
 /// y = A x
 Vector12 times(const Matrix12& a, const Vector12& x);
 inline double dot(const Vector12& a, const Vector12& b) {

@@ -122,32 +122,60 @@ void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations&
     }
 }
 
-void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
+namespace {
+
+/// One row: contacts come sorted by pair, so that those with the same neighbour follow each other and are summed before
+/// they are brought to the unknowns.
+void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Equations& equations) {
     linear::BlockCsr<12>& k = equations.matrix;
-    parallel::for_each_uneven(k.rows(), 16, [&](std::int64_t row) {
-        for (std::int64_t e = k.pattern().first(row); e < k.pattern().end(row); ++e) {
-            std::fill(k.block(e), k.block(e) + 144, 0.0);
+    for (std::int64_t e = k.pattern().first(row); e < k.pattern().end(row); ++e) {
+        std::fill(k.block(e), k.block(e) + 144, 0.0);
+    }
+    double* const own = k.block(k.pattern().find(row, row));
+    double* const right = &equations.right[at(row) * 12];
+    std::copy(equations.diagonal[at(row)].begin(), equations.diagonal[at(row)].end(), own);
+    Matrix12 mine{}, shared{};
+    Vec3 force{};
+    Mat3 dipole{};
+    std::int64_t open_entry = -1;
+    const auto close_neighbour = [&](std::int64_t next) {
+        if (open_entry >= 0 && open_entry != next) {
+            add_in_unknowns(shared, k.block(open_entry));
+            shared.fill(0);
         }
-        double* const own = k.block(k.pattern().find(row, row));
-        double* const right = &equations.right[at(row) * 12];
-        std::copy(equations.diagonal[at(row)].begin(), equations.diagonal[at(row)].end(), own);
-        std::copy(equations.given[at(row)].begin(), equations.given[at(row)].end(), right);
-        for (const std::int32_t number : equations.incident.of(row)) {
-            const ContactTerm& c = contacts[at(number)];
-            if (c.trial.mode == ContactMode::open) {
-                continue;
-            }
-            const bool is_a = c.row_a == row;
-            const DisplacementMatrix &mine = is_a ? c.at_a : c.at_b, &other = is_a ? c.at_b : c.at_a;
-            const Mat3 stiffness = stiffness_of(c);
-            add_springs(mine, mine, stiffness, 1, own);
-            const std::int64_t entry = is_a ? c.entry_ab : c.entry_ba;
-            if (entry >= 0) {
-                add_springs(mine, other, stiffness, -1, k.block(entry));
-            }
-            add_force(mine, (is_a ? 1.0 : -1.0) * force_at_start(c), right);
+        open_entry = next;
+    };
+    for (const std::int32_t number : equations.incident.of(row)) {
+        const ContactTerm& c = contacts[at(number)];
+        if (c.trial.mode == ContactMode::open) {
+            continue;
         }
-    });
+        const bool is_a = c.row_a == row;
+        const Vec3 &arm = is_a ? c.arm_a : c.arm_b, &other = is_a ? c.arm_b : c.arm_a;
+        const Mat3 stiffness = stiffness_of(c);
+        add_affine_springs(arm, arm, stiffness, 1, mine.data());
+        const std::int64_t entry = is_a ? c.entry_ab : c.entry_ba;
+        if (entry >= 0) {
+            close_neighbour(entry);
+            add_affine_springs(arm, other, stiffness, -1, shared.data());
+        }
+        const Vec3 push = (is_a ? 1.0 : -1.0) * force_at_start(c);
+        force += push;
+        dipole = dipole + outer(push, arm);
+    }
+    close_neighbour(-1);
+    add_in_unknowns(mine, own);
+    const Vector12 load = load_vector(force, dipole);
+    for (std::size_t i = 0; i < 12; ++i) {
+        right[i] = equations.given[at(row)][i] + load[i];
+    }
+}
+
+}  // namespace
+
+void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
+    parallel::for_each_uneven(equations.matrix.rows(), 16,
+                              [&](std::int64_t row) { assemble_row(contacts, row, equations); });
 }
 
 linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
@@ -175,10 +203,10 @@ void evaluate(const Equations& equations, std::vector<ContactTerm>& contacts) {
         ContactTerm& c = contacts[at(i)];
         Vec3 moved{};
         if (c.row_a >= 0) {
-            moved += displacement(c.at_a, &equations.solution[at(c.row_a) * 12]);
+            moved += displacement(displacement_matrix(c.arm_a), &equations.solution[at(c.row_a) * 12]);
         }
         if (c.row_b >= 0) {
-            moved -= displacement(c.at_b, &equations.solution[at(c.row_b) * 12]);
+            moved -= displacement(displacement_matrix(c.arm_b), &equations.solution[at(c.row_b) * 12]);
         }
         c.trial.gap = c.gap - dot(c.normal, moved);
         const Vec3 total = moved + c.prescribed;

@@ -22,7 +22,7 @@ enum class Solver : std::uint8_t {
 struct ContactTerm {
     std::int32_t row_a, row_b;        ///< of the system; -1 = the block does not move by loads
     std::int64_t entry_ab, entry_ba;  ///< places of the off-diagonal blocks; -1 = none
-    DisplacementMatrix at_a, at_b;    ///< T at the contact point on either surface
+    Vec3 arm_a, arm_b;                ///< from the centroids to the contact point on either surface [m]
     Vec3 normal;                      ///< from a to b [-]
     double gap;                       ///< at the start, prescribed motion of the step included [m]
     Vec3 prescribed;                  ///< motion of a against b that is not unknown [m]

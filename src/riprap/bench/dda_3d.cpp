@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "riprap/bench/benches.hpp"
+#include "riprap/bench/measure.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/solid/explicit_dda/advance.hpp"
+#include "riprap/solid/implicit_dda/advance.hpp"
+
+namespace riprap::bench {
+
+namespace {
+
+namespace affine = solid::affine;
+namespace implicit_dda = solid::implicit_dda;
+namespace explicit_dda = solid::explicit_dda;
+
+/// A wall of boxes in running bond on a half-space, pressed together by a thousandth, its joints closed.
+void build_wall(int nx, int ny, int nz, affine::BlockSystem& system, affine::BlockState& state) {
+    add_material(system, {2500, 1e9, 0.25}, {1e7, 1e7, false, 0.6});
+    system.gravity = {0, 0, -9.81};
+    add_block(system, state, {.shape = add_half_space(system, {0, 0, 1}, 0)});
+    affine::NewBlock block;
+    const double gap = 0.999;
+    block.shape = -1;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                block.position = {gap * (i + 0.5 * (k % 2)), gap * j, 0.4995 + gap * k};
+                if (block.shape < 0) {
+                    add_box(system, state, {1, 1, 1}, block);
+                    block.shape = system.shape.back();
+                } else {
+                    add_block(system, state, block);
+                }
+            }
+        }
+    }
+}
+
+struct Implicit {
+    affine::BlockSystem system;
+    implicit_dda::State state;
+    implicit_dda::Scratch scratch;
+    implicit_dda::Settings settings{};
+    implicit_dda::StepReport report{};
+
+    void step() {
+        const auto outcome = advance(system, {}, settings, 1e-3, {}, state, scratch, report);
+        if (!outcome.ok()) {
+            throw std::runtime_error(outcome.problem);
+        }
+    }
+};
+
+struct Explicit {
+    affine::BlockSystem system;
+    explicit_dda::State state{};
+    explicit_dda::Scratch scratch;
+    explicit_dda::Settings settings{};
+    explicit_dda::StepReport report{};
+    double dt{0};
+
+    Explicit(int nx, int ny, int nz) {
+        build_wall(nx, ny, nz, system, state.blocks);
+        settings.mass_damping = 10;
+        dt = 0.5 * explicit_dda::stable_step(system, state.blocks);
+    }
+    void step() {
+        const auto outcome = advance(system, settings, dt, {}, state, scratch, report);
+        if (!outcome.ok()) {
+            throw std::runtime_error(outcome.problem);
+        }
+    }
+};
+
+}  // namespace
+
+void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
+    Implicit run;
+    build_wall(17, 10, 20, run.system, run.state.blocks);
+    run.settings.open_close = 20;
+    for (int i = 0; i < 3; ++i) {
+        run.step();
+    }
+    for (std::size_t t = 0; t < setting.thread_counts.size(); ++t) {
+        const int threads = setting.thread_counts[t];
+        const ThreadScope scope(threads);
+        const Timing whole = time_calls([&] { run.step(); });
+        const double solves = run.report.open_close, iterations = run.report.solver_iterations;
+        results.push_back({"dda.implicit_3400", threads, 1e3 * whole.median, "ms/step",
+                           fmt::format("3400 blocks, {} contact points, {} open-close iterations, {} of the solver; {}",
+                                       run.report.contact_count, solves, iterations, spread(whole))});
+        // One solution again from nothing, against the memory traffic of its products.
+        auto& equations = run.scratch.equations;
+        linear::SolveReport solved;
+        const Timing one = time_calls([&] {
+            std::fill(equations.solution.begin(), equations.solution.end(), 0.0);
+            solved = solve(run.settings.solve, equations);
+        });
+        const Timing filled = time_calls([&] { assemble(run.scratch.contacts, equations); });
+        const double bandwidth =
+            t < setting.machine.by_threads.size() ? setting.machine.by_threads[t].triad : reference_core.triad;
+        const double bound = solved.iterations * equations.matrix.bytes_per_product() / bandwidth;
+        results.push_back({"dda.implicit_3400.solve", threads, 1e3 * one.median, "ms",
+                           fmt::format("{} iterations, {:.2f} times the memory traffic of its products; assembly "
+                                       "{:.1f} ms; {:.1f} blocks a row",
+                                       solved.iterations, one.median / bound, 1e3 * filled.median,
+                                       static_cast<double>(equations.matrix.pattern().entries()) /
+                                           static_cast<double>(equations.matrix.rows()))});
+    }
+}
+
+void dda_explicit(const Setting& setting, std::vector<Result>& results) {
+    for (const int threads : setting.thread_counts) {
+        const ThreadScope scope(threads);
+        double first = 0;
+        for (const int side : {10, 20}) {
+            Explicit run(side, side, side);
+            for (int i = 0; i < 3; ++i) {
+                run.step();
+            }
+            const Timing timing = time_calls([&] { run.step(); });
+            const double blocks = side * side * side;
+            const auto points = static_cast<double>(run.report.contact_count);
+            results.push_back({fmt::format("dda.explicit.{}", side * side * side), threads,
+                               1e6 * timing.median / blocks, "us/block/step",
+                               fmt::format("{:.0f} contact points, {:.2f} us each; {}", points,
+                                           1e6 * timing.median / points, spread(timing))});
+            if (first > 0) {
+                results.push_back({"dda.explicit.slope", threads, std::log(timing.median / first) / std::log(8.0), "-",
+                                   "of log time over log number of blocks"});
+            }
+            first = timing.median;
+        }
+    }
+}
+
+}  // namespace riprap::bench
