@@ -8,7 +8,8 @@
 namespace riprap::validation {
 namespace {
 
-/// The cases that take well under a second; the others run with `riprap validate`.
+/// Dry cases that take well under a second and one of each kind with water that takes seconds: joint uplift, buoyancy,
+/// a wave, a dam break, a wedge. The others run with `riprap validate`.
 class QuickCase : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuickCase, reaches_its_published_or_exact_answers) {
@@ -22,7 +23,9 @@ TEST_P(QuickCase, reaches_its_published_or_exact_answers) {
 
 INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                          testing::Values("zhao/golden_values", "zhao/two_tetrahedra", "rigid/free_flight",
-                                         "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block"));
+                                         "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block",
+                                         "water/stacked_blocks", "water/submerged_square", "water/standing_wave",
+                                         "water/dam_break_front", "mikola/submarine_wedge"));
 
 }  // namespace
 }  // namespace riprap::validation

@@ -72,7 +72,7 @@ TEST(Tipping, pressure_of_the_distance_field_under_a_tilted_block_fails_at_the_s
     const double degree = M_PI / 180;
     for (const double ratio : {0.2, 0.4, 0.8}) {
         const StandingBlock block{ratio * 0.5, 0.5, 2500, 1e9};
-        const double slope = tipping_slope(block);
+        const double slope = tipping_slope(block.foot());
         EXPECT_GT(largest_margin(block, slope - 0.005 * degree), 0) << ratio;
         EXPECT_LT(largest_margin(block, slope + 0.005 * degree), 0) << ratio;
         EXPECT_LT(slope, std::atan(ratio) - 0.5 * degree) << ratio;

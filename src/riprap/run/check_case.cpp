@@ -15,6 +15,7 @@
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
+#include "riprap/run/tipping_bias.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -96,6 +97,27 @@ std::string gaps_text(const CaseCheck& check) {
         low == high ? low : low + " to " + high);
 }
 
+std::optional<CaseCheck::EarlyTipping> early_tipping(const sim::Model& model, const sim::State& state) {
+    const std::optional<TippingBias> bias = largest_tipping_bias(model, state);
+    if (!bias) {
+        return {};
+    }
+    constexpr double degree = M_PI / 180;
+    const MaterialId material = model.bodies.material[static_cast<std::size_t>(bias->body.value)];
+    return CaseCheck::EarlyTipping{model.bodies.name(bias->body), bias->above, bias->rigid / degree,
+                                   bias->elastic / degree, bias->factor * model.materials[material].normal_stiffness};
+}
+
+/// "column" and 3 above tip 0.85 degrees early ...
+std::string tipping_text(const CaseCheck::EarlyTipping& tipping) {
+    const std::string who = tipping.above > 0 ? fmt::format("'{}' and the {} above it tip", tipping.body, tipping.above)
+                                              : fmt::format("'{}' tips", tipping.body);
+    return fmt::format(
+        "{} at {:.3g} deg, a rigid foot at {:.3g}: {:.2g} deg early, as contacts are elastic; 0.1 deg takes "
+        "normal_stiffness = {:.2g} Pa",
+        who, tipping.elastic, tipping.rigid, tipping.rigid - tipping.elastic, tipping.stiffness);
+}
+
 }  // namespace
 
 std::string size_text(double bytes) {
@@ -132,6 +154,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
             check.mass += model.bodies.mass[static_cast<std::size_t>(i)];
         }
     }
+    check.tipping = early_tipping(model, loaded.state);
     if (model.fluid) {
         check.particles = loaded.state.fluid.size();
         check.samples = model.fluid->samples.size();
@@ -206,6 +229,9 @@ std::string check_text(const CaseCheck& check) {
             check.particles, check.water_mass, mass_unit, check.samples, room_text(check), check.sound_speed,
             check.sound_speed_reason);
     }
+    if (check.tipping) {
+        text += fmt::format("  tipping       {}\n", tipping_text(*check.tipping));
+    }
     if (check.gaps.pairs > 0) {
         text += fmt::format("  gaps          {}\n", gaps_text(check));
     }
@@ -256,6 +282,14 @@ std::string check_json(const CaseCheck& check) {
     for (const CaseCheck::FaceGauge& face : check.face_gauges) {
         json["face_gauges"].push_back(
             {{"gauge", face.gauge}, {"body", face.body}, {"normal", {face.normal.x, face.normal.y, face.normal.z}}});
+    }
+    json["tipping"] = nullptr;
+    if (check.tipping) {
+        json["tipping"] = {{"body", check.tipping->body},
+                           {"above", check.tipping->above},
+                           {"rigid_slope", check.tipping->rigid},
+                           {"elastic_slope", check.tipping->elastic},
+                           {"stiffness_for_0.1_deg", check.tipping->stiffness}};
     }
     json["waves"] = nlohmann::ordered_json::array();
     for (const scene::PaddleWave& wave : check.waves) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,15 @@ struct CaseCheck {
     std::array<std::string, 2> beside_gap;  ///< bodies at the first of them
     std::vector<FaceGauge> face_gauges;     ///< what each wall_pressure found
     std::vector<scene::PaddleWave> waves;   ///< that paddles are to make
-    double time_step{0};                    ///< [s]
-    double time_step_limit{0};              ///< [s]
+    struct EarlyTipping {
+        std::string body;
+        std::int64_t above;     ///< bodies that stand on it
+        double rigid, elastic;  ///< slopes at which a rigid body and one with the stiffness of the case tip [deg]
+        double stiffness;       ///< normal_stiffness with which the two agree to 0.1 degrees [Pa]
+    };
+    std::optional<EarlyTipping> tipping;  ///< of the body that tips earliest by the elasticity of its foot
+    double time_step{0};                  ///< [s]
+    double time_step_limit{0};            ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "riprap/core/error.hpp"
+#include "riprap/run/provenance.hpp"
 
 namespace riprap::validation {
 
@@ -110,7 +111,7 @@ Json totals_of(const std::vector<Result>& results) {
 
 }  // namespace
 
-std::string to_json(std::string_view suite, const std::vector<Result>& results) {
+std::string to_json(std::string_view suite, const std::vector<Result>& results, bool is_full) {
     Json rows = Json::array();
     for (const Result& result : results) {
         Json row;
@@ -130,6 +131,9 @@ std::string to_json(std::string_view suite, const std::vector<Result>& results) 
     }
     Json answer;
     answer["suite"] = suite;
+    answer["version"] = is_full ? "full" : "short";
+    answer["build"] = Json::parse(run::build_json());
+    answer["machine"] = Json::parse(run::machine_json());
     answer["totals"] = totals_of(results);
     answer["results"] = std::move(rows);
     return answer.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

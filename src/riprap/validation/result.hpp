@@ -107,10 +107,11 @@ class CaseReport {
     std::vector<Result> results_;
 };
 
-/// {"suite": ..., "totals": {"physics": {"reproduced": ..., "close", "not_reproduced", "under_specified"},
-/// "bookkeeping": likewise}, "results": [{"case", "kind", "quantity", "unit", "paper", "exact", "value", "low", "high",
-/// "verdict", "note", "seconds"}]}. Absent values, and numbers that are not finite, are null.
-std::string to_json(std::string_view suite, const std::vector<Result>& results);
+/// {"suite": ..., "version": "short" or "full", "build": {...}, "machine": {...}, "totals": {"physics": {"reproduced":
+/// ..., "close", "not_reproduced", "under_specified"}, "bookkeeping": likewise}, "results": [{"case", "kind",
+/// "quantity", "unit", "paper", "exact", "value", "low", "high", "verdict", "note", "seconds"}]}. Absent values, and
+/// numbers that are not finite, are null.
+std::string to_json(std::string_view suite, const std::vector<Result>& results, bool is_full = false);
 
 /// The same for people: one line per result, physics first and bookkeeping below it, the note under each line that is
 /// not plainly reproduced, counts of both kinds at the end.

@@ -134,7 +134,7 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
     std::vector<Result> all_results;
     // One JSON document, whatever was asked for: with several suites a case carries the name of its own.
     const bool names_suites = suites.size() > 1;
-    const auto json = [&] { return to_json(names_suites ? "all" : suites.front(), all_results); };
+    const auto json = [&] { return to_json(names_suites ? "all" : suites.front(), all_results, options.is_full); };
     for (const std::string_view suite : suites) {
         std::vector<Result> results;
         for (const ValidationCase& one : cases) {
@@ -159,7 +159,7 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
         }
     }
     if (options.as_json) {
-        out << (suites.empty() ? to_json("all", {}) : json()) << std::flush;
+        out << (suites.empty() ? to_json("all", {}, options.is_full) : json()) << std::flush;
     }
     const bool has_failed = std::any_of(all_results.begin(), all_results.end(),
                                         [](const Result& result) { return result.verdict == Verdict::not_reproduced; });

@@ -52,13 +52,29 @@ KeyList<S> particle_order_keys() {
                     "Steps between sorts of the particles by place: part of the result, as sums follow the order.")};
 }
 
+/// The inside of the water, particles caught between walls and joints are told by sums of the kernel whose values hold
+/// at h/dp = 1.5 (docs/theory/sph.md, 4; tearing.hpp).
+std::vector<KeyProblem> problems_of(const S& settings) {
+    constexpr double least = 1.4, most = 1.6;
+    std::vector<KeyProblem> problems;
+    if (settings.scheme == SphScheme::delta_sph &&
+        (settings.smoothing_ratio < least || settings.smoothing_ratio > most)) {
+        problems.push_back(
+            {"smoothing_ratio",
+             "smoothing_ratio is off 1.5, at which surfaces, joints and particles between walls are known",
+             "1.4 to 1.6 with scheme = \"delta_sph\""});
+    }
+    return problems;
+}
+
 }  // namespace
 
 MethodKeys<SphSettings> SphSettings::keys() {
     return {.help = "smoothed particle hydrodynamics, weakly compressible",
             .keys = particle_keys<S>() + scheme_keys() + viscosity_keys() + particle_order_keys(),
             .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
-                           "inflow", "outflow"}};
+                           "inflow", "outflow"},
+            .check = problems_of};
 }
 
 }  // namespace riprap::fluid

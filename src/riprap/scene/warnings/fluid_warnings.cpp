@@ -100,20 +100,6 @@ void warn_of(CaseBuild& build, const std::vector<ThinEntry>& entries, double spa
                 fmt::format(fmt::runtime(text), is_one ? "it" : "them", layers), floor_of(low->thickness / layers)));
 }
 
-/// Corrected gradients tell the inside of the water from its rim by numbers that hold at h/dp = 1.5
-/// (docs/theory/sph.md, 4).
-void warn_of_smoothing_ratio(CaseBuild& build, const fluid::SphSettings& sph) {
-    constexpr double least = 1.4, most = 1.6;
-    const bool is_corrected = sph.gradient_correction && sph.scheme == fluid::SphScheme::delta_sph;
-    if (is_corrected && (sph.smoothing_ratio < least || sph.smoothing_ratio > most)) {
-        build.warnings.push_back(
-            fmt::format("smoothing_ratio = {:.3g} with gradient_correction: the inside of the water is told from its "
-                        "rim by numbers "
-                        "that hold at 1.5, so gradients are corrected in part only",
-                        sph.smoothing_ratio));
-    }
-}
-
 /// Steps at which sound grows on a lattice (docs/theory/sph.md, 8).
 void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.scheme != fluid::SphScheme::delta_sph) {
@@ -175,7 +161,6 @@ void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const f
 
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
-    warn_of_smoothing_ratio(build, sph);
     warn_of_courant(build, sph);
 }
 

@@ -68,6 +68,9 @@ void submarine_wedge(const CaseSetting& setting, CaseReport& report) {
         return (density - water) / (density + added * water) * gravity * std::sin(angle);
     };
     Trial trial = trial_of(setting);
+    const auto wedge = static_cast<std::size_t>(trial.body("wedge").value);
+    report.judge({"mass of the wedge", "kg/m", 0.5 * 0.5 * 0.5 * density, {}, "half a square of 0.5 m, 2000 kg/m^3"},
+                 trial.model().bodies.mass[wedge], 0.99 * 0.125 * density, 1.01 * 0.125 * density);
     WaterRecords records;
     const Fall fall = follow(setting, report, "wedge", trial, records);
     report.judge({"2 s/t^2 at 0.2 s", "m/s^2", {}, {}, "added mass between none and 1.0"},

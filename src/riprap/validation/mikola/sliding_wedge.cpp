@@ -58,6 +58,10 @@ double submerged_acceleration(double added) {
 
 void judge_submerged(const CaseSetting& setting, CaseReport& report) {
     Trial trial = wedge_trial(setting, 0, -0.6);  // top 0.1 m below the surface
+    const double mass = density * 0.5 * wedge_height * wedge_height / std::tan(angle);
+    report.judge({"mass of the wedge", "kg/m", mass, {}, "2500 kg/m^3"},
+                 trial.model().bodies.mass[static_cast<std::size_t>(trial.body("wedge").value)], 0.99 * mass,
+                 1.01 * mass);
     WaterRecords records;
     const double value = acceleration_over(trial, 0.2, records);
     report.judge({"submerged by 0.1 m, mu = 0: 2 s/t^2 at 0.2 s", "m/s^2", {}, {}, "added mass between none and 1.0"},

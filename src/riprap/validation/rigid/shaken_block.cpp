@@ -62,7 +62,7 @@ Failure shake(const StandingBlock& block, double friction, const BaseMotion& bas
     trial.follow_energy(false);
     // The base goes forwards, so that the block leans on its rear edge.
     const Vec3 edge{-0.5 * block.width, 0, -0.5 * block.height};
-    const double largest_turn = 2 * tipping_tilt(block);
+    const double largest_turn = 2 * tipping_tilt(block.foot());
     Failure failure;
     while (trial.time() < base.end && std::isnan(failure.acceleration)) {
         trial.step();
@@ -87,7 +87,7 @@ void shaken_block(const CaseSetting&, CaseReport& report) {
     for (const double side : {0.8, 1.25}) {
         const double friction = side * ratio;
         const bool must_topple = side > 1;
-        const double exact = must_topple ? tipping_acceleration(block) : friction;
+        const double exact = must_topple ? tipping_acceleration(block.foot()) : friction;
         const double rise = 30, rate = 1e-3 * gravity;
         const BaseMotion base{0.2, rise, 0.95 * exact * gravity, rate, 0.2 + rise + 0.1 * exact * gravity / rate};
         const Failure failure = shake(block, friction, base);

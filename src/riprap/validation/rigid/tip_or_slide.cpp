@@ -26,7 +26,7 @@ class TiltedBlock {
     TiltedBlock(const StandingBlock& block, double friction, double from)
         : edge_{0.5 * block.width, 0, -0.5 * block.height},
           largest_slip_(1e-3 * block.width),
-          largest_turn_(2 * tipping_tilt(block)),
+          largest_turn_(2 * tipping_tilt(block.foot())),
           angle_(from),
           trial_(scene_of(block, friction, from)) {
         trial_.follow_energy(false);
@@ -97,7 +97,7 @@ void tip_or_slide(const CaseSetting&, CaseReport& report) {
             const double height = 0.5, friction = side * ratio;
             const StandingBlock block{ratio * height, height, density, stiffness};
             const bool must_topple = side > 1;
-            const double exact = must_topple ? tipping_slope(block) : std::atan(friction);
+            const double exact = must_topple ? tipping_slope(block.foot()) : std::atan(friction);
             TiltedBlock trial(block, friction, exact - degree);
             // The last quarter of a degree is slow: a block past its limit takes a second to show it.
             trial.raise(exact - 0.25 * degree, 0.1 * degree);

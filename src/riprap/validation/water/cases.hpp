@@ -30,5 +30,15 @@ void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
 void dam_break_cube(const CaseSetting& setting, CaseReport& report);
 void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
+void stacked_blocks(const CaseSetting& setting, CaseReport& report);
+void taylor_green(const CaseSetting& setting, CaseReport& report);
+void viscous_wave(const CaseSetting& setting, CaseReport& report);
+void spinning_disc(const CaseSetting& setting, CaseReport& report);
+void ritter(const CaseSetting& setting, CaseReport& report);
+void stoker(const CaseSetting& setting, CaseReport& report);
+void torricelli(const CaseSetting& setting, CaseReport& report);
+void colliding_squares(const CaseSetting& setting, CaseReport& report);
+void wedge_slamming(const CaseSetting& setting, CaseReport& report);
+void other_schemes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

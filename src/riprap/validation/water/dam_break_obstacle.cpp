@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/water/water_trial.hpp"
@@ -23,20 +24,18 @@ struct Impact {
 constexpr std::array<Impact, 4> impacts{
     {{"P1", 0.393, 11239, 3481}, {"P2", 0.410, 8127, 2999}, {"P3", 0.423, 6564, 2944}, {"P4", 0.429, 7203, 2537}}};
 
-/// Heights of water [m] every quarter of a second from 0.25 to 2 s.
+/// Heights of water [m] every half second from 0.5 to 6 s, and when water first passes 1 cm there.
 struct Heights {
     const char* gauge;
-    std::array<double, 8> height;
+    double arrival;  ///< [s]; 0 in the reservoir
+    std::array<double, 12> height;
 };
 constexpr std::array<Heights, 4> heights{{
-    {"level_2638", {{0.5, 0.426, 0.347, 0.279, 0.223, 0.182, 0.153, 0.13}}},
-    {"level_1488", {{0.05, 0.095, 0.129, 0.154, 0.157, 0.145, 0.131, 0.142}}},
-    {"level_992", {{0.001, 0.099, 0.14, 0.179, 0.201, 0.236, 0.321, 0.287}}},
-    {"level_496", {{0.001, 0.001, 0.002, 0.151, 0.27, 0.346, 0.323, 0.288}}},
+    {"level_2638", 0, {{0.426, 0.279, 0.182, 0.130, 0.104, 0.202, 0.197, 0.332, 0.260, 0.233, 0.218, 0.186}}},
+    {"level_1488", 0.194, {{0.095, 0.155, 0.145, 0.142, 0.270, 0.238, 0.187, 0.174, 0.271, 0.205, 0.219, 0.185}}},
+    {"level_992", 0.358, {{0.099, 0.179, 0.236, 0.287, 0.281, 0.203, 0.202, 0.136, 0.145, 0.252, 0.219, 0.214}}},
+    {"level_496", 0.918, {{0.001, 0.151, 0.346, 0.289, 0.324, 0.229, 0.209, 0.162, 0.153, 0.170, 0.188, 0.308}}},
 }};
-
-/// Rows of those before water comes back from the far wall: the record has it at x = 0.496 m after 0.918 s.
-constexpr std::size_t rows_before_reflection = 3;
 
 void judge_impacts(const WaterTrial& trial, CaseReport& report) {
     for (const Impact& impact : impacts) {
@@ -45,36 +44,43 @@ void judge_impacts(const WaterTrial& trial, CaseReport& report) {
                      impact.arrival - 0.01, impact.arrival + 0.01);
         const std::vector<double>& p = trial.column(name);
         const std::vector<double> means = running_mean(trial.time(), p, 1e-3);  // as far apart as rows of the record
-        report.judge({name + " peak of means over 1 ms", "Pa", impact.peak, {}, {}},
-                     *std::max_element(means.begin(), means.end()), 0.85 * impact.peak, 1.15 * impact.peak);
+        const auto two = std::upper_bound(trial.time().begin(), trial.time().end(), 2.0) - trial.time().begin();
+        const double peak = *std::max_element(means.begin(), means.begin() + two);
+        report.judge({name + " peak of means over 1 ms before 2 s", "Pa", impact.peak, {}, {}}, peak,
+                     0.85 * impact.peak, 1.15 * impact.peak);
         report.judge({name + " impulse from 0.3 to 1.2 s", "Pa s", impact.impulse, {}, {}},
                      integral(trial.time(), p, 0.3, 1.2), 0.9 * impact.impulse, 1.1 * impact.impulse);
     }
 }
 
+/// A dry gauge is not judged: rows begin when the record has water there. The band is a share of what is measured;
+/// that of the data's own measure, 3 % of the depth for the two gauges it names, stands beside it.
 void judge_heights(const WaterTrial& trial, CaseReport& report, Plot& plot) {
     constexpr double depth = 0.55;
     int color = 0;
     for (const Heights& measured : heights) {
         const std::vector<double>& level = trial.column(measured.gauge);
         std::vector<double> time, height;
-        double sum = 0, before = 0;
+        double error = 0, sum = 0;
         for (std::size_t i = 0; i < measured.height.size(); ++i) {
-            time.push_back(0.25 * static_cast<double>(i + 1));
-            height.push_back(measured.height[i]);
-            sum += std::abs(interpolated(trial.time(), level, time.back()) - height.back());
-            before = i < rows_before_reflection ? sum : before;
+            const double t = 0.5 * static_cast<double>(i + 1);
+            if (t > measured.arrival) {
+                time.push_back(t);
+                height.push_back(measured.height[i]);
+                error += std::abs(interpolated(trial.time(), level, t) - measured.height[i]);
+                sum += measured.height[i];
+            }
         }
-        report.judge_below(
-            {fmt::format("{}: mean error over the depth, 0.25 to 0.75 s, before the first reflection", measured.gauge),
-             "-",
-             {},
-             0.0,
-             {}},
-            before / static_cast<double>(rows_before_reflection) / depth, 0.05);
-        report.judge_below(
-            {fmt::format("{}: mean error over the depth, 0.25 to 2 s", measured.gauge), "-", {}, 0.0, {}},
-            sum / static_cast<double>(time.size()) / depth, 0.05);
+        report.judge_below({fmt::format("{}: mean error to 6 s over the mean height measured", measured.gauge),
+                            "-",
+                            {},
+                            0.0,
+                            fmt::format("every 0.5 s from {:.1f} s", time.front())},
+                           error / sum, 0.05);
+        if (std::string_view(measured.gauge) == "level_2638" || std::string_view(measured.gauge) == "level_992") {
+            report.judge_below({fmt::format("{}: mean error to 6 s over the depth", measured.gauge), "-", {}, 0.0, {}},
+                               error / static_cast<double>(time.size()) / depth, 0.03);
+        }
         plot.curves.push_back({fmt::format("{} measured", measured.gauge), time, height, CurveStyle::markers, color});
         plot.curves.push_back({"ours", trial.time(), level, CurveStyle::line, color++});
     }

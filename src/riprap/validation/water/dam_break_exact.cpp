@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dam breaks of shallow water, on a dry bed [Ritter1892] and a wet one [Stoker1957].
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/validation/water/cases.hpp"
+#include "riprap/validation/water/water_trial.hpp"
+
+namespace riprap::validation::water {
+
+namespace {
+
+constexpr double gravity = 9.81, depth = 1, tail = 0.5;  ///< of case.toml [m/s^2], [m], [m]
+
+/// Height of the water at x [m].
+double level_at(const WaterTrial& trial, double x) {
+    fluid::Gauge gauge;
+    gauge.kind = fluid::GaugeKind::level;
+    gauge.point = {x, 0, 0};
+    gauge.up = {0, 1, 0};
+    return fluid::read_gauge(gauge, trial.sph(), trial.state().fluid)[0];
+}
+
+/// Heights between two places, this far apart.
+struct Profile {
+    std::vector<double> x, height;
+};
+
+Profile profile_of(const WaterTrial& trial, double low, double high, double step) {
+    Profile profile;
+    for (double x = low; x <= high + 1e-9; x += step) {
+        profile.x.push_back(x);
+        profile.height.push_back(level_at(trial, x));
+    }
+    return profile;
+}
+
+/// h = (2 c - x/t)^2/(9 g) between -c t and 2 c t [m].
+double ritter_height(double x, double t) {
+    const double c = std::sqrt(gravity * depth), s = x / t;
+    return s < -c ? depth : s > 2 * c ? 0 : (2 * c - s) * (2 * c - s) / (9 * gravity);
+}
+
+/// The plateau behind the bore on water of depth `tail`: u = 2 (c - sqrt(g h)) from the side of the reservoir, mass and
+/// momentum across the bore from the other.
+struct Bore {
+    double height{0}, speed{0}, celerity{0};  ///< h_m [m], u_m [m/s], S [m/s]
+};
+
+Bore stoker() {
+    double low = tail, high = depth;
+    Bore bore;
+    for (int i = 0; i < 100; ++i) {
+        bore.height = 0.5 * (low + high);
+        bore.speed = 2 * (std::sqrt(gravity * depth) - std::sqrt(gravity * bore.height));
+        bore.celerity = std::sqrt(0.5 * gravity * bore.height * (bore.height + tail) / tail);
+        // Mass: u_m h_m = S (h_m - tail). The wave of the reservoir gives too much where h_m is too low.
+        (bore.speed * bore.height > bore.celerity * (bore.height - tail) ? low : high) = bore.height;
+    }
+    return bore;
+}
+
+std::vector<std::string> full_spacing(const CaseSetting& setting) {
+    return setting.is_full ? std::vector<std::string>{"fluid.spacing=0.02"} : std::vector<std::string>{};
+}
+
+}  // namespace
+
+void ritter(const CaseSetting& setting, CaseReport& report) {
+    WaterTrial trial(setting, full_spacing(setting));
+    trial.run();
+    const double t = trial.now(), c = std::sqrt(gravity * depth);
+    const Profile ours = profile_of(trial, -c * t, 1.5 * c * t, 0.1);
+    double error = 0, sum = 0;
+    std::vector<double> exact;
+    for (std::size_t i = 0; i < ours.x.size(); ++i) {
+        exact.push_back(ritter_height(ours.x[i], t));
+        error += std::abs(ours.height[i] - exact.back());
+        sum += exact.back();
+    }
+    report.judge_below({fmt::format("mean error of the depth over its mean, -c t < x < 1.5 c t, t sqrt(g/H) = {:.1f}",
+                                    t * std::sqrt(gravity / depth)),
+                        "-",
+                        {},
+                        0.0,
+                        "Ritter; the tip, where shallow water has no end, is left out"},
+                       error / sum, 0.02);
+    report.judge({"depth at the gate", "m", {}, 4 * depth / 9, "4 H/9"}, level_at(trial, 0), Relative{0.03});
+    judge_ledger(report, trial);
+    write_plot(
+        setting, "ritter",
+        {"Dam break on a dry bed",
+         "Ritter 1892: shallow water",
+         {"x from the gate [m]", false},
+         {"depth [m]", false},
+         {{"exact", ours.x, exact, CurveStyle::line, 0}, {"ours", ours.x, ours.height, CurveStyle::markers, 0}}});
+}
+
+void stoker(const CaseSetting& setting, CaseReport& report) {
+    const Bore exact = stoker();
+    WaterTrial trial(setting, full_spacing(setting));
+    // Where the bore is half as high as its plateau, looked at every row of the second half.
+    std::vector<double> time, place;
+    const double half = 0.5 * (exact.height + tail);
+    trial.run([&](const WaterTrial& now) {
+        if (now.now() < 0.5 * now.model().time.end) {
+            return;
+        }
+        const double guess = exact.celerity * now.now();
+        for (double x = guess + 1.5; x > guess - 1.5; x -= 0.02) {
+            if (level_at(now, x) > half) {
+                time.push_back(now.now());
+                place.push_back(x);
+                return;
+            }
+        }
+    });
+    const double celerity =
+        time.size() > 1 ? (place.back() - place.front()) / (time.back() - time.front()) : std::nan("");
+    report.judge({"speed of the bore in the second half", "m/s", {}, exact.celerity, "Stoker"}, celerity,
+                 Relative{0.02});
+    const double t = trial.now();
+    const double tail_of_wave = (exact.speed - std::sqrt(gravity * exact.height)) * t;
+    const double low = tail_of_wave + 0.2 * (exact.celerity * t - tail_of_wave);
+    const double high = tail_of_wave + 0.8 * (exact.celerity * t - tail_of_wave);
+    const Profile plateau = profile_of(trial, low, high, 0.05);
+    double mean = 0;
+    for (const double height : plateau.height) {
+        mean += height / static_cast<double>(plateau.height.size());
+    }
+    report.judge({"mean depth of the plateau, its middle 60 %", "m", {}, exact.height, "Stoker; the bore is undular"},
+                 mean, Relative{0.03});
+    double flow = 0, count = 0;
+    const fluid::ParticleState& water = trial.state().fluid;
+    for (std::size_t i = 0; i < water.position.size(); ++i) {
+        if (water.position[i].x > low && water.position[i].x < high) {
+            flow += water.velocity[i].x;
+            count += 1;
+        }
+    }
+    report.judge({"mean speed of the plateau", "m/s", {}, exact.speed, "Stoker"}, flow / count, Relative{0.03});
+    judge_ledger(report, trial);
+}
+
+}  // namespace riprap::validation::water
