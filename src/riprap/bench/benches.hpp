@@ -28,6 +28,10 @@ void sph_h12(const Setting& setting, std::vector<Result>& results);
 void linear_product(const Setting& setting, std::vector<Result>& results);
 void linear_pcg(const Setting& setting, std::vector<Result>& results);
 
+// spheres.cpp
+void spheres_10k(const Setting& setting, std::vector<Result>& results);
+void spheres_100k(const Setting& setting, std::vector<Result>& results);
+
 // broadphase.cpp
 void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 

@@ -19,6 +19,8 @@ std::span<const Bench> all_benches() {
         Bench{"pile.10k", "10 000 mixed blocks settling", false, pile_10k},
         Bench{"pile.100k", "100 000 mixed blocks settling", true, pile_100k},
         Bench{"pile.voronoi", "Blocks of a Voronoi pack, each of its own shape", false, pile_voronoi},
+        Bench{"spheres.10k", "10 000 spheres at rest in a box, Hertz and Mindlin with history", false, spheres_10k},
+        Bench{"spheres.100k", "100 000 spheres at rest in a box, Hertz and Mindlin with history", false, spheres_100k},
         Bench{"broadphase.slope", "Search for candidate pairs against the number of bodies", false, broadphase_slope},
         Bench{"sph.h1732", "Water by SPH, smoothing length of 1.732 spacings", false, sph_h1732},
         Bench{"sph.h12", "Water by SPH, smoothing length of 1.2 spacings", false, sph_h12},
