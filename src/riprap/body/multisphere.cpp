@@ -169,8 +169,8 @@ geometry::Outcome<Multisphere> ring(double outer_radius, double sphere_radius, i
     shape.shape = {volume, {}, volume * Mat3::diagonal({square, square, length * length / 12})};
     for (int k = 0; k < count; ++k) {
         const double angle = 2 * M_PI * k / count;
-        shape.spheres.push_back(
-            {(outer_radius - sphere_radius) * Vec3{std::cos(angle), std::sin(angle), 0}, sphere_radius, {}});
+        const Vec3 outward{std::cos(angle), std::sin(angle), 0};
+        shape.spheres.push_back({(outer_radius - sphere_radius) * outward, sphere_radius, outward});
     }
     return shape;
 }

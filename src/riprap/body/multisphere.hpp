@@ -12,10 +12,10 @@ namespace riprap::body {
 
 /// One sphere of a body that is made of spheres.
 struct ShapeSphere {
-    Vec3 centre;       ///< in the frame of the shape [m]
-    double radius{0};  ///< [m]
-    Vec3
-        face_normal{};  ///< outward normal of the face that the sphere lies in; 0 in edges, corners, round surfaces [-]
+    Vec3 centre;         ///< in the frame of the shape [m]
+    double radius{0};    ///< [m]
+    Vec3 face_normal{};  ///< outward normal of the face or round side that the sphere lies in; 0 in edges and corners
+                         ///< [-]
 };
 
 /// Spheres that stand for a body in contact, and the volume integrals of the true shape where it is known.

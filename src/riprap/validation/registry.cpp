@@ -5,6 +5,7 @@
 
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
+#include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
@@ -135,6 +136,21 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"dda", "stack_3d", "3D-DDA: stacked blocks carry their weight", false, dda::stack_3d},
         ValidationCase{"dda", "rocking_3d", "3D-DDA: a block rocks from one edge to the other (Housner)", false,
                        dda::rocking_3d},
+        ValidationCase{"mellado", "normal_impact", "Spheres meet spheres and planes (Hertz; Chung and Ooi)", false,
+                       mellado::normal_impact},
+        ValidationCase{"mellado", "oblique_impact", "A sphere meets a plane at an angle, or spinning (Chung and Ooi)",
+                       false, mellado::oblique_impact},
+        ValidationCase{"mellado", "rolling", "Spheres and discs roll, slide and bounce", false, mellado::rolling},
+        ValidationCase{"mellado", "sliding_multisphere", "A block of spheres slides, holds, creeps and rebounds", false,
+                       mellado::sliding_multisphere},
+        ValidationCase{"mellado", "single_drop", "A sphere dropped from 2 m", false, mellado::single_drop},
+        ValidationCase{"mellado", "cylinders", "33 cylinders collapse (Zhang and others)", false, mellado::cylinders},
+        ValidationCase{"mellado", "three_blocks", "Three cubes of spheres fall onto each other", false,
+                       mellado::three_blocks},
+        ValidationCase{"mellado", "demolisher", "A ball swings into a wall of sixteen blocks", true,
+                       mellado::demolisher},
+        ValidationCase{"mellado", "friction_strips", "Strips of polypropylene break away", false,
+                       mellado::friction_strips},
     };
     return cases;
 }

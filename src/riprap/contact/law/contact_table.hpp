@@ -20,9 +20,10 @@ enum class TangentialLaw : std::uint8_t {
 enum class RollingLaw : std::uint8_t { none, constant, spring };
 /// Simultaneous contacts of the spheres of one pair of bodies.
 enum class Sharing : std::uint8_t {
-    sum,      ///< every contact counts in full: stiffness and damping grow with the number of spheres
-    divide,   ///< every contact counts by 1/N, N = sum of overlaps/largest overlap
-    closest,  ///< the deepest contact of a pair of bodies counts alone
+    dashpots,  ///< springs count in full, dashpots by 1/sqrt(N), N = sum of overlaps/largest overlap
+    sum,       ///< every contact counts in full: restitution falls with the number of spheres
+    divide,    ///< springs and dashpots count by 1/N: as soft as one contact
+    closest,   ///< the deepest contact of a pair of bodies counts alone
 };
 /// Contact normals of spheres of multispheres.
 enum class SphereNormals : std::uint8_t {

@@ -30,7 +30,9 @@ struct ContactMotion {
     T mean_turn;                  ///< (omega_a + omega_b).n dt/2 [rad]
     T overlap;                    ///< >= 0 [m]
     T radius, mass;               ///< R*, m* [m], [kg]
-    T weight;                     ///< share of this contact in those of its pair of bodies [-]
+    T weight;                     ///< by which its springs count among those of its pair of bodies [-]
+    T damping_weight;             ///< the same of its dashpots [-]
+    T count;                      ///< of equal contacts of the pair of bodies [-]
     T dt;                         ///< since the last step [s]
 };
 
@@ -42,8 +44,8 @@ struct ContactResponse {
     T elastic, friction_loss, damping_loss, rolling_loss;  ///< [J]
 };
 
-/// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. With a weight w
-/// all stiffnesses and dashpots count by w: w contacts of one pair of bodies, each of 1/w, act as one.
+/// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. Stiffnesses count
+/// by `weight`, dashpots by `damping_weight`.
 template <class T>
 inline ContactResponse<T> respond_to(const SphereSettings& settings, const SurfacePair<T>& pair,
                                      const ContactMotion<T>& motion, contact::TangentialSpring<T>& spring,
@@ -55,12 +57,16 @@ inline ContactResponse<T> respond_to(const SphereSettings& settings, const Surfa
     const T closing = dot(motion.velocity, motion.normal);
     const Vec3T<T> sliding = motion.velocity - motion.normal * closing;
     const T zero(0.0);
-    T total = normal.elastic + normal.damping * closing;
+    const T elastic = normal.elastic * motion.weight, damping = normal.damping * motion.damping_weight;
+    // The dashpot acts on the speed in the middle of the kick, v - F dt/(2 m*), F of all contacts of the pair of
+    // bodies: of second order, and its work is what the kick does to a pair by itself.
+    const T half = T(0.5) * motion.dt * motion.count / motion.mass;
+    const T middle = (closing - half * elastic) / (T(1.0) + half * damping);
+    T total = elastic + damping * middle;
     if (!settings.allows_pull) {
         total = contact::larger(total, zero);
     }
-    const T dashpot = total - normal.elastic;
-    const T pressing = contact::larger(total, zero) * motion.weight;
+    const T dashpot = total - elastic, pressing = contact::larger(total, zero);
 
     contact::TangentialResponse<T> shear;
     if (settings.tangential == contact::TangentialLaw::mindlin) {
@@ -70,22 +76,20 @@ inline ContactResponse<T> respond_to(const SphereSettings& settings, const Surfa
             is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness;
         const T share = is_hertz ? sqrt(T(4.0) * pair.shear_modulus / pair.modulus) : sqrt(pair.shear_ratio);
         spring.force = contact::turn_with_normal(spring.force, motion.old_normal, motion.normal, motion.mean_turn);
-        shear = contact::advance_spring<T>(spring, sliding, stiffness * motion.weight,
-                                           normal.damping * share * motion.weight, pressing,
+        shear = contact::advance_spring<T>(spring, sliding, stiffness * motion.weight, damping * share, pressing,
                                            {pair.static_friction, pair.kinetic_friction}, motion.dt);
     } else {
         const T share(2.0 / 7),
             stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness;
-        shear = contact::tanh_friction<T>(sliding, share * stiffness * motion.weight,
-                                          share * normal.damping * motion.weight, pressing, pair.kinetic_friction,
-                                          T(settings.friction_speed), motion.dt);
+        shear = contact::tanh_friction<T>(sliding, share * stiffness * motion.weight, share * damping, pressing,
+                                          pair.kinetic_friction, T(settings.friction_speed), motion.dt);
     }
     ContactResponse<T> out;
-    out.force = shear.force - motion.normal * (total * motion.weight);
+    out.force = shear.force - motion.normal * total;
     out.couple = {};
     out.elastic = normal.energy * motion.weight + shear.energy;
     out.friction_loss = shear.friction_loss;
-    out.damping_loss = motion.dt * (dashpot * closing * motion.weight + shear.dashpot_power);
+    out.damping_loss = motion.dt * (dashpot * middle + shear.dashpot_power);
     out.rolling_loss = zero;
     if (settings.rolling != contact::RollingLaw::none) {
         const Vec3T<T> rolling = motion.spin - motion.normal * dot(motion.spin, motion.normal);

@@ -72,7 +72,7 @@ ContactMotion<Eight> motion_of(const Side& a, const Side& b, Eight dt, Vec3x8& a
     m.overlap = max(reach - distance, Eight(0.0));
     m.radius = a.radius * b.radius / reach;
     m.mass = Eight(1.0) / (a.inverse_mass + b.inverse_mass);
-    m.weight = Eight(1.0);
+    m.weight = m.damping_weight = m.count = Eight(1.0);
     m.dt = dt;
     return m;
 }
@@ -163,7 +163,14 @@ struct Respond {
             use_face_normals(model, bodies, g.a, g.b, a, b, motion);
         }
         if (!scratch.weight.empty()) {
-            motion.weight = gather<1>(scratch.weight.data(), g.row);
+            motion.damping_weight = gather<1>(scratch.weight.data(), g.row);
+            if (model.settings.sharing == contact::Sharing::dashpots) {
+                motion.count = Eight(1.0) / (motion.damping_weight * motion.damping_weight);
+            } else {
+                motion.weight = motion.damping_weight;
+                motion.count =
+                    model.settings.sharing == contact::Sharing::divide ? Eight(1.0) / motion.weight : motion.count;
+            }
         }
         contact::TangentialSpring<Eight> spring{gather(springs.force.data(), g.row),
                                                 gather<1>(springs.stiffness.data(), g.row)};

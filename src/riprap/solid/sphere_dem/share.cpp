@@ -2,6 +2,7 @@
 #include "riprap/solid/sphere_dem/share.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
@@ -33,7 +34,10 @@ void share_groups(contact::Sharing sharing, const std::vector<double>& overlap, 
         }
         for (std::size_t k = first; k < last; ++k) {
             const double share = sum > 0 ? largest / sum : 1;
-            set(scratch.group_contact[k], sharing == contact::Sharing::divide ? share : k == deepest ? 1.0 : 0.0);
+            set(scratch.group_contact[k], sharing == contact::Sharing::dashpots ? std::sqrt(share)
+                                          : sharing == contact::Sharing::divide ? share
+                                          : k == deepest                        ? 1.0
+                                                                                : 0.0);
         }
     }
 }

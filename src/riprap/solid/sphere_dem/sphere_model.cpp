@@ -1,9 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "riprap/core/index.hpp"
 
 namespace riprap::solid::sphere_dem {
+
+namespace {
+
+/// Spheres of a body that a plane across an axis touches from one side, within a tenth of their radius.
+/// @param side  axis and sign: 2 axis + (1 = from below)
+std::int32_t count_flat(const SphereSet& spheres, std::int32_t body, int side) {
+    const double sign = side % 2 == 0 ? 1 : -1;
+    const auto reach = [&](std::int32_t s) { return sign * spheres.local[at(s)][side / 2] + spheres.radius[at(s)]; };
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::int32_t s = spheres.begin[at(body)]; s < spheres.begin[at(body) + 1]; ++s) {
+        most = std::max(most, reach(s));
+    }
+    std::int32_t count = 0;
+    for (std::int32_t s = spheres.begin[at(body)]; s < spheres.begin[at(body) + 1]; ++s) {
+        count += reach(s) > most - 0.1 * spheres.radius[at(s)] ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace
 
 void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const Vec3& normal) {
     body.push_back(of.value);
@@ -19,6 +42,12 @@ void SphereSet::finish(std::int32_t body_count) {
     }
     for (std::size_t b = 0; b < at(body_count); ++b) {
         begin[b + 1] += begin[b];
+    }
+    flat_count.assign(at(body_count), 0);
+    for (std::int32_t b = 0; b < body_count; ++b) {
+        for (int side = 0; side < 6; ++side) {
+            flat_count[at(b)] = std::max(flat_count[at(b)], count_flat(*this, b, side));
+        }
     }
 }
 

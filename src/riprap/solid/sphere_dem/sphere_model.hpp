@@ -16,13 +16,16 @@ struct SphereSet {
     std::vector<Vec3> local;          ///< centre in the body frame [m]
     std::vector<Vec3> face_normal;    ///< outward normal of the face that the sphere lies in, body frame; 0 = none [-]
     std::vector<std::int32_t> begin;  ///< first sphere of every body; body count + 1 entries, see finish
+    /// Per body: most spheres that a plane across a body axis touches at once, within a tenth of their radius; see
+    /// finish.
+    std::vector<std::int32_t> flat_count;
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
     std::int32_t count_of(std::int32_t of) const {
         return begin[static_cast<std::size_t>(of) + 1] - begin[static_cast<std::size_t>(of)];
     }
     void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {});
-    /// Fills `begin`; call once all spheres are added, in the order of their bodies.
+    /// Fills `begin` and `flat_count`; call once all spheres are added, in the order of their bodies.
     void finish(std::int32_t body_count);
 };
 
@@ -45,7 +48,7 @@ struct SphereSettings {
     contact::NormalLaw normal{contact::NormalLaw::hertz};
     contact::TangentialLaw tangential{contact::TangentialLaw::mindlin};
     contact::RollingLaw rolling{contact::RollingLaw::none};
-    contact::Sharing sharing{contact::Sharing::divide};
+    contact::Sharing sharing{contact::Sharing::dashpots};
     contact::SphereNormals normals{contact::SphereNormals::centres};
     bool allows_pull{true};        ///< the dashpot may pull at the end of an impact
     double friction_speed{0.125};  ///< v_0 of the tanh friction [m/s]

@@ -151,7 +151,12 @@ WallLoad load_of(const SphereModel& model, const body::BodyState& bodies, const 
     motion.overlap = contact.overlap;
     motion.radius = record.radius;
     motion.mass = 1 / (record.inverse_mass + scratch.kinematics.inverse_mass[wall]);
-    motion.weight = contact.weight;
+    const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
+    motion.weight = shares_dashpots ? 1 : contact.weight;
+    motion.damping_weight = contact.weight;
+    motion.count = shares_dashpots                                      ? 1 / (contact.weight * contact.weight)
+                   : model.settings.sharing == contact::Sharing::divide ? 1 / contact.weight
+                                                                        : 1;
     motion.dt = dt;
     contact::TangentialSpring<double> spring{springs.force[c], springs.stiffness[c]};
     Vec3 rolling = springs.rolling.empty() ? Vec3{} : springs.rolling[c];
