@@ -47,9 +47,10 @@ struct ContactResponse {
 /// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. Stiffnesses count
 /// by `weight`, dashpots by `damping_weight`.
 template <class T>
-inline ContactResponse<T> respond_to(const SphereSettings& settings, const SurfacePair<T>& pair,
-                                     const ContactMotion<T>& motion, contact::TangentialSpring<T>& spring,
-                                     Vec3T<T>& rolling_couple) {
+[[gnu::always_inline]] inline ContactResponse<T> respond_to(const SphereSettings& settings, const SurfacePair<T>& pair,
+                                                            const ContactMotion<T>& motion,
+                                                            contact::TangentialSpring<T>& spring,
+                                                            Vec3T<T>& rolling_couple) {
     const bool is_hertz = settings.normal == contact::NormalLaw::hertz;
     const contact::NormalResponse<T> normal =
         is_hertz ? contact::hertz<T>({pair.modulus, motion.radius, motion.mass, pair.ratio}, motion.overlap)

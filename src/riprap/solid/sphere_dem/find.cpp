@@ -71,11 +71,8 @@ std::uint32_t touching_bits(const Placed& placed, const Slots& slots, std::int64
     RowIndex a, b;
     std::copy_n(&slots.a[at(8 * group)], 8, a.row);
     std::copy_n(&slots.b[at(8 * group)], 8, b.row);
-    const double* records = &placed.records[0].x;
-    const Eight x = gather<12>(records, a) - gather<12>(records, b);
-    const Eight y = gather<12>(records + 1, a) - gather<12>(records + 1, b);
-    const Eight z = gather<12>(records + 2, a) - gather<12>(records + 2, b);
-    const Eight reach = gather<12>(records + 3, a) + gather<12>(records + 3, b);
+    const FourByEight from = load_four<12>(&placed.records[0].x, a), to = load_four<12>(&placed.records[0].x, b);
+    const Eight x = from.a - to.a, y = from.b - to.b, z = from.c - to.c, reach = from.d + to.d;
     const std::uint32_t bits = bits_below(x * x + y * y + z * z, reach * reach);
     const std::int64_t left = slots.count - 8 * group;
     return left >= 8 ? bits : bits & ((1U << left) - 1);

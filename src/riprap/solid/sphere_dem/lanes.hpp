@@ -36,12 +36,77 @@ inline Eight gather(const double* base, const RowIndex& index) {
 #endif
 }
 
+/// Four numbers of eight rows.
+struct FourByEight {
+    Eight a, b, c, d;
+};
+
+#if defined(__AVX512F__)
+namespace detail {
+inline __m512d two_rows(const double* low, const double* high) {
+    const __m512d wide = _mm512_maskz_broadcast_f64x4(0xFF, _mm256_loadu_pd(low));
+    return _mm512_maskz_insertf64x4(0xFF, wide, _mm256_loadu_pd(high), 1);
+}
+inline __m512d low_pairs(__m512d x, __m512d y) {
+    return _mm512_maskz_permutex2var_pd(0xFF, x, _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0), y);
+}
+inline __m512d high_pairs(__m512d x, __m512d y) {
+    return _mm512_maskz_permutex2var_pd(0xFF, x, _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2), y);
+}
+}  // namespace detail
+#endif
+
+/// Numbers base[row * Stride] to base[row * Stride + 3] of eight rows: a transposition in registers.
+template <int Stride>
+inline FourByEight load_four(const double* base, const RowIndex& index) {
+    FourByEight out;
+#if defined(__AVX512F__)
+    const auto at_row = [&](int k) { return base + static_cast<std::int64_t>(index.row[k]) * Stride; };
+    const __m512d r04 = detail::two_rows(at_row(0), at_row(4)), r15 = detail::two_rows(at_row(1), at_row(5)),
+                  r26 = detail::two_rows(at_row(2), at_row(6)), r37 = detail::two_rows(at_row(3), at_row(7));
+    const __m512d even01 = _mm512_maskz_unpacklo_pd(0xFF, r04, r15), odd01 = _mm512_maskz_unpackhi_pd(0xFF, r04, r15);
+    const __m512d even23 = _mm512_maskz_unpacklo_pd(0xFF, r26, r37), odd23 = _mm512_maskz_unpackhi_pd(0xFF, r26, r37);
+    out.a.part[0] = detail::low_pairs(even01, even23);
+    out.b.part[0] = detail::low_pairs(odd01, odd23);
+    out.c.part[0] = detail::high_pairs(even01, even23);
+    out.d.part[0] = detail::high_pairs(odd01, odd23);
+#else
+    out = {gather<Stride>(base, index), gather<Stride>(base + 1, index), gather<Stride>(base + 2, index),
+           gather<Stride>(base + 3, index)};
+#endif
+    return out;
+}
+
+/// Writes four numbers a row at to[k], k < count.
+inline void store_four(const FourByEight& from, double* const* to, std::int64_t count) {
+    alignas(64) double rows[32];
+#if defined(__AVX512F__)
+    const __m512d ab_even = _mm512_maskz_unpacklo_pd(0xFF, from.a.part[0], from.b.part[0]),
+                  ab_odd = _mm512_maskz_unpackhi_pd(0xFF, from.a.part[0], from.b.part[0]);
+    const __m512d cd_even = _mm512_maskz_unpacklo_pd(0xFF, from.c.part[0], from.d.part[0]),
+                  cd_odd = _mm512_maskz_unpackhi_pd(0xFF, from.c.part[0], from.d.part[0]);
+    _mm512_store_pd(rows, detail::low_pairs(ab_even, cd_even));        // rows 0 and 4
+    _mm512_store_pd(rows + 8, detail::low_pairs(ab_odd, cd_odd));      // rows 1 and 5
+    _mm512_store_pd(rows + 16, detail::high_pairs(ab_even, cd_even));  // rows 2 and 6
+    _mm512_store_pd(rows + 24, detail::high_pairs(ab_odd, cd_odd));    // rows 3 and 7
+    for (std::int64_t k = 0; k < count; ++k) {
+        __builtin_memcpy(to[k], rows + 8 * (k & 3) + 4 * (k >> 2), 32);
+    }
+#else
+    for (std::int64_t k = 0; k < count; ++k) {
+        const double row[4] = {from.a[k], from.b[k], from.c[k], from.d[k]};
+        __builtin_memcpy(to[k], row, 32);
+    }
+    static_cast<void>(rows);
+#endif
+}
+
 /// Vectors of eight rows of an array of Vec3.
 inline Vec3x8 gather(const Vec3* base, const RowIndex& index) {
     return {gather<3>(&base->x, index), gather<3>(&base->y, index), gather<3>(&base->z, index)};
 }
 
-/// Writes lane `lane` of three numbers.
+/// Vector of one lane.
 inline Vec3 lane_of(const Vec3x8& v, std::int64_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
 
 }  // namespace riprap::solid::sphere_dem

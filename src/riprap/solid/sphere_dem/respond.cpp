@@ -48,11 +48,8 @@ struct Side {
 
 Side load_side(const Placed& placed, const RowIndex& rows) {
     const double* r = &placed.records[0].x;
-    return {{gather<12>(r, rows), gather<12>(r + 1, rows), gather<12>(r + 2, rows)},
-            {gather<12>(r + 4, rows), gather<12>(r + 5, rows), gather<12>(r + 6, rows)},
-            {gather<12>(r + 8, rows), gather<12>(r + 9, rows), gather<12>(r + 10, rows)},
-            gather<12>(r + 3, rows),
-            gather<12>(r + 7, rows)};
+    const FourByEight x = load_four<12>(r, rows), v = load_four<12>(r + 4, rows), w = load_four<12>(r + 8, rows);
+    return {{x.a, x.b, x.c}, {v.a, v.b, v.c}, {w.a, w.b, w.c}, x.d, v.d};
 }
 
 /// Motion of eight contacts along the lines of their centres. The normal of the last step is that of r - v dt, which is
@@ -131,7 +128,7 @@ void add_to(const ContactResponse<Eight>& response, const ContactMotion<Eight>& 
             std::int64_t count, WideSums& sums) {
     Eight depth = m.overlap / min(a.radius, b.radius), elastic = response.elastic, friction = response.friction_loss,
           damping = response.damping_loss, rolling = response.rolling_loss;
-    for (std::int64_t lane = count; lane < lanes; ++lane) {
+    for (std::int64_t lane = count; lane < lanes; ++lane) {  // of the last group only
         for (Eight* value : {&depth, &elastic, &friction, &damping, &rolling}) {
             value->set(lane, 0);
         }
@@ -152,6 +149,36 @@ struct Respond {
     SphereScratch& scratch;
     bool is_uniform, has_faces;
     SurfacePair<Eight> surfaces;
+
+    /// Springs and loads of a group to their places.
+    void store(const Group& g, const contact::TangentialSpring<Eight>& spring, const Vec3x8& rolling,
+               const ContactResponse<Eight>& response, const Vec3x8& turn) const {
+        Springs& springs = state.contacts;
+        alignas(64) double numbers[6][8];
+        const Eight* const columns[] = {&spring.force.x,   &spring.force.y, &spring.force.z,
+                                        &spring.stiffness, &turn.y,         &turn.z};
+        for (std::size_t k = 0; k < 6; ++k) {
+            columns[k]->store(numbers[k]);
+        }
+        double* rows[8];
+        for (std::int64_t lane = 0; lane < g.count; ++lane) {
+            const auto c = at(g.first + lane), l = at(lane);
+            ContactLoad& load = scratch.slots.load[scratch.contact_slot[c]];
+            rows[lane] = &load.force.x;
+            springs.force[c] = {numbers[0][l], numbers[1][l], numbers[2][l]};
+            springs.stiffness[c] = numbers[3][l];
+            load.turn.y = numbers[4][l];
+            load.turn.z = numbers[5][l];
+        }
+        store_four({response.force.x, response.force.y, response.force.z, turn.x}, rows, g.count);
+        for (std::int64_t lane = 0; lane < g.count && !scratch.couple.empty(); ++lane) {
+            const auto c = at(g.first + lane);
+            if (!springs.rolling.empty()) {
+                springs.rolling[c] = lane_of(rolling, lane);
+            }
+            scratch.couple[scratch.contact_slot[c]] = lane_of(response.couple, lane);
+        }
+    }
 
     void group(std::int64_t first, std::int64_t end, WideSums& sums) const {
         Springs& springs = state.contacts;
@@ -175,26 +202,13 @@ struct Respond {
         contact::TangentialSpring<Eight> spring{gather(springs.force.data(), g.row),
                                                 gather<1>(springs.stiffness.data(), g.row)};
         Vec3x8 rolling{};
-        const bool has_rolling = !springs.rolling.empty();
-        if (has_rolling) {
+        if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), g.row);
         }
         const ContactResponse<Eight> response =
             respond_to<Eight>(model.settings, is_uniform ? surfaces : surfaces_of(model, scratch.placed, g.a, g.b),
                               motion, spring, rolling);
-        const Vec3x8 turn = cross(arm, response.force);
-        for (std::int64_t lane = 0; lane < g.count; ++lane) {
-            const auto c = at(g.first + lane);
-            springs.force[c] = lane_of(spring.force, lane);
-            springs.stiffness[c] = spring.stiffness[lane];
-            scratch.slots.load[scratch.contact_slot[c]] = {lane_of(response.force, lane), lane_of(turn, lane)};
-            if (has_rolling) {
-                springs.rolling[c] = lane_of(rolling, lane);
-            }
-            if (!scratch.couple.empty()) {
-                scratch.couple[scratch.contact_slot[c]] = lane_of(response.couple, lane);
-            }
-        }
+        store(g, spring, rolling, response, cross(arm, response.force));
         add_to(response, motion, a, b, g.count, sums);
     }
 };

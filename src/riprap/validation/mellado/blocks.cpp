@@ -29,9 +29,8 @@ std::size_t add_block(SphereWorld& world, MaterialId material, const Vec3& place
     return static_cast<std::size_t>(world.add_multisphere(material, cube, density, {{place, {}}, {}, {}}).value);
 }
 
-void step(SphereWorld& world, double dt, double end, const CaseSetting& setting,
-          const solid::ExternalLoads& loads = {}) {
-    const auto report = world.step(dt, loads);
+void look_after(const SphereWorld& world, double end, const CaseSetting& setting) {
+    const auto& report = world.report;
     if (!report.problem.empty()) {
         throw std::runtime_error(fmt::format("at {:.4f} s: {}", world.time, report.problem));
     }
@@ -94,7 +93,8 @@ void three_blocks(const CaseSetting& setting, CaseReport& report) {
     double reaction = 0;
     std::int64_t count = 0;
     for (std::int64_t n = 0; world.time < end; ++n) {
-        step(world, dt, end, setting);
+        world.step(dt);
+        look_after(world, end, setting);
         books.look(world);
         if (world.time > end - 0.3) {
             reaction -= world.scratch.loads.force[0].z;
@@ -202,9 +202,13 @@ Swing run_demolition(bool is_prescribed, const CaseSetting& setting) {
         if (n % 1000 == 0) {
             dt = std::min(world.step_limit(), 2e-4);
         }
-        const solid::ExternalLoads loads = is_prescribed ? solid::ExternalLoads{} : solid::ExternalLoads{force, torque};
         force[d.ball] = is_prescribed ? Vec3{} : string_force(d);
-        step(world, dt, end, setting, loads);
+        if (is_prescribed) {
+            world.step(dt);
+        } else {
+            world.step(dt, {force, torque});
+        }
+        look_after(world, end, setting);
         swing.books.look(world);
         const Vec3 touch = world.scratch.loads.force[d.ball];
         contact_impulse += dt * touch;
