@@ -25,8 +25,8 @@ INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                          testing::Values("zhao/golden_values", "zhao/two_tetrahedra", "rigid/free_flight",
                                          "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block",
                                          "water/stacked_blocks", "water/submerged_square", "water/standing_wave",
-                                         "water/dam_break_front", "mikola/submarine_wedge",
-                                         "mellado/normal_impact", "mellado/oblique_impact"));
+                                         "water/dam_break_front", "mikola/submarine_wedge", "mellado/normal_impact",
+                                         "mellado/oblique_impact"));
 
 }  // namespace
 }  // namespace riprap::validation
