@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/find_case.hpp"
 
@@ -33,6 +34,10 @@ int print_check(const std::string& case_text, const std::vector<std::string>& ov
         const scene::LoadedCase loaded = scene::read_case(run::find_case(case_text).string(), overrides);
         const run::CaseCheck check = run::check_case(loaded);
         fmt::print("{}\n", as_json ? run::check_json(check) : run::check_text(check));
+        if (!check.refusal.empty()) {
+            std::fflush(stdout);
+            fmt::print(stderr, "riprap: the first step is refused: {}\n", printable(check.refusal));
+        }
         return static_cast<int>(check.refusal.empty() ? ExitCode::success : ExitCode::numerical);
     } catch (const CaseError& error) {
         if (!as_json) {

@@ -13,6 +13,7 @@
 
 #include "command_line.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -41,7 +42,7 @@ void return_freed_arrays() {
 }
 
 int fail(riprap::ExitCode code, const char* message) {
-    fmt::print(stderr, "riprap: {}\n", message);
+    fmt::print(stderr, "riprap: {}\n", riprap::printable(message));
     return static_cast<int>(code);
 }
 

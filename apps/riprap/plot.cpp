@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/scene/text/suggest.hpp"
@@ -145,7 +146,7 @@ std::string png_of(const std::string& svg) {
 int plot_run(const PlotOptions& options) {
     const view::RecordedRun run = view::read_run(options.folder);
     for (const std::string& notice : run.notices) {
-        fmt::print(stderr, "riprap: {}\n", notice);
+        fmt::print(stderr, "riprap: {}\n", printable(notice));
     }
     const bool is_asked = !options.columns.empty();
     const std::vector<Source> sources = is_asked ? choose(run, options.columns) : usual(run);

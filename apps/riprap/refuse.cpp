@@ -7,6 +7,7 @@
 
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
 namespace riprap {
@@ -63,7 +64,7 @@ std::string unknown_word(const CLI::App& app, const std::vector<std::string>& wo
 
 int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
     if (const std::string unknown = unknown_word(app, words); !unknown.empty()) {
-        fmt::print(stderr, "riprap: {}\nRun with --help for more information.\n", unknown);
+        fmt::print(stderr, "riprap: {}\nRun with --help for more information.\n", printable(unknown));
     } else {
         app.exit(error);
     }

@@ -16,7 +16,8 @@ int print_version(bool as_json) {
         return 0;
     }
     const run::BuildInfo build = run::build_info();
-    fmt::print("riprap {} ({}, {}, -march={}, {}{})\n", build.version, build.compiler, build.build_type, build.march,
+    fmt::print("riprap {}{} ({}, {}, -march={}, {}{})\n", build.version,
+               build.commit.empty() ? "" : " at " + build.commit, build.compiler, build.build_type, build.march,
                build.parallel, build.has_assertions ? ", assertions" : "");
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/view/page.hpp"
 #include "riprap/view/serve.hpp"
@@ -15,7 +16,7 @@ constexpr double megabyte = 1e6;
 
 void tell_notices(const view::PageContent& content) {
     for (const std::string& notice : content.notices) {
-        fmt::print(stderr, "riprap: {}\n", notice);
+        fmt::print(stderr, "riprap: {}\n", printable(notice));
     }
 }
 

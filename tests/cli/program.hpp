@@ -46,6 +46,9 @@ class Program {
         if (child_ == 0) {
             dup2(open(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), 1);
             dup2(open(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), 2);
+            for (const int number : {SIGINT, SIGTERM, SIGHUP}) {  // who runs the tests may ignore them
+                signal(number, SIG_DFL);
+            }
             if (prepare) {
                 prepare();
             }

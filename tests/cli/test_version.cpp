@@ -25,6 +25,9 @@ TEST(CommandLine, TheVersionAsJsonHasBuildAndMachine) {
     const auto answer = nlohmann::json::parse(run_program(folder.path(), {"version", "--json"}).out);
     EXPECT_TRUE(answer.at("build").at("version").is_string());
     EXPECT_TRUE(answer.at("build").at("march").is_string());
+    const auto commit = answer.at("build").at("commit").get<std::string>();
+    EXPECT_EQ(std::filesystem::exists(".git"), !commit.empty()) << commit;
+    EXPECT_EQ(commit.find_first_not_of("0123456789abcdef+"), std::string::npos) << commit;
     EXPECT_GE(answer.at("machine").at("hardware_threads").get<int>(), 1);
 }
 

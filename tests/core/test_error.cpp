@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 
 namespace riprap {
 namespace {
@@ -24,6 +25,17 @@ TEST(Assertion, NamesExpressionAndValues) {
     } catch (const InternalError& error) {
         EXPECT_STREQ(error.what(), "shape.cpp:12: assertion failed: r > 0 (r = -1)");
     }
+}
+
+TEST(Printable, ShowsWhatATerminalWouldObeyAndLeavesLettersAlone) {
+    EXPECT_EQ(printable("a\x1b[2Jb\x07\r\x7f"), "a\\x1b[2Jb\\x07\\x0d\\x7f");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "1m"),
+              "\\x9b1m");  // a C1 control character in UTF-8
+    const std::string plain =
+        "Gr\xc3\xb6\xc3\x9f"
+        "e \xc2\xb5m\n\tand \xe2\x88\x9e";
+    EXPECT_EQ(printable(plain), plain);
 }
 
 }  // namespace

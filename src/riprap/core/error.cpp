@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/core/error.hpp"
 
+#include "riprap/core/printable.hpp"
+
 namespace riprap {
 
 namespace {
@@ -28,7 +30,7 @@ std::string to_string(const Diagnostic& diagnostic) {
     if (!diagnostic.allowed.empty()) {
         text += "; " + diagnostic.allowed;
     }
-    return text;
+    return printable(text);
 }
 
 CaseError::CaseError(std::vector<Diagnostic> problems)

@@ -99,7 +99,21 @@ void GrowingCsv::add_row(std::span<const double> values) {
     }
 }
 
+void GrowingCsv::require_in_place() const {
+    struct stat open {
+    }, named{};
+    if (::fstat(file_.number(), &open) != 0) {
+        throw file_error("write", path_, errno);
+    }
+    if (::stat(path_.c_str(), &named) != 0 || open.st_dev != named.st_dev || open.st_ino != named.st_ino) {
+        throw FileError("cannot write '" + path_.string() +
+                        "' any more: it was removed or replaced while the run wrote it; put it back and continue with "
+                        "`riprap resume`, or start again with --force");
+    }
+}
+
 void GrowingCsv::flush(bool to_disk) {
+    require_in_place();
     if (!buffer_.empty()) {
         write_all(file_, buffer_.data(), buffer_.size(), path_);
         written_ += buffer_.size();

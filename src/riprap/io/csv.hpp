@@ -39,12 +39,15 @@ class GrowingCsv {
     GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns, std::uint64_t bytes);
 
     void add_row(std::span<const double> values);
-    /// Hands all rows to the system and, with `to_disk`, to the disk. @throws FileError
+    /// Hands all rows to the system and, with `to_disk`, to the disk.
+    /// @throws FileError also where the file was removed or another put in its place: its rows would be lost
     void flush(bool to_disk);
     /// Length with all rows so far.
     std::uint64_t bytes() const { return written_ + buffer_.size(); }
 
  private:
+    void require_in_place() const;
+
     std::filesystem::path path_;
     FileDescriptor file_;
     std::string buffer_;

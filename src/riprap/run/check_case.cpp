@@ -245,9 +245,6 @@ std::string check_text(const CaseCheck& check) {
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
     }
-    if (!check.refusal.empty()) {
-        text += "  the first step is refused: " + check.refusal + '\n';
-    }
     return text;
 }
 

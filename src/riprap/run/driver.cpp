@@ -10,6 +10,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/run/signals.hpp"
 
 namespace riprap::run {
@@ -82,7 +83,7 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     log_ = std::make_unique<RunLog>(folder_);
     if (!restart.notice.empty()) {
         log_->add("notice", restart.notice);
-        fmt::print(stderr, "riprap: {}\n", restart.notice);  // steps are lost: told under --quiet too
+        fmt::print(stderr, "riprap: {}\n", printable(restart.notice));  // steps are lost: told under --quiet too
     }
     record_ = std::move(restart.record);
     record_.end = end.value_or(record_.end);
@@ -278,7 +279,7 @@ int Driver::interrupt(const Progress& progress, const std::string& reason, int c
     log_->add("end", reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     if (code != 0 && voice_ != Voice::none) {
         fmt::print(stderr, "\nriprap: {} at step {}, t = {:.6g} s; continue with `riprap resume {}`\n", reason,
-                   state().step, state().time, folder_.root.string());
+                   state().step, state().time, printable(folder_.root.string()));
     }
     return code;
 }
@@ -298,7 +299,8 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
         fmt::print(stderr,
                    "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
                    "  {}\n",
-                   state().step + 1, reason, state().step, state().time, folder_.checkpoint_latest().string(), advice);
+                   state().step + 1, reason, state().step, state().time,
+                   printable(folder_.checkpoint_latest().string()), advice);
     }
     return static_cast<int>(ExitCode::numerical);
 }
@@ -331,7 +333,7 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
 
 void Driver::say(const std::string& text) const {
     if (voice_ == Voice::all) {
-        fmt::print("{}\n", text);
+        fmt::print("{}\n", printable(text));
         std::fflush(stdout);
     }
 }

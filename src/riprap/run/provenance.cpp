@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "commit.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::run {
@@ -35,6 +36,7 @@ BuildInfo build_info() {
     const bool has_assertions = false;
 #endif
     return {.version = RIPRAP_VERSION,
+            .commit = RIPRAP_COMMIT,
             .compiler = RIPRAP_COMPILER,
             .build_type = RIPRAP_BUILD_TYPE,
             .march = RIPRAP_MARCH,
@@ -54,9 +56,10 @@ MachineInfo machine_info() {
 
 std::string build_json() {
     const BuildInfo info = build_info();
-    return nlohmann::ordered_json{{"version", info.version},       {"compiler", info.compiler},
-                                  {"build_type", info.build_type}, {"march", info.march},
-                                  {"parallel", info.parallel},     {"assertions", info.has_assertions}}
+    return nlohmann::ordered_json{
+        {"version", info.version},          {"commit", info.commit}, {"compiler", info.compiler},
+        {"build_type", info.build_type},    {"march", info.march},   {"parallel", info.parallel},
+        {"assertions", info.has_assertions}}
         .dump();
 }
 

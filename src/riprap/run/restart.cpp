@@ -108,7 +108,8 @@ struct Attempt {
 };
 
 Attempt try_checkpoint(const fs::path& path, const sim::Model& model, const sim::State& initial) {
-    if (!fs::exists(path)) {
+    std::error_code unknown;  // what cannot even be looked at is read, and that says why
+    if (!fs::exists(path, unknown) && !unknown) {
         return {std::nullopt, fmt::format("'{}' is missing", path.string())};
     }
     try {
@@ -117,6 +118,8 @@ Attempt try_checkpoint(const fs::path& path, const sim::Model& model, const sim:
             return {restore_checkpoint(checkpoint, model, initial), {}};
         }
     } catch (const CheckpointError& error) {
+        return {std::nullopt, error.what()};
+    } catch (const FileError& error) {  // a bad sector, say
         return {std::nullopt, error.what()};
     }
     throw CheckpointError("checkpoint '" + path.string() +
@@ -176,8 +179,10 @@ Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const 
         throw CheckpointError(latest.reason + "; " + previous.reason +
                               "; there is nothing to continue from, start again with --force");
     }
-    if (fs::exists(folder.checkpoint_latest())) {
-        fs::rename(folder.checkpoint_latest(), folder.checkpoint_damaged());
+    std::error_code is_gone;
+    fs::rename(folder.checkpoint_latest(), folder.checkpoint_damaged(), is_gone);
+    if (is_gone && is_gone != std::errc::no_such_file_or_directory) {
+        throw io::file_error("put aside", folder.checkpoint_latest(), is_gone.value());
     }
     previous.restart->notice = fmt::format("{}; continuing from the checkpoint before, at step {}", latest.reason,
                                            previous.restart->state.step);

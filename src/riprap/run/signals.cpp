@@ -31,7 +31,10 @@ StopRequest::StopRequest() {
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     for (std::size_t i = 0; i < stop_signals.size(); ++i) {
-        sigaction(stop_signals[i], &action, &previous[i]);
+        sigaction(stop_signals[i], nullptr, &previous[i]);
+        if (previous[i].sa_handler != SIG_IGN) {  // nohup, or a shell's background, asked to let it pass
+            sigaction(stop_signals[i], &action, nullptr);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/view/render.hpp"
+#include "riprap/core/printable.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -31,7 +32,7 @@ class Stage {
         : browser_(find_browser(), options.width, options.height), page_(scratch_.path() / "page.html") {
         const PageContent content = pack_run(read_run(options.folder), default_budget, &stop);
         for (const std::string& notice : content.notices) {
-            fmt::print(stderr, "riprap: {}\n", notice);
+            fmt::print(stderr, "riprap: {}\n", printable(notice));
         }
         io::write_file(page_, page_of(content), io::Durability::later);
         browser_.open(page_);

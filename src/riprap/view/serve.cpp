@@ -14,7 +14,8 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 constexpr std::size_t longest_request = 16384;  // bytes; a browser sends a few hundred
 constexpr int look_at_signals = 200;            // [ms]
+constexpr std::size_t most_visitors = 64;       // at a time; others wait until one is through or too late
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds time_to_ask{2};    // for a whole request
@@ -49,48 +51,54 @@ io::FileDescriptor listen_on(int port, int& chosen) {
     return socket;
 }
 
-bool is_ready(const io::FileDescriptor& file, short event, int milliseconds) {
-    pollfd entry{file.number(), event, 0};
-    return ::poll(&entry, 1, milliseconds) == 1;
-}
+/// Who asks for the page: first its request is read, then the answer sent, as far as it is ready for either. None waits
+/// for another.
+class Visitor {
+ public:
+    explicit Visitor(io::FileDescriptor socket) : socket_(std::move(socket)), deadline_(Clock::now() + time_to_ask) {}
+    pollfd entry() const { return {socket_.number(), static_cast<short>(has_asked_ ? POLLOUT : POLLIN), 0}; }
+    bool is_late() const { return Clock::now() >= deadline_; }
+    /// One that leaves is let go.
+    bool is_gone() const { return is_gone_ || (has_asked_ && sent_ == answer_.size()); }
 
-/// Whether the visitor is ready before the deadline, and before the user stops the program.
-bool await(const io::FileDescriptor& visitor, short event, Clock::time_point deadline, const run::StopRequest& stop) {
-    while (stop.signal() == 0 && Clock::now() < deadline) {
-        if (is_ready(visitor, event, look_at_signals)) {
-            return true;
+    void go_on(const std::function<std::string()>& page) {
+        if (has_asked_) {
+            send();
+        } else if (read()) {
+            answer_ = answer_to(request_, page);
+            has_asked_ = true;
+            deadline_ = Clock::now() + time_to_read;
         }
     }
-    return false;
-}
 
-std::string read_request(const io::FileDescriptor& visitor, const run::StopRequest& stop) {
-    const Clock::time_point deadline = Clock::now() + time_to_ask;
-    std::string request;
-    char buffer[4096];
-    while (request.find("\r\n\r\n") == std::string::npos && request.size() < longest_request &&
-           await(visitor, POLLIN, deadline, stop)) {
-        const ssize_t count = ::read(visitor.number(), buffer, sizeof buffer);
+ private:
+    /// @returns whether the request is there
+    bool read() {
+        char buffer[4096];
+        const ssize_t count = ::recv(socket_.number(), buffer, sizeof buffer, MSG_DONTWAIT);
         if (count <= 0) {
-            break;
+            is_gone_ = count == 0 || (errno != EINTR && errno != EAGAIN);
+            return false;
         }
-        request.append(buffer, static_cast<std::size_t>(count));
+        request_.append(buffer, static_cast<std::size_t>(count));
+        return request_.find("\r\n\r\n") != std::string::npos || request_.size() >= longest_request;
     }
-    return request;
-}
-
-/// A visitor that leaves, or does not read, is let go.
-void send(const io::FileDescriptor& visitor, std::string_view answer, const run::StopRequest& stop) {
-    const Clock::time_point deadline = Clock::now() + time_to_read;
-    while (!answer.empty() && await(visitor, POLLOUT, deadline, stop)) {
-        const ssize_t count = ::send(visitor.number(), answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    void send() {
+        const ssize_t count =
+            ::send(socket_.number(), answer_.data() + sent_, answer_.size() - sent_, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (count >= 0) {
-            answer.remove_prefix(static_cast<std::size_t>(count));
-        } else if (errno != EINTR && errno != EAGAIN) {
-            return;
+            sent_ += static_cast<std::size_t>(count);
+        } else {
+            is_gone_ = errno != EINTR && errno != EAGAIN;
         }
     }
-}
+
+    io::FileDescriptor socket_;
+    Clock::time_point deadline_;
+    std::string request_, answer_;
+    std::size_t sent_{0};
+    bool has_asked_{false}, is_gone_{false};
+};
 
 std::string response(const std::string& status, const std::string& type, const std::string& body) {
     return fmt::format(
@@ -133,16 +141,27 @@ void serve(const std::function<std::string(const run::StopRequest&)>& page, int 
     fmt::print("http://127.0.0.1:{}/ shows the run to browsers on this machine; Ctrl-C ends it\n", chosen);
     std::fflush(stdout);
     const run::StopRequest stop;
+    std::vector<Visitor> visitors;
     while (stop.signal() == 0) {
-        if (!is_ready(socket, POLLIN, look_at_signals)) {
-            continue;
+        std::vector<pollfd> entries{
+            {socket.number(), static_cast<short>(visitors.size() < most_visitors ? POLLIN : 0), 0}};
+        for (const Visitor& visitor : visitors) {
+            entries.push_back(visitor.entry());
         }
-        const io::FileDescriptor visitor(::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC));
-        if (!visitor.is_open()) {
-            continue;
+        if (::poll(entries.data(), entries.size(), look_at_signals) > 0) {
+            for (std::size_t i = 0; i < visitors.size() && stop.signal() == 0; ++i) {
+                if (entries[i + 1].revents != 0) {
+                    visitors[i].go_on([&] { return page(stop); });
+                }
+            }
+            if ((entries.front().revents & POLLIN) != 0) {
+                io::FileDescriptor caller(::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC));
+                if (caller.is_open()) {
+                    visitors.emplace_back(std::move(caller));
+                }
+            }
         }
-        const std::string request = read_request(visitor, stop);
-        send(visitor, answer_to(request, [&] { return page(stop); }), stop);
+        std::erase_if(visitors, [](const Visitor& visitor) { return visitor.is_gone() || visitor.is_late(); });
     }
 }
 

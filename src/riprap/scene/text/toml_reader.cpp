@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "riprap/core/printable.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/text/toml_scan.hpp"
 
@@ -45,6 +46,7 @@ class Copier {
                 problems_.push_back({value.place, fmt::format("a text of {} bytes", value.text.size()),
                                      fmt::format("at most {} are accepted", limits::text_bytes)});
             }
+            refuse_control(value.text, value.place);
         } else if (const auto* integer = node.as_integer()) {
             value.kind = ValueKind::integer;
             value.integer = integer->get();
@@ -65,8 +67,17 @@ class Copier {
         return {name_, static_cast<std::uint32_t>(region.begin.line), static_cast<std::uint32_t>(region.begin.column)};
     }
 
+    /// Texts are printed, and a terminal obeys what it is printed.
+    void refuse_control(const std::string& text, const SourcePlace& at) {
+        if (printable(text) != text) {
+            problems_.push_back(
+                {at, fmt::format("'{}' holds control characters", text), "printable characters, line feeds and tabs"});
+        }
+    }
+
     void copy_table(const toml::table& table, Value& value) {
         for (const auto& [key, node] : table) {
+            refuse_control(std::string(key.str()), place(key.source()));
             value.entries.push_back({std::string(key.str()), place(key.source()), copy(node)});
         }
         // toml++ sorts keys; the order of the file reads better and makes messages come from top to bottom.
