@@ -80,7 +80,7 @@ TEST_F(PairPhysicsTest, TwoContactsOfAPairStandInTheOrderOfTheirKeys) {
 
 TEST_F(PairPhysicsTest, EveryContactOfAPairLoadsBothBodies) {
     find(TwoCorners{});
-    BodyLoads loads;
+    body::Loads loads;
     pipeline_.gather_loads(scene_, state_, loads);
     EXPECT_EQ(loads.force[0].z, -2);
     EXPECT_EQ(loads.force[1].z, 0);

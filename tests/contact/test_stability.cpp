@@ -14,7 +14,7 @@ struct Body {
     material::Material material{};
     Vec3 center{}, velocity{}, spin{};
     double inverse_mass;
-    body::Sym3 inverse_inertia;
+    Sym3 inverse_inertia;
 
     PairSide side() const { return {0, 0, {}, frame, material, center, velocity, spin, inverse_mass, inverse_inertia}; }
 };

@@ -13,14 +13,14 @@ struct Feedback {
     Vec3 load{0, 0, 5};
     Vec3 added;
     double added_inertia;
-    std::vector<Acceleration> operator()(const std::vector<Acceleration>& a) const {
+    std::vector<body::Acceleration> operator()(const std::vector<body::Acceleration>& a) const {
         const Vec3& x = a[0].linear;
         return {
             {load - Vec3{added.x * x.x, added.y * x.y, added.z * x.z}, Vec3{1, 0, 0} - added_inertia * a[0].angular}};
     }
 };
 
-int solve(const Feedback& water, double kappa, std::vector<Acceleration>& a, double& residual) {
+int solve(const Feedback& water, double kappa, std::vector<body::Acceleration>& a, double& residual) {
     const std::vector<double> mass{1}, inertia{1}, estimate{kappa};
     AddedMassIteration iteration(mass, inertia, estimate);
     while (!iteration.accept(a, water(a), 9.81)) {
@@ -32,7 +32,7 @@ int solve(const Feedback& water, double kappa, std::vector<Acceleration>& a, dou
 TEST(AddedMass, a_body_a_hundred_times_lighter_than_its_added_mass_settles_in_a_few_passes) {
     for (const double added : {0.5, 5.0, 100.0}) {
         for (const double wrong : {0.3, 1.0, 3.0}) {  // the estimate is rough
-            std::vector<Acceleration> a(1);
+            std::vector<body::Acceleration> a(1);
             double residual = 0;
             const int passes = solve({{3, 1, 5}, {added, added, added}, added}, added * wrong, a, residual);
             EXPECT_LE(passes, 6) << added << ' ' << wrong;
@@ -43,7 +43,7 @@ TEST(AddedMass, a_body_a_hundred_times_lighter_than_its_added_mass_settles_in_a_
 }
 
 TEST(AddedMass, a_body_whose_added_mass_differs_with_direction_settles_too) {
-    std::vector<Acceleration> a(1);
+    std::vector<body::Acceleration> a(1);
     double residual = 0;
     EXPECT_LE(solve({{3, 1, 5}, {20, 40, 60}, 30}, 30, a, residual), 12);
     EXPECT_LE(residual, 1e-2);
@@ -52,11 +52,11 @@ TEST(AddedMass, a_body_whose_added_mass_differs_with_direction_settles_too) {
 TEST(AddedMass, what_never_settles_ends_after_the_stated_number_of_passes_and_says_so) {
     const std::vector<double> mass{1}, inertia{1}, estimate{5};
     AddedMassIteration iteration(mass, inertia, estimate);
-    std::vector<Acceleration> a(1);
+    std::vector<body::Acceleration> a(1);
     int pass = 0;
     const auto contrary = [&] {  // answers that have nothing to do with what was asked
         const double load = ++pass % 3 == 0 ? -100.0 : 70.0;
-        return std::vector<Acceleration>{{{0, 0, load}, {}}};
+        return std::vector<body::Acceleration>{{{0, 0, load}, {}}};
     };
     while (!iteration.accept(a, contrary(), 9.81)) {
     }
@@ -66,7 +66,7 @@ TEST(AddedMass, what_never_settles_ends_after_the_stated_number_of_passes_and_sa
 }
 
 TEST(AddedMass, a_heavy_body_takes_one_pass) {
-    std::vector<Acceleration> a(1);
+    std::vector<body::Acceleration> a(1);
     double residual = 0;
     EXPECT_EQ(solve({{3, 1, 5}, {0.05, 0.05, 0.05}, 0.05}, 0.05, a, residual), 1);
     EXPECT_EQ(a[0].linear, Vec3{});  // the guess is not touched

@@ -17,7 +17,7 @@ constexpr double dp = 0.1;
 struct Loaded {
     test::Scene scene;
     SampleSet samples;
-    BodyMotion motion;
+    body::Motion motion;
     fluid::BoundaryParticles particles;
     fluid::Domain domain{{-3, -3, -3}, {3, 3, 3}, {}, 3};
     std::vector<std::uint8_t> is_dry;

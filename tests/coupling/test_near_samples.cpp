@@ -16,7 +16,7 @@ namespace {
 /// A wall of samples all over a box, half of them on a body that never moves, and a few drops of water.
 struct Wall {
     SampleSet samples;
-    BodyMotion motion;
+    body::Motion motion;
     std::vector<std::uint8_t> is_still{1, 0};
     std::vector<Vec3> water;
     fluid::Domain domain;

@@ -30,14 +30,14 @@ Push push_of(const Vec3& box_place, const Vec3& x, const Vec3& velocity = {}, do
     settings.domain = {{0, 0, 0}, {1, 1, 0}, {is_periodic, false, false}, 2};
     fluid::ParticleState particles;
     particles.add(x, velocity, settings.rest_density, 0);
-    BodyMotion motion;
+    body::Motion motion;
     motion.pose = {{box_place, {}}};
     motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration = {Vec3{}};
     std::vector<Vec3> force;
     FluidLoads loads;
     PenaltyWalls walls;
     walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings), {}, particles, force, loads);
-    return {force[0], loads.pressure_force[0], loads.pressure_torque[0]};
+    return {force[0], loads.pressure.force[0], loads.pressure.torque[0]};
 }
 
 void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
@@ -74,7 +74,7 @@ Squeeze squeeze(double gap, double above) {
     test::Scene scene;
     scene.bodies.is_planar = true;
     const std::vector<geometry::Point2> corners{{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.5, 0.1}};
-    BodyMotion motion;
+    body::Motion motion;
     for (const double y : {-0.1, gap + 0.1}) {
         motion.pose.push_back({{0, y, 0}, {}});
         scene.add(geometry::planar_prism(corners).value(), motion.pose.back());
@@ -91,7 +91,7 @@ Squeeze squeeze(double gap, double above) {
     FluidLoads loads;
     PenaltyWalls().push(scene.shapes, scene.bodies, motion, {},
                         guard_settings(settings, 0.1 * dp / settings.sound_speed), {}, particles, force, loads);
-    return {force[0], loads.pressure_force[0], loads.pressure_force[1]};
+    return {force[0], loads.pressure.force[0], loads.pressure.force[1]};
 }
 
 TEST(PenaltyWalls, a_particle_between_two_faces_is_kept_in_the_middle_and_holds_neither_up) {

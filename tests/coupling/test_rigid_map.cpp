@@ -14,7 +14,7 @@ namespace {
 struct Flying {
     test::Scene scene;
     SampleSet samples;
-    BodyMotion motion;
+    body::Motion motion;
     fluid::BoundaryParticles particles;
 
     Flying() {
@@ -50,8 +50,8 @@ TEST(RigidMap, the_power_of_loads_on_samples_is_that_of_force_and_torque) {
     gather_loads(f.samples, f.motion, f.particles, loads);
     double rigid = 0, scale = 0;
     for (std::size_t b = 0; b < 2; ++b) {
-        const Vec3 force = loads.pressure_force[b] + loads.viscous_force[b];
-        const Vec3 torque = loads.pressure_torque[b] + loads.viscous_torque[b];
+        const Vec3 force = loads.pressure.force[b] + loads.viscous.force[b];
+        const Vec3 torque = loads.pressure.torque[b] + loads.viscous.torque[b];
         rigid += dot(force, f.motion.velocity[b]) + dot(torque, f.motion.angular_velocity[b]);
         scale += norm(force) * norm(f.motion.velocity[b]) + norm(torque) * norm(f.motion.angular_velocity[b]);
     }
@@ -62,7 +62,7 @@ TEST(RigidMap, velocity_and_acceleration_are_the_time_derivatives_of_the_place) 
     Flying f;
     const double dt = 1e-4;
     const auto moved = [&](double t) {
-        BodyMotion motion = f.motion;
+        body::Motion motion = f.motion;
         for (std::size_t b = 0; b < 2; ++b) {
             const Vec3 omega = f.motion.angular_velocity[b], alpha = f.motion.angular_acceleration[b];
             motion.pose[b].position += t * f.motion.velocity[b] + 0.5 * t * t * f.motion.acceleration[b];

@@ -76,7 +76,7 @@ force = [0, 0, -5]
 start = 2
 stop = 3
 )");
-    const std::vector<sim::PointLoad>& loads = loaded.model.loads;
+    const std::vector<body::PointLoad>& loads = loaded.model.loads;
     ASSERT_EQ(loads.size(), 4U);
     EXPECT_EQ(loads[0].force, (Vec3{2000, 0, 0}));
     EXPECT_EQ(loads[0].ramp, 1);
@@ -308,7 +308,7 @@ TEST(ReadCase, a_motion_table_is_read_from_the_folder_of_the_case) {
 }
 
 TEST(ReadCase, gravity_can_grow_and_turn) {
-    const sim::Gravity gravity = read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]",
+    const body::Gravity gravity = read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]",
                                            "gravity = { value = [0, 0, -9.81], ramp = \"100 ms\", rotation = { axis = "
                                            "[0, -2, 0], rate = \"1 deg/s\", start = 1 } }"))
                                      .model.gravity;

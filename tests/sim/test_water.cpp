@@ -102,7 +102,7 @@ TEST(Water, a_block_as_heavy_as_water_hangs_still_in_it) {
     basin.model.time.end = 1;
     const StepReport report = basin.steps(300, scratch);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
-    const Vec3 force = scratch.water_loads().pressure_force[0];
+    const Vec3 force = scratch.water_loads().pressure.force[0];
     EXPECT_NEAR(force.y, 1000 * 9.81 * 0.4 * 0.4, 0.1 * 1000 * 9.81 * 0.4 * 0.4);
     EXPECT_NEAR(basin.state.bodies.position[0].y, 0.5, 0.2 * dp);
 }

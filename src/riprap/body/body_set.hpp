@@ -9,6 +9,7 @@
 #include "riprap/body/prescribed_motion.hpp"
 #include "riprap/core/fields.hpp"
 #include "riprap/core/ids.hpp"
+#include "riprap/core/sym3.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::body {
@@ -65,7 +66,11 @@ struct BodyState {
     /// Of driven bodies: what corrections have moved them beyond their motion, and how fast they do now; empty where no
     /// body is corrected [m], [m/s].
     std::vector<Vec3> drive_offset, drive_rate;
+    /// Of deformable bodies: the stretch U of x = x_c + R U X, body axes [-], and its rate D, world axes [1/s]. Empty
+    /// in scenes of rigid bodies.
+    std::vector<Sym3> stretch, stretch_rate;
 
+    bool deforms() const { return !stretch.empty(); }
     std::int32_t size() const { return static_cast<std::int32_t>(position.size()); }
     friend bool operator==(const BodyState&, const BodyState&) = default;
 
@@ -77,6 +82,10 @@ struct BodyState {
         visit("body.angular_momentum", self.angular_momentum);
         visit("body.drive_offset", self.drive_offset);
         visit("body.drive_rate", self.drive_rate);
+        if (self.deforms()) {
+            visit("body.stretch", self.stretch);
+            visit("body.stretch_rate", self.stretch_rate);
+        }
     }
 };
 

@@ -37,7 +37,7 @@ void ContactPipeline::visit_contacts_of(std::size_t body, const body::BodySet& b
     }
 }
 
-void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const {
+void ContactPipeline::gather_loads(const ContactScene& scene, const body::BodyState& state, body::Loads& loads) const {
     const body::BodySet& bodies = scene.bodies;
     loads.force.resize(at(bodies.size()));
     loads.torque.resize(at(bodies.size()));

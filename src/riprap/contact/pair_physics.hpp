@@ -25,7 +25,7 @@ struct PairSide {
     const Vec3& velocity;  ///< of the centre of mass [m/s]
     const Vec3& spin;      ///< angular velocity, world axes [rad/s]
     const double& inverse_mass;
-    const body::Sym3& inverse_inertia;  ///< world axes; both zero for a body that forces do not move
+    const Sym3& inverse_inertia;  ///< world axes; both zero for a body that forces do not move
 };
 
 /// Two parts that may touch, with all that a physics may want to know of them.

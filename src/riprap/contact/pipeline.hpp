@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "riprap/body/body_kinematics.hpp"
+#include "riprap/body/loads.hpp"
 #include "riprap/contact/broadphase/pair_cache.hpp"
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/pair_physics.hpp"
@@ -19,12 +19,6 @@ struct ContactScene {
     const body::BodySet& bodies;
     double grid_factor;  ///< gamma of the multi-level grid [-]
     double skin;         ///< of the pair cache, as a fraction of the median circumradius [-]
-};
-
-/// Forces and torques of all contacts on every body.
-struct BodyLoads {
-    std::vector<Vec3> force;   ///< [N]
-    std::vector<Vec3> torque;  ///< about the centre of mass [N m]
 };
 
 /// The stages bounds -> broadphase -> pair cache -> pair physics -> history, shared by all solids: Scratch.
@@ -49,7 +43,7 @@ class ContactPipeline {
     double find_contacts(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
-    void gather_loads(const ContactScene& scene, const body::BodyState& state, BodyLoads& loads) const;
+    void gather_loads(const ContactScene& scene, const body::BodyState& state, body::Loads& loads) const;
     /// Energy the dashpots take in a step of length dt: force times the mean of the velocities before and after the
     /// kick, which is what the kick did to the kinetic energy [J]. Call after the kick, `kinematics` still that before.
     double dashpot_loss(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,

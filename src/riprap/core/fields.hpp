@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "riprap/core/quat.hpp"
+#include "riprap/core/sym3.hpp"
 
 namespace riprap {
 
@@ -39,6 +40,11 @@ template <>
 struct FieldTraits<Quat> {
     static constexpr FieldType type = FieldType::float64;
     static constexpr int components = 4;
+};
+template <>
+struct FieldTraits<Sym3> {
+    static constexpr FieldType type = FieldType::float64;
+    static constexpr int components = 6;
 };
 template <>
 struct FieldTraits<std::int32_t> {

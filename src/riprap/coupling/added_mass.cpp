@@ -8,7 +8,7 @@ namespace riprap::coupling {
 
 namespace {
 
-Acceleration operator-(const Acceleration& a, const Acceleration& b) {
+body::Acceleration operator-(const body::Acceleration& a, const body::Acceleration& b) {
     return {a.linear - b.linear, a.angular - b.angular};
 }
 
@@ -18,8 +18,8 @@ AddedMassIteration::AddedMassIteration(std::span<const double> mass, std::span<c
                                        std::span<const double> kappa)
     : mass_(mass), inertia_(inertia), kappa_(kappa) {}
 
-bool AddedMassIteration::accept(std::vector<Acceleration>& guess, std::span<const Acceleration> found, double scale) {
-    const auto product = [this](std::size_t b, const Acceleration& x, const Acceleration& y) {
+bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::span<const body::Acceleration> found, double scale) {
+    const auto product = [this](std::size_t b, const body::Acceleration& x, const body::Acceleration& y) {
         return mass_[b] * dot(x.linear, y.linear) + inertia_[b] * dot(x.angular, y.angular);
     };
     ++passes_;
@@ -27,18 +27,18 @@ bool AddedMassIteration::accept(std::vector<Acceleration>& guess, std::span<cons
     last_.resize(guess.size());
     relaxation_.resize(guess.size());
     residual_ = 0;
-    std::vector<Acceleration> next = guess;
+    std::vector<body::Acceleration> next = guess;
     for (std::size_t b = 0; b < guess.size(); ++b) {
         if (!(kappa_[b] > iterates_above)) {
             continue;
         }
-        const Acceleration r = found[b] - guess[b];
+        const body::Acceleration r = found[b] - guess[b];
         const double size = std::sqrt(product(b, r, r) / mass_[b]);
         residual_ = std::max(residual_, size / (scale + std::sqrt(product(b, guess[b], guess[b]) / mass_[b])));
         if (is_first) {
             relaxation_[b] = 1 / (1 + kappa_[b]);
         } else {
-            const Acceleration change = r - last_[b];
+            const body::Acceleration change = r - last_[b];
             const double squared = product(b, change, change);
             // Without a change there is nothing to learn: the last factor stays.
             relaxation_[b] = squared > 0 ? -relaxation_[b] * product(b, last_[b], change) / squared : relaxation_[b];

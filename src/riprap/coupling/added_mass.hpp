@@ -5,15 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "riprap/core/vec3.hpp"
+#include "riprap/body/motion.hpp"
 
 namespace riprap::coupling {
-
-/// How one body speeds up.
-struct Acceleration {
-    Vec3 linear{};   ///< of the centre of mass [m/s^2]
-    Vec3 angular{};  ///< [rad/s^2]
-};
 
 /// Finds the accelerations a of bodies for which the loads that water gives at a are those that cause it, a = G(a),
 /// where G follows from a force pass of the fluid. A light body feeds back strongly: G'(a) is about -kappa, kappa its
@@ -36,7 +30,7 @@ class AddedMassIteration {
     /// Puts the next guess into `guess`, given what came out of it. True when nothing needs to change: the loads of
     /// this pass are those to use.
     /// @param scale  of accelerations in the scene: that of gravity [m/s^2]
-    bool accept(std::vector<Acceleration>& guess, std::span<const Acceleration> found, double scale);
+    bool accept(std::vector<body::Acceleration>& guess, std::span<const body::Acceleration> found, double scale);
 
     int passes() const { return passes_; }
     /// False where the last pass was taken for want of more, not because nothing needed to change.
@@ -45,7 +39,7 @@ class AddedMassIteration {
 
  private:
     std::span<const double> mass_, inertia_, kappa_;
-    std::vector<Acceleration> last_;
+    std::vector<body::Acceleration> last_;
     std::vector<double> relaxation_;
     int passes_{0};
     double residual_{0};

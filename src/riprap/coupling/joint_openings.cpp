@@ -63,7 +63,7 @@ double covered(const Vec3& open, const Vec3& water) {
 }  // namespace
 
 void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                         const BodyMotion& motion, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
+                         const body::Motion& motion, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
                          std::vector<JointOpening>& openings) {
     const std::vector<JointMember>& members = pairs.members();
     const JointKernel kernel(settings);

@@ -119,7 +119,7 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
     paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());
 }
 
-void JointPairs::place_members(const SampleView& near, const BodyMotion& motion,
+void JointPairs::place_members(const SampleView& near, const body::Motion& motion,
                                const fluid::BoundaryParticles& walls) {
     parallel::for_each(static_cast<std::int64_t>(members_.size()), [&](std::int64_t i) {
         JointMember& member = members_[at(i)];
@@ -168,7 +168,7 @@ void JointPairs::find_who_is_at_joints() {
     });
 }
 
-void JointPairs::update(const SampleView& near, const JointSolids& solids, const BodyMotion& motion,
+void JointPairs::update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
                         const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings) {
     const double reach = JointKernel::reach(settings);
     nearest_ = fluid::NearestImage(settings.domain);

@@ -88,7 +88,7 @@ class JointPairs {
     static double reach(const fluid::SphSettings& settings, bool has_driven);
 
     /// Brings members and pairs up to date with where samples are.
-    void update(const SampleView& near, const JointSolids& solids, const BodyMotion& motion,
+    void update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
                 const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings);
     /// Call where `near` is no longer the same.
     void forget() { paired_at_.clear(); }
@@ -114,7 +114,7 @@ class JointPairs {
                        double spacing) const;
     void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                       const fluid::SphSettings& settings);
-    void place_members(const SampleView& near, const BodyMotion& motion, const fluid::BoundaryParticles& walls);
+    void place_members(const SampleView& near, const body::Motion& motion, const fluid::BoundaryParticles& walls);
     void find_pairs(const fluid::SphSettings& settings);
     void find_who_is_at_joints();
 

@@ -118,7 +118,7 @@ double JointPressure::pressure_of(std::size_t member, std::int32_t other) const 
 }
 
 void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
-                         const BodyMotion& motion, const fluid::BoundaryParticles& walls,
+                         const body::Motion& motion, const fluid::BoundaryParticles& walls,
                          const fluid::WaterAtWalls& water, const fluid::SphSettings& settings, const Vec3& gravity,
                          std::vector<Vec3>& force) {
     RIPRAP_ASSERT(near.size() == 0 || near.number(at(near.size()) - 1) < slopes.size(), "slopes are of the whole set");

@@ -40,7 +40,7 @@ class JointPressure {
     /// @param water    at each of `walls`, beginning with those of `near`
     /// @param gravity  [m/s^2]
     /// @param force    one for each of `near` [N]; empty where nothing is loose or no joint is wet
-    void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids, const BodyMotion& motion,
+    void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids, const body::Motion& motion,
               const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
               const fluid::SphSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
 

@@ -147,7 +147,7 @@ class WetCells {
 
 }  // namespace
 
-std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotion& motion,
+std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Motion& motion,
                                        std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
                                        std::span<const Vec3> others, const fluid::Domain& domain, double reach) {
     const WetCells cells({water, others}, domain, reach);

@@ -21,7 +21,7 @@ namespace riprap::coupling {
 /// @param water     places of all particles, in any order; those that are not finite are passed over
 /// @param others    of whatever else wants samples near it
 /// @param reach     [m]
-std::vector<std::int32_t> near_samples(const SampleSet& samples, const BodyMotion& motion,
+std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Motion& motion,
                                        std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
                                        std::span<const Vec3> others, const fluid::Domain& domain, double reach);
 

@@ -26,7 +26,7 @@ struct PlacedPart {
 };
 
 std::vector<PlacedPart> place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
-                                    const BodyMotion& motion, std::span<const std::uint8_t> is_dry, double reach) {
+                                    const body::Motion& motion, std::span<const std::uint8_t> is_dry, double reach) {
     std::vector<PlacedPart> parts;
     for (const body::Part& part : bodies.parts) {
         const auto b = at(part.body.value);
@@ -114,7 +114,7 @@ PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt) {
     return guard;
 }
 
-void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const BodyMotion& motion,
+void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
                         std::span<const std::uint8_t> is_dry, const PenaltySettings& settings,
                         std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
                         FluidLoads& loads) {
@@ -162,21 +162,21 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
 }
 
 /// On one thread, in the order of the particles.
-void PenaltyWalls::gather(const body::BodySet& bodies, const BodyMotion& motion, std::int64_t particles,
+void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
                           FluidLoads& loads) const {
     const auto count = at(bodies.size());
-    loads.pressure_force.assign(count, {});
-    loads.pressure_torque.assign(count, {});
-    loads.viscous_force.assign(count, {});
-    loads.viscous_torque.assign(count, {});
+    loads.pressure.force.assign(count, {});
+    loads.pressure.torque.assign(count, {});
+    loads.viscous.force.assign(count, {});
+    loads.viscous.torque.assign(count, {});
     std::int64_t i = 0;
     for (const std::vector<Push>& pushes : blocks_) {
         const std::int64_t end = std::min(i + block_size, particles);
         for (std::size_t k = 0; i < end; ++i) {
             for (std::int32_t n = 0; n < count_[at(i)]; ++n, ++k) {
                 const auto b = at(pushes[k].body);
-                loads.pressure_force[b] -= pushes[k].force;
-                loads.pressure_torque[b] -= cross(pushes[k].place - motion.pose[b].position, pushes[k].force);
+                loads.pressure.force[b] -= pushes[k].force;
+                loads.pressure.torque[b] -= cross(pushes[k].place - motion.pose[b].position, pushes[k].force);
             }
         }
     }

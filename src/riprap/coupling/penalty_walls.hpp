@@ -63,7 +63,7 @@ class PenaltyWalls {
     /// @param share   per body, factor on stiffness and damping, for bodies too light for them; empty = 1
     /// @param force   on each particle [N]
     /// @param loads   on each body, as pressure
-    void push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const BodyMotion& motion,
+    void push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
               std::span<const std::uint8_t> is_dry, const PenaltySettings& settings, std::span<const double> share,
               const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads);
 
@@ -73,7 +73,7 @@ class PenaltyWalls {
     std::size_t bytes() const { return bytes_of(count_, blocks_); }
 
  private:
-    void gather(const body::BodySet& bodies, const BodyMotion& motion, std::int64_t particles, FluidLoads& loads) const;
+    void gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles, FluidLoads& loads) const;
 
     std::vector<std::int32_t> count_;        ///< pushes on each particle
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them

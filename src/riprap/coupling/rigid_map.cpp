@@ -7,7 +7,7 @@
 
 namespace riprap::coupling {
 
-void place_samples(const SampleView& samples, const BodyMotion& motion, fluid::BoundaryParticles& particles,
+void place_samples(const SampleView& samples, const body::Motion& motion, fluid::BoundaryParticles& particles,
                    std::span<const std::uint8_t> is_still) {
     const auto count = at(samples.size());
     const bool is_placed = particles.position.size() == count && !is_still.empty();
@@ -29,21 +29,23 @@ void place_samples(const SampleView& samples, const BodyMotion& motion, fluid::B
         if (is_placed && is_still[body] != 0) {
             return;
         }
-        const Vec3 r = rotate(motion.pose[body].orientation, samples.anchor(i));
+        const Vec3 r = arm_of(motion, body, samples.anchor(i));
         const Vec3& omega = motion.angular_velocity[body];
         const Vec3 swing = cross(omega, r);
         particles.position[i] = motion.pose[body].position + r;
         particles.velocity[i] = motion.velocity[body] + swing;
+        if (motion.deforms()) {
+            particles.velocity[i] += motion.stretch_rate[body] * r;
+        }
         particles.acceleration[i] =
             motion.acceleration[body] + cross(motion.angular_acceleration[body], r) + cross(omega, swing);
     });
 }
 
-void gather(const SampleView& samples, const BodyMotion& motion, std::span<const Vec3> place,
-            std::span<const Vec3> sample_force, std::vector<Vec3>& force, std::vector<Vec3>& torque) {
+void gather(const SampleView& samples, const body::Motion& motion, std::span<const Vec3> place,
+            std::span<const Vec3> sample_force, body::Loads& loads) {
     const std::size_t bodies = motion.pose.size();
-    force.assign(bodies, {});
-    torque.assign(bodies, {});
+    loads.clear(bodies, motion.deforms());
     // Samples are grouped by body, so each body has one range of them and its sum one order.
     const auto begin_of = [&samples](std::size_t body) {
         return samples.begin_of(BodyId{static_cast<std::int32_t>(body)});
@@ -52,16 +54,20 @@ void gather(const SampleView& samples, const BodyMotion& motion, std::span<const
         const auto body = at(index);
         const std::size_t end = begin_of(body + 1);
         for (std::size_t i = begin_of(body); i < end; ++i) {
-            force[body] += sample_force[i];
-            torque[body] += cross(place[i] - motion.pose[body].position, sample_force[i]);
+            const Vec3 arm = place[i] - motion.pose[body].position;
+            loads.force[body] += sample_force[i];
+            loads.torque[body] += cross(arm, sample_force[i]);
+            if (motion.deforms()) {
+                loads.pull[body] += symmetric_product(sample_force[i], arm);
+            }
         }
     });
 }
 
-void gather_loads(const SampleView& samples, const BodyMotion& motion, const fluid::BoundaryParticles& particles,
+void gather_loads(const SampleView& samples, const body::Motion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads) {
-    gather(samples, motion, particles.position, particles.pressure_force, loads.pressure_force, loads.pressure_torque);
-    gather(samples, motion, particles.position, particles.viscous_force, loads.viscous_force, loads.viscous_torque);
+    gather(samples, motion, particles.position, particles.pressure_force, loads.pressure);
+    gather(samples, motion, particles.position, particles.viscous_force, loads.viscous);
 }
 
 }  // namespace riprap::coupling

@@ -28,7 +28,7 @@ void find_slopes(const SampleSet& samples, const std::vector<std::size_t>& membe
 
 }  // namespace
 
-std::vector<Vec3> solid_slopes(const SampleSet& samples, const BodyMotion& motion,
+std::vector<Vec3> solid_slopes(const SampleSet& samples, const body::Motion& motion,
                                std::span<const std::uint8_t> is_still, const fluid::WendlandC2& kernel, double reach,
                                const fluid::Domain& domain) {
     std::vector<Vec3> slopes(at(samples.size()));

@@ -18,7 +18,7 @@ namespace riprap::coupling {
 /// @param motion    where the bodies are, of which only those of still ones are looked at
 /// @param is_still  per body: never moves
 /// @param reach     of the kernel [m]
-std::vector<Vec3> solid_slopes(const SampleSet& samples, const BodyMotion& motion,
+std::vector<Vec3> solid_slopes(const SampleSet& samples, const body::Motion& motion,
                                std::span<const std::uint8_t> is_still, const fluid::WendlandC2& kernel, double reach,
                                const fluid::Domain& domain);
 

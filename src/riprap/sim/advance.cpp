@@ -116,7 +116,7 @@ StepStatus judge(const Model& model, const State& state, const solid::KickReport
 
 /// One step of the solids from `time`.
 StepReport advance_solids(const Model& model, State& state, ScratchData& data, double time, double dt, bool is_first,
-                          Measure measure, const solid::ExternalLoads& loads) {
+                          Measure measure, const body::LoadView& loads) {
     contact::ContactPipeline& contacts = data.pipeline;
     const bool with_energy = measure == Measure::energy || is_first;
     const contact::ContactScene scene = contact_scene(model);
@@ -253,7 +253,7 @@ StepReport advance_with_water(const Model& model, State& state, ScratchData& dat
 }  // namespace
 
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
-                   const solid::ExternalLoads& loads) {
+                   const body::LoadView& loads) {
     ScratchData& data = scratch.data();
     RIPRAP_ASSERT(!model.fluid || loads.force.empty(), "water brings its own loads");
     const StepReport report = model.fluid

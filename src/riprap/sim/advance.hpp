@@ -89,7 +89,7 @@ enum class Measure {
 /// @param loads  what acts on the bodies besides contacts, gravity and Model::loads, held over the step; none
 ///               where there is water
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
-                   const solid::ExternalLoads& loads = {});
+                   const body::LoadView& loads = {});
 
 /// Sets driven bodies to their pose and velocity at state.time and starts the ledger. Call once on a fresh State.
 void initialise(const Model& model, State& state);

@@ -32,7 +32,7 @@ void find_slopes(const Model& model, WaterScratch& scratch) {
 }  // namespace
 
 std::size_t JointScratch::bytes() const {
-    return pressure.bytes() + water.bytes() + bytes_of(slopes, sample_force, force, torque, radius);
+    return pressure.bytes() + water.bytes() + loads.bytes() + bytes_of(slopes, sample_force, radius);
 }
 
 bool has_joints(const Model& model, std::span<const std::uint8_t> is_loose) {
@@ -66,24 +66,24 @@ void add_joint_loads(const Model& model, WaterScratch& scratch, const Vec3& grav
     if (joints.sample_force.empty()) {
         return;
     }
-    gather(near, scratch.motion, scratch.walls.position, joints.sample_force, joints.force, joints.torque);
-    for (std::size_t b = 0; b < joints.force.size(); ++b) {
-        scratch.held_loads.pressure_force[b] += joints.force[b];
-        scratch.held_loads.pressure_torque[b] += joints.torque[b];
+    gather(near, scratch.motion, scratch.walls.position, joints.sample_force, joints.loads);
+    for (std::size_t b = 0; b < joints.loads.force.size(); ++b) {
+        scratch.held_loads.pressure.force[b] += joints.loads.force[b];
+        scratch.held_loads.pressure.torque[b] += joints.loads.torque[b];
     }
 }
 
 double joint_power(const WaterScratch& scratch) {
     double power = 0;
-    for (std::size_t b = 0; !scratch.joints.sample_force.empty() && b < scratch.joints.force.size(); ++b) {
-        power += dot(scratch.joints.force[b], scratch.motion.velocity[b]) +
-                 dot(scratch.joints.torque[b], scratch.motion.angular_velocity[b]);
+    for (std::size_t b = 0; !scratch.joints.sample_force.empty() && b < scratch.joints.loads.force.size(); ++b) {
+        power += dot(scratch.joints.loads.force[b], scratch.motion.velocity[b]) +
+                 dot(scratch.joints.loads.torque[b], scratch.motion.angular_velocity[b]);
     }
     return power;
 }
 
 void add_places_of_joints(const Model& model, std::span<const std::uint8_t> is_loose,
-                          const coupling::BodyMotion& motion, std::vector<Vec3>& places) {
+                          const body::Motion& motion, std::vector<Vec3>& places) {
     if (!has_joints(model, is_loose)) {
         return;
     }

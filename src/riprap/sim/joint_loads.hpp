@@ -20,7 +20,7 @@ struct JointScratch {
     fluid::WaterAtWalls water;
     std::vector<Vec3> slopes;         ///< of solid_slopes, of all samples [1/m]
     std::vector<Vec3> sample_force;   ///< on each sample near; empty where no joint is wet [N]
-    std::vector<Vec3> force, torque;  ///< on each body; about its centre of mass [N], [N m]
+    body::Loads loads;                ///< on each body
     std::vector<double> radius;       ///< of the samples of each body about its centre of mass [m]
     std::size_t bytes() const;
 };
@@ -39,7 +39,7 @@ double joint_power(const WaterScratch& scratch);
 
 /// Appends where loose bodies have faces: solids near these may make a joint, however far the water is.
 void add_places_of_joints(const Model& model, std::span<const std::uint8_t> is_loose,
-                          const coupling::BodyMotion& motion, std::vector<Vec3>& places);
+                          const body::Motion& motion, std::vector<Vec3>& places);
 
 /// The fastest that such a place moves [m/s]; 0 where there are none.
 double speed_of_joints(const Model& model, std::span<const std::uint8_t> is_loose, const body::BodyState& bodies,

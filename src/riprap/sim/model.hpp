@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/body/gravity.hpp"
+#include "riprap/body/point_loads.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
@@ -20,31 +22,6 @@
 #include "riprap/solid/dem_settings.hpp"
 
 namespace riprap::sim {
-
-/// Gravity as a function of time [m/s^2]: `value` scaled linearly from 0 to 1 over [0, ramp], then turned about
-/// `axis` by rate * (t - start) for start <= t <= stop. A turned gravity replaces a tilted platform.
-struct Gravity {
-    Vec3 value{};                                          ///< [m/s^2]
-    double ramp{0};                                        ///< [s]
-    Vec3 axis{0, 0, 1};                                    ///< unit vector [-]
-    double rate{0};                                        ///< [rad/s]
-    double start{0};                                       ///< [s]
-    double stop{std::numeric_limits<double>::infinity()};  ///< [s]
-    Vec3 at(double time) const;
-};
-
-/// A force on a point of a body: a thrust, a cable, a weight set down. Its direction is fixed in the world, its point
-/// moves with the body. It grows linearly over [start, start + ramp] and ends at `stop`. A body that does not follow
-/// forces does not feel it.
-struct PointLoad {
-    BodyId body;
-    Vec3 force{};                                          ///< at its full size, world axes [N]
-    Vec3 point{};                                          ///< in the frame of the body, from its centre of mass [m]
-    double start{0};                                       ///< [s]
-    double ramp{0};                                        ///< [s]
-    double stop{std::numeric_limits<double>::infinity()};  ///< [s]
-    Vec3 at(double time) const;
-};
 
 /// How solids move; today explicit DEM with the distance potential.
 using SolidSettings = solid::DemSettings;
@@ -124,8 +101,8 @@ struct Model {
     geometry::ShapeSet shapes;
     material::MaterialSet materials;
     body::BodySet bodies;
-    Gravity gravity;
-    std::vector<PointLoad> loads;
+    body::Gravity gravity;
+    std::vector<body::PointLoad> loads;
     SolidSettings solid;
     std::optional<FluidModel> fluid;
     TimeSettings time;

@@ -86,24 +86,23 @@ Vec3 max_displacement(const Moment& m) {
 }
 
 /// A load of the water on one body; NaN where there is none yet.
-template <std::vector<Vec3> coupling::FluidLoads::*pressure, std::vector<Vec3> coupling::FluidLoads::*viscous>
+template <std::vector<Vec3> body::Loads::*member, bool has_pressure, bool has_viscous>
 Vec3 water_load(const Moment& m, BodyId id) {
     constexpr Vec3 unknown{missing, missing, missing};
-    if (m.scratch == nullptr || m.scratch->water_loads().pressure_force.empty()) {
+    if (m.scratch == nullptr || m.scratch->water_loads().pressure.empty()) {
         return unknown;
     }
-    const auto b = static_cast<std::size_t>(id.value);
+    const coupling::FluidLoads& loads = m.scratch->water_loads();
     Vec3 load{};
-    if constexpr (pressure != nullptr) {
-        load += (m.scratch->water_loads().*pressure)[b];
+    if constexpr (has_pressure) {
+        load += (loads.pressure.*member)[index(id)];
     }
-    if constexpr (viscous != nullptr) {
-        load += (m.scratch->water_loads().*viscous)[b];
+    if constexpr (has_viscous) {
+        load += (loads.viscous.*member)[index(id)];
     }
     return load;
 }
-using Loads = coupling::FluidLoads;
-constexpr std::vector<Vec3> Loads::*no_load = nullptr;
+constexpr auto force = &body::Loads::force, torque = &body::Loads::torque;
 
 template <double WaterLedger::*member>
 Vec3 of_water(const Moment& m) {
@@ -129,16 +128,16 @@ const std::array body_table{
     Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
     Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
     Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},
-             water_load<&Loads::pressure_force, &Loads::viscous_force>,
+             water_load<force, true, true>,
              nullptr},
     Quantity{{"fluid_pressure_force", "N", 3, true, "the part of it by pressure"},
-             water_load<&Loads::pressure_force, no_load>,
+             water_load<force, true, false>,
              nullptr},
     Quantity{{"fluid_viscous_force", "N", 3, true, "the part of it by viscosity: 0 but on bodies with slip = false"},
-             water_load<no_load, &Loads::viscous_force>,
+             water_load<force, false, true>,
              nullptr},
     Quantity{{"fluid_torque", "N m", 3, true, "of water about the centre of mass"},
-             water_load<&Loads::pressure_torque, &Loads::viscous_torque>,
+             water_load<torque, true, true>,
              nullptr},
 };
 

@@ -7,16 +7,16 @@
 
 #include "riprap/contact/pipeline.hpp"
 #include "riprap/sim/advance.hpp"
-#include "riprap/sim/point_loads.hpp"
+#include "riprap/body/point_loads.hpp"
 #include "riprap/sim/water_step.hpp"
 
 namespace riprap::sim {
 
 struct ScratchData {
     contact::ContactPipeline pipeline;
-    contact::BodyLoads loads;
+    body::Loads loads;
     body::BodyKinematics kinematics;
-    PointLoadSum point_loads;
+    body::PointLoadSum point_loads;
     WaterScratch water;
     body::BodyState before;  ///< bodies at the start of the step, where there is water
     StageTimes times;

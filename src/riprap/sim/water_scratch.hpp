@@ -21,7 +21,7 @@ struct WaterScratch {
     fluid::BoundaryParticles walls;
     std::vector<std::int32_t> near_numbers;  ///< a copy of the State's near_samples: those that `walls` stand for
     coupling::PenaltyWalls penalty;
-    coupling::BodyMotion motion;      ///< of all bodies, where the samples were placed last
+    body::Motion motion;      ///< of all bodies, where the samples were placed last
     coupling::FluidLoads loads;       ///< at the last kick
     coupling::FluidLoads held_loads;  ///< of particles pressed against faces and of water in joints, part of `loads`
     JointScratch joints;

@@ -13,8 +13,8 @@ namespace riprap::sim {
 namespace {
 
 /// How bodies sped up over the last step: the first guess of this one.
-std::vector<coupling::Acceleration> accelerations_of_last_step(const CouplingState& coupling) {
-    std::vector<coupling::Acceleration> found(coupling.acceleration.size());
+std::vector<body::Acceleration> accelerations_of_last_step(const CouplingState& coupling) {
+    std::vector<body::Acceleration> found(coupling.acceleration.size());
     for (std::size_t b = 0; b < found.size(); ++b) {
         found[b] = {coupling.acceleration[b], coupling.angular_acceleration[b]};
     }
@@ -22,7 +22,7 @@ std::vector<coupling::Acceleration> accelerations_of_last_step(const CouplingSta
 }
 
 /// What bodies do under the loads found: those of the water plus what else made them speed up in the last step.
-coupling::Acceleration response(const State& state, const WaterScratch& scratch, std::size_t b) {
+body::Acceleration response(const State& state, const WaterScratch& scratch, std::size_t b) {
     return {scratch.kinematics.inverse_mass[b] * scratch.force[b] + state.coupling.dry_acceleration[b],
             scratch.kinematics.inverse_inertia[b] * scratch.torque[b] + state.coupling.dry_angular_acceleration[b]};
 }
@@ -31,7 +31,7 @@ Vec3 in_plane_force(const Model& model, const Vec3& f) { return model.bodies.is_
 
 /// Loads on bodies that speed up as `guess` says.
 void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
-                 const std::vector<coupling::Acceleration>& guess, double dt) {
+                 const std::vector<body::Acceleration>& guess, double dt) {
     place_walls_at_middle(model, state, guess, dt, scratch);
     const FluidModel& water = *model.fluid;
     const bool is_penalty = water.wall == WallTreatment::penalty;
@@ -43,17 +43,17 @@ void load_bodies(const Model& model, const State& state, WaterScratch& scratch,
     load_walls(water.sph, state.fluid, scratch.walls, model.gravity.at(state.time + 0.5 * dt), scratch.sph);
     if (!is_penalty) {
         gather_loads(samples_near_water(model, scratch), scratch.motion, scratch.walls, scratch.loads);
-        for (std::size_t b = 0; b < scratch.held_loads.pressure_force.size(); ++b) {
-            scratch.loads.pressure_force[b] += scratch.held_loads.pressure_force[b];
-            scratch.loads.pressure_torque[b] += scratch.held_loads.pressure_torque[b];
+        for (std::size_t b = 0; b < scratch.held_loads.pressure.force.size(); ++b) {
+            scratch.loads.pressure.force[b] += scratch.held_loads.pressure.force[b];
+            scratch.loads.pressure.torque[b] += scratch.held_loads.pressure.torque[b];
         }
     }
     const auto count = at(model.bodies.size());
     scratch.force.resize(count);
     scratch.torque.resize(count);
     for (std::size_t b = 0; b < count; ++b) {
-        scratch.force[b] = in_plane_force(model, scratch.loads.pressure_force[b] + scratch.loads.viscous_force[b]);
-        scratch.torque[b] = scratch.loads.pressure_torque[b] + scratch.loads.viscous_torque[b];
+        scratch.force[b] = in_plane_force(model, scratch.loads.pressure.force[b] + scratch.loads.viscous.force[b]);
+        scratch.torque[b] = scratch.loads.pressure.torque[b] + scratch.loads.viscous.torque[b];
     }
 }
 
@@ -89,13 +89,13 @@ void hold_loads(const Model& model, const State& state, WaterScratch& scratch, d
 
 /// Loads with which bodies speed up as they were taken to: passes of the force, from `guess` on.
 void settle_bodies(const Model& model, const State& state, WaterScratch& scratch,
-                   std::vector<coupling::Acceleration>& guess, double dt, WaterReport& report) {
+                   std::vector<body::Acceleration>& guess, double dt, WaterReport& report) {
     std::vector<double> kappa = scratch.kappa;
     for (std::size_t b = 0; b < kappa.size(); ++b) {
         kappa[b] = scratch.kinematics.inverse_mass[b] > 0 ? kappa[b] : 0;
     }
     coupling::AddedMassIteration iteration(model.bodies.mass, scratch.inertia, kappa);
-    std::vector<coupling::Acceleration> found(guess.size());
+    std::vector<body::Acceleration> found(guess.size());
     for (bool is_settled = false; !is_settled;) {
         load_bodies(model, state, scratch, guess, dt);
         for (std::size_t b = 0; b < found.size(); ++b) {
@@ -133,7 +133,7 @@ WaterReport kick_water(const Model& model, State& state, WaterScratch& scratch, 
     if (scratch.inertia.size() != at(model.bodies.size())) {
         describe_bodies(model, scratch);
     }
-    std::vector<coupling::Acceleration> guess = accelerations_of_last_step(state.coupling);
+    std::vector<body::Acceleration> guess = accelerations_of_last_step(state.coupling);
 
     drive_paddles(model, state, scratch, dt);
     place_walls_at_start(model, state, guess, dt, scratch);

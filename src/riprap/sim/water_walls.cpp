@@ -16,7 +16,7 @@ namespace riprap::sim {
 namespace {
 
 /// How a driven body speeds up over the step: where its velocity jumps, the jump is spread over the step and no more.
-coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::size_t b, double time, double dt) {
+body::Acceleration driven_acceleration(const body::BodySet& bodies, std::size_t b, double time, double dt) {
     const BodyId body{static_cast<std::int32_t>(b)};
     const double moment = 0.5 * dt;
     const body::DrivenState before = driven_state(bodies, body, time - moment);
@@ -28,8 +28,8 @@ coupling::Acceleration driven_acceleration(const body::BodySet& bodies, std::siz
 /// The motion of all bodies with poses and velocities of `bodies`, `ahead` seconds of acceleration later. Driven bodies
 /// speed up as their motion says and by their `correction`, where there are any [m/s^2].
 void fill_motion(const Model& model, const body::BodyState& bodies, const body::BodyKinematics& kinematics,
-                 const std::vector<coupling::Acceleration>& acceleration, std::span<const Vec3> correction, double time,
-                 double ahead, double dt, coupling::BodyMotion& motion) {
+                 const std::vector<body::Acceleration>& acceleration, std::span<const Vec3> correction, double time,
+                 double ahead, double dt, body::Motion& motion) {
     const auto count = at(model.bodies.size());
     motion.pose.resize(count);
     motion.velocity.resize(count);
@@ -37,7 +37,7 @@ void fill_motion(const Model& model, const body::BodyState& bodies, const body::
     motion.acceleration.resize(count);
     motion.angular_acceleration.resize(count);
     for (std::size_t b = 0; b < count; ++b) {
-        coupling::Acceleration a;
+        body::Acceleration a;
         const bool is_free = kinematics.inverse_mass[b] > 0;
         if (is_free) {
             a = acceleration[b];
@@ -154,7 +154,7 @@ std::string find_intruder(const Model& model, const WaterScratch& scratch) {
     return {};
 }
 
-void place_walls_at_start(const Model& model, State& state, const std::vector<coupling::Acceleration>& guess, double dt,
+void place_walls_at_start(const Model& model, State& state, const std::vector<body::Acceleration>& guess, double dt,
                           WaterScratch& scratch) {
     update_kinematics(model.bodies, state.bodies, state.time, scratch.kinematics);
     fill_motion(model, state.bodies, scratch.kinematics, guess, scratch.correction, state.time, 0, dt, scratch.motion);
@@ -162,7 +162,7 @@ void place_walls_at_start(const Model& model, State& state, const std::vector<co
     place_walls(model, state, 0, scratch);
 }
 
-void place_walls_at_middle(const Model& model, const State& state, const std::vector<coupling::Acceleration>& guess,
+void place_walls_at_middle(const Model& model, const State& state, const std::vector<body::Acceleration>& guess,
                            double dt, WaterScratch& scratch) {
     const double later = 0.5 * dt;
     fill_motion(model, scratch.middle, scratch.kinematics, guess, scratch.correction, state.time + later, later, dt,

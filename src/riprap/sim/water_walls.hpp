@@ -19,11 +19,11 @@ void describe_bodies(const Model& model, WaterScratch& scratch);
 
 /// Bodies and their boundary particles as they are at t_n, where they speed up as `guess` says. Notes in the State
 /// which samples the water may feel in this step.
-void place_walls_at_start(const Model& model, State& state, const std::vector<coupling::Acceleration>& guess, double dt,
+void place_walls_at_start(const Model& model, State& state, const std::vector<body::Acceleration>& guess, double dt,
                           WaterScratch& scratch);
 
 /// Those at mid-step, where scratch.middle has the bodies with their velocities of t_n.
-void place_walls_at_middle(const Model& model, const State& state, const std::vector<coupling::Acceleration>& guess,
+void place_walls_at_middle(const Model& model, const State& state, const std::vector<body::Acceleration>& guess,
                            double dt, WaterScratch& scratch);
 
 /// A body that moves and has boundary particles among the layers of an opening, in words; empty where there is none.

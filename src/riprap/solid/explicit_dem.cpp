@@ -76,7 +76,7 @@ namespace {
 
 /// A support or driver: what it takes, the free bodies gain; its motion works on them.
 KickReport support_report(const body::BodyState& state, const body::BodyKinematics& kinematics,
-                          const contact::BodyLoads& loads, std::size_t i, double dt) {
+                          const body::Loads& loads, std::size_t i, double dt) {
     KickReport report;
     report.impulse = -dt * loads.force[i];
     report.angular_impulse = -dt * (cross(state.position[i], loads.force[i]) + loads.torque[i]);
@@ -94,7 +94,7 @@ struct OtherLoad {
 }  // namespace
 
 KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const body::BodyKinematics& kinematics,
-                const contact::BodyLoads& contact_loads, const ExternalLoads& external, const Vec3& gravity,
+                const body::Loads& contact_loads, const body::LoadView& external, const Vec3& gravity,
                 const KickTimes& times, body::BodyState& state) {
     const double dt = times.dt;
     const auto kick_one = [&](std::int64_t index) {

@@ -12,19 +12,13 @@ namespace riprap::solid {
 /// driven bodies to their prescribed pose at `end_time`, fixed bodies not at all.
 void drift(const body::BodySet& bodies, body::BodyState& state, double end_time, double dt);
 
-/// Loads that do not come from contacts, per body; empty = none. Held over the step by whoever gives them (a fluid).
-struct ExternalLoads {
-    std::span<const Vec3> force;   ///< [N]
-    std::span<const Vec3> torque;  ///< about the centre of mass [N m]
-};
-
 /// What the kick does and loses, summed over bodies in fixed blocks. "At the kick" means with the velocity
 /// v_n + a dt/2 at the mid-step pose: the state of the equivalent velocity-Verlet sequence.
 struct KickReport {
     double kinetic{0};                 ///< of free bodies, at the kick [J]
     double potential{0};               ///< -m g . x of free bodies, at the kick [J]
     double damping_loss{0};            ///< by local and mass damping in this step [J]
-    double external_work{0};           ///< of ExternalLoads in this step [J]
+    double external_work{0};           ///< of external loads in this step [J]
     double work_driven{0};             ///< by driven bodies on the scene in this step [J]
     double released_energy{0};         ///< kinetic + potential that newly released bodies bring along [J]
     Vec3 momentum{};                   ///< of free bodies, at the kick [kg m/s]
@@ -52,7 +46,7 @@ struct KickTimes {
 /// v += (F_contact + F_external + m g) dt / m;  L += (M_contact + M_external) dt. Local damping [Cundall1987] opposes
 /// each velocity component with alpha times the size of the unbalanced force; mass damping is -c m v.
 KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const body::BodyKinematics& kinematics,
-                const contact::BodyLoads& contact_loads, const ExternalLoads& external, const Vec3& gravity,
+                const body::Loads& contact_loads, const body::LoadView& external, const Vec3& gravity,
                 const KickTimes& times, body::BodyState& state);
 
 }  // namespace riprap::solid

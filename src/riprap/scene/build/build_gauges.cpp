@@ -107,7 +107,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
                       "a point on a face of a body that is not wet = false, or the kind 'pressure'");
         return;
     }
-    coupling::BodyMotion motion;
+    body::Motion motion;
     for (std::size_t i = 0; i < build.state.bodies.position.size(); ++i) {
         motion.pose.push_back({build.state.bodies.position[i], build.state.bodies.orientation[i]});
     }

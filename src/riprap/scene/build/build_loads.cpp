@@ -35,7 +35,7 @@ bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body
 void add_loads(CaseBuild& build, const Value& loads, BodyId body, const Pose& pose, double scale) {
     const Vec3 center = build.state.bodies.position[static_cast<std::size_t>(body.value)];
     for (const Value& one : loads.items) {
-        sim::PointLoad load{.body = body, .force = get_vector(one, "force")};
+        body::PointLoad load{.body = body, .force = get_vector(one, "force")};
         if (const Value* at = one.find("at")) {
             const Vec3 place = pose.position + rotate(pose.orientation, scale * to_vector(*at));
             load.point = rotate_back(pose.orientation, place - center);

@@ -14,8 +14,8 @@ namespace riprap::scene {
 
 namespace {
 
-sim::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
-    sim::Gravity out;
+body::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
+    body::Gravity out;
     if (gravity.is_array()) {
         out.value = to_vector(gravity);
         return out;

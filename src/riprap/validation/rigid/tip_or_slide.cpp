@@ -39,7 +39,7 @@ class TiltedBlock {
 
     /// Raises the slope to `to` at `rate` [rad/s], unless the block goes before.
     void raise(double to, double rate) {
-        sim::Gravity& turning = trial_.model().gravity;
+        body::Gravity& turning = trial_.model().gravity;
         turning.value = tilted(angle_);
         turning.axis = {0, -1, 0};  // turns (0, 0, -g) towards +x
         turning.rate = rate;

@@ -28,7 +28,7 @@ constexpr double going_speed =
 
 /// Gravity from here on: turned by `angle`, and turning about -y at `rate`.
 void turn_gravity(Trial& trial, double angle, double rate) {
-    sim::Gravity& g = trial.model().gravity;
+    body::Gravity& g = trial.model().gravity;
     g.value = {gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
     g.axis = {0, -1, 0};
     g.rate = rate;

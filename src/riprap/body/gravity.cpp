@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/body/gravity.hpp"
+
 #include <algorithm>
 
-#include "riprap/sim/model.hpp"
+#include "riprap/core/quat.hpp"
 
-namespace riprap::sim {
+namespace riprap::body {
 
 Vec3 Gravity::at(double time) const {
     const double share = ramp > 0 ? std::clamp(time / ramp, 0.0, 1.0) : 1.0;
@@ -15,4 +17,4 @@ Vec3 Gravity::at(double time) const {
     return rotate(from_rotation_vector(angle * axis), scaled);
 }
 
-}  // namespace riprap::sim
+}  // namespace riprap::body
