@@ -170,7 +170,8 @@ void refuse_before_first_step(const run::Simulation& simulation, const sim::Colu
     const bool is_of_water = has("water") || has("fluid");  // a case without has none after a step either
     const bool is_of_face =
         column.gauge >= 0 && simulation.model().output.gauges[static_cast<std::size_t>(column.gauge)].face >= 0;
-    const bool is_of_a_step = is_of_face || (column.gauge < 0 && (simulation.model().fluid || !is_of_water));
+    const bool is_of_a_step =
+        is_of_face || (column.gauge < 0 && (simulation.model().particles() != nullptr || !is_of_water));
     if (std::isnan(value) && simulation.state().step == 0 && is_of_a_step) {
         throw std::runtime_error("'" + column.name + "' is that of a step, and none has been taken yet: step() first");
     }

@@ -3,7 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "simulation.hpp"
 
 namespace riprap::python {
@@ -85,7 +85,7 @@ py::array pressure(const Fluid& self) {
     const run::Simulation& simulation = self.read();
     std::vector<double> values;
     for (const double density : simulation.state().fluid.density) {
-        values.push_back(pressure_of(simulation.model().fluid->sph, density));
+        values.push_back(pressure_of(simulation.model().particles()->settings(), density));
     }
     return copied(values);
 }
@@ -175,10 +175,11 @@ void define_fluid(py::module_& module) {
         .def_property_readonly("id", field(&ParticleState::id), "Of the particle for life, from 0 (int32, (m,)).")
         .def_property_readonly("pressure", &pressure, "From the density by the equation of state [Pa], (m,); a copy.")
         .def_property_readonly(
-            "particle_mass", [](const Fluid& self) { return self.read().model().fluid->sph.particle_mass; },
+            "particle_mass",
+            [](const Fluid& self) { return self.read().model().particles()->settings().particle_mass; },
             "[kg]; in a planar scene per metre of width.")
         .def_property_readonly(
-            "spacing", [](const Fluid& self) { return self.read().model().fluid->sph.spacing; }, "[m]");
+            "spacing", [](const Fluid& self) { return self.read().model().particles()->settings().spacing; }, "[m]");
 }
 
 }  // namespace
@@ -192,7 +193,7 @@ void define_views(py::module_& module, py::class_<Simulation>& simulation) {
         .def_property_readonly(
             "fluid",
             [](const py::object& self) {
-                const bool has_water = self.cast<Simulation&>().read().model().fluid.has_value();
+                const bool has_water = self.cast<Simulation&>().read().model().particles() != nullptr;
                 return has_water ? py::cast(Fluid{{self}}) : py::none();
             },
             "The water (Fluid); None without any.")

@@ -80,7 +80,7 @@ struct FlumeRun {
         gauge.point = point;
         gauge.end = end;
         gauge.up = {0, 1, 0};
-        return read_gauge(gauge, loaded.model.fluid->sph, state.fluid)[0];
+        return read_gauge(gauge, loaded.model.particles()->settings(), state.fluid)[0];
     }
 };
 
@@ -178,7 +178,7 @@ TEST(OpenWater, a_checkpoint_with_impossible_counts_is_refused) {
 
 TEST(OpenWater, the_ledgers_close_over_what_comes_in_and_goes) {
     FlumeRun run(channel);
-    const double mass = run.loaded.model.fluid->sph.particle_mass;
+    const double mass = run.loaded.model.particles()->settings().particle_mass;
     while (run.state.time < 1.0 && run.report.status.ok()) {
         const auto count = static_cast<double>(run.state.fluid.size());  // at the kick, before any passes
         run.step();

@@ -68,12 +68,13 @@ TEST(WaterOnSlopes, still_water_is_stirred_little_by_the_steps_that_its_lattice_
     run(loaded, 2, 3, [&](const sim::Moment& moment, double dt) {
         double sum = 0;
         for (const Vec3& v : moment.state.fluid.velocity) {
-            sum += 0.5 * moment.model.fluid->sph.particle_mass * dot(v, v);
+            sum += 0.5 * moment.model.particles()->settings().particle_mass * dot(v, v);
         }
         energy += sum * dt;
         duration += dt;
     });
-    const double mass = loaded.model.fluid->sph.particle_mass * static_cast<double>(loaded.state.fluid.size());
+    const double mass =
+        loaded.model.particles()->settings().particle_mass * static_cast<double>(loaded.state.fluid.size());
     const double speed = std::sqrt(2 * energy / duration / mass);
     EXPECT_LT(speed, 0.02 * std::sqrt(9.81 * 0.4));  // 0.034 with water that begins half a spacing off the slope
 }

@@ -39,27 +39,27 @@ level = "50 cm"
 
 TEST(FluidCase, water_fills_its_region_outside_of_solids) {
     const LoadedCase loaded = test::read(tank);
-    ASSERT_TRUE(loaded.model.fluid);
+    ASSERT_TRUE(loaded.model.particles() != nullptr);
     // 50 x 25 places, less the lower half of the block: 10 x 5 of them.
     EXPECT_EQ(loaded.state.fluid.size(), 50 * 25 - 10 * 5);
-    EXPECT_NEAR(loaded.model.fluid->filled_volume, 0.48, 1e-12);
-    EXPECT_NEAR(loaded.model.fluid->sph.particle_mass, 1000 * 0.02 * 0.02, 1e-12);
-    EXPECT_EQ(loaded.model.fluid->sph.domain.dimension, 2);
+    EXPECT_NEAR(loaded.model.particles()->filled_volume, 0.48, 1e-12);
+    EXPECT_NEAR(loaded.model.particles()->settings().particle_mass, 1000 * 0.02 * 0.02, 1e-12);
+    EXPECT_EQ(loaded.model.particles()->settings().domain.dimension, 2);
 }
 
 TEST(FluidCase, the_sound_speed_follows_from_the_depth_unless_given) {
     // The lattice begins at the low corner of the domain, 10 cm below the bottom of the tank.
-    EXPECT_NEAR(test::read(tank).model.fluid->sph.sound_speed, 10 * 2 * std::sqrt(9.81 * 0.5), 1e-9);
-    EXPECT_NEAR(test::read(tank, {"fluid.expected_speed=0"}).model.fluid->sph.sound_speed, 10 * std::sqrt(9.81 * 0.5),
-                1e-9);
-    EXPECT_EQ(test::read(tank, {"fluid.sound_speed=33.0"}).model.fluid->sph.sound_speed, 33);
+    EXPECT_NEAR(test::read(tank).model.particles()->settings().sound_speed, 10 * 2 * std::sqrt(9.81 * 0.5), 1e-9);
+    EXPECT_NEAR(test::read(tank, {"fluid.expected_speed=0"}).model.particles()->settings().sound_speed,
+                10 * std::sqrt(9.81 * 0.5), 1e-9);
+    EXPECT_EQ(test::read(tank, {"fluid.sound_speed=33.0"}).model.particles()->settings().sound_speed, 33);
 }
 
 TEST(FluidCase, the_sound_speed_heeds_the_rim_of_a_body_that_spins) {
     const double spin = 200, rim = 0.1 * std::sqrt(2.0);
     const std::string spinning =
         test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nangular_velocity = 200.0");
-    EXPECT_GE(test::read(spinning).model.fluid->sph.sound_speed, 10 * spin * rim * (1 - 1e-9));
+    EXPECT_GE(test::read(spinning).model.particles()->settings().sound_speed, 10 * spin * rim * (1 - 1e-9));
 }
 
 TEST(FluidCase, the_scheme_of_muller_says_what_it_leaves_out_and_where_it_fails) {
@@ -75,8 +75,8 @@ TEST(FluidCase, the_scheme_of_muller_says_what_it_leaves_out_and_where_it_fails)
 }
 
 TEST(FluidCase, corrected_gradients_can_be_left_out) {
-    EXPECT_TRUE(test::read(tank).model.fluid->sph.gradient_correction);
-    EXPECT_FALSE(test::read(tank, {"fluid.gradient_correction=false"}).model.fluid->sph.gradient_correction);
+    EXPECT_TRUE(test::read(tank).model.particles()->sph().gradient_correction);
+    EXPECT_FALSE(test::read(tank, {"fluid.gradient_correction=false"}).model.particles()->sph().gradient_correction);
 }
 
 TEST(FluidCase, a_smoothing_ratio_at_which_its_constants_are_not_known_is_refused) {
@@ -89,18 +89,19 @@ TEST(FluidCase, a_smoothing_ratio_at_which_its_constants_are_not_known_is_refuse
 
 TEST(FluidCase, boundary_particles_stand_for_all_wet_bodies) {
     const LoadedCase loaded = test::read(tank);
-    const coupling::SampleSet& samples = loaded.model.fluid->samples;
+    const coupling::SampleSet& samples = loaded.model.particles()->samples;
     EXPECT_EQ(std::count(samples.body.begin(), samples.body.end(), BodyId{1}), 10 * 10 - 4 * 4);
     const std::string dry = test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nwet = false");
     const LoadedCase without = test::read(dry);
-    EXPECT_EQ(std::count(without.model.fluid->samples.body.begin(), without.model.fluid->samples.body.end(), BodyId{1}),
+    EXPECT_EQ(std::count(without.model.particles()->samples.body.begin(), without.model.particles()->samples.body.end(),
+                         BodyId{1}),
               0);
-    EXPECT_EQ(test::read(tank, {"fluid.wall=\"penalty\""}).model.fluid->samples.size(), 0);
+    EXPECT_EQ(test::read(tank, {"fluid.wall=\"penalty\""}).model.particles()->samples.size(), 0);
 }
 
 TEST(FluidCase, a_body_can_let_water_stick_to_it) {
     const std::string sticky = test::with(tank, "position = [0.5, 0.5]", "position = [0.5, 0.5]\nslip = false");
-    const coupling::SampleSet samples = test::read(sticky).model.fluid->samples;
+    const coupling::SampleSet samples = test::read(sticky).model.particles()->samples;
     for (std::size_t i = 0; i < samples.body.size(); ++i) {
         EXPECT_EQ(samples.is_slippery[i], samples.body[i] == BodyId{1} ? 0 : 1);
     }
@@ -135,7 +136,7 @@ TEST(FluidCase, a_level_above_its_region_is_refused) {
 
 TEST(FluidCase, density_at_the_start_is_hydrostatic) {
     const LoadedCase loaded = test::read(tank);
-    const double c = loaded.model.fluid->sph.sound_speed;
+    const double c = loaded.model.particles()->settings().sound_speed;
     for (std::size_t i = 0; i < loaded.state.fluid.density.size(); ++i) {
         const double a = 9.81 * (0.5 - loaded.state.fluid.position[i].y) / (c * c);
         // (1 + 7 a)^(1/7) to second order; the third is 13 a^3, here at most 2e-7.
@@ -156,11 +157,11 @@ TEST(FluidCase, a_period_within_which_a_loose_block_meets_its_own_joints_is_refu
     // 8 spacings; joints look 4.5 to either side.
     const std::string coarse = test::with(tank, "\"2 cm\"", "0.125");
     EXPECT_THAT(test::problems_of(coarse), ElementsAre(HasSubstr("joints")));
-    EXPECT_TRUE(test::read(coarse, {"fluid.joint_pressure=false"}).model.fluid);
-    EXPECT_TRUE(test::read(coarse, {"body.block.fixed=true"}).model.fluid);
-    EXPECT_TRUE(test::read(tank).model.fluid->has_joint_pressure);
-    EXPECT_FALSE(test::read(tank, {"fluid.wall=penalty"}).model.fluid->has_joint_pressure);
-    EXPECT_FALSE(test::read(tank, {"fluid.scheme=muller"}).model.fluid->has_joint_pressure);
+    EXPECT_TRUE(test::read(coarse, {"fluid.joint_pressure=false"}).model.particles() != nullptr);
+    EXPECT_TRUE(test::read(coarse, {"body.block.fixed=true"}).model.particles() != nullptr);
+    EXPECT_TRUE(test::read(tank).model.particles()->has_joint_pressure);
+    EXPECT_FALSE(test::read(tank, {"fluid.wall=penalty"}).model.particles()->has_joint_pressure);
+    EXPECT_FALSE(test::read(tank, {"fluid.scheme=muller"}).model.particles()->has_joint_pressure);
 }
 
 TEST(FluidCase, gauges_become_columns_and_can_be_expected) {

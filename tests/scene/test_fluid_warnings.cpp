@@ -157,7 +157,7 @@ TEST(FluidWarnings, a_thin_body_with_water_on_one_side_does_no_harm_yet) {
 }
 
 TEST(FluidWarnings, the_room_for_water_is_that_outside_of_solids_and_counts_once) {
-    const auto room = [](const std::string& text) { return test::read(text).model.fluid->region_volume; };
+    const auto room = [](const std::string& text) { return test::read(text).model.particles()->region_volume; };
     EXPECT_NEAR(room(flume), 1.0, 1e-12);
     EXPECT_NEAR(room(flume + body("block", "[0.4, 0.4]", "[1.0, 0.4]")), 1.0 - 0.4 * 0.3, 1e-12);
     const std::string more = test::with(flume, "high = [2.0, 0.5] }",

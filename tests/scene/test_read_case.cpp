@@ -40,7 +40,7 @@ TEST(ReadCase, everything_not_given_has_its_documented_default) {
     EXPECT_EQ(model.seed, 1U);
     EXPECT_EQ(model.materials.materials[0].shear_ratio, 0.8);
     EXPECT_EQ(model.materials.materials[0].friction, 0);
-    EXPECT_EQ(model.solid.contact.sides, contact::Sides::both);
+    EXPECT_EQ(model.dem()->contact.sides, contact::Sides::both);
     EXPECT_EQ(model.output.checkpoint_interval, 60);
     EXPECT_FALSE(model.bodies.is_planar);
 }
@@ -149,7 +149,7 @@ TEST(ReadCase, overrides_reach_tables_list_entries_and_quantities) {
     EXPECT_EQ(loaded.state.bodies.velocity[0], (Vec3{1, 0, 0}));
     EXPECT_EQ(loaded.model.time.time_step, 1e-4);
     EXPECT_EQ(loaded.model.time.max_steps, 5);
-    EXPECT_EQ(loaded.model.solid.contact.sides, contact::Sides::contactor);
+    EXPECT_EQ(loaded.model.dem()->contact.sides, contact::Sides::contactor);
 }
 
 TEST(ReadCase, an_override_with_another_unit_replaces_the_key) {
@@ -309,9 +309,9 @@ TEST(ReadCase, a_motion_table_is_read_from_the_folder_of_the_case) {
 
 TEST(ReadCase, gravity_can_grow_and_turn) {
     const body::Gravity gravity = read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]",
-                                           "gravity = { value = [0, 0, -9.81], ramp = \"100 ms\", rotation = { axis = "
-                                           "[0, -2, 0], rate = \"1 deg/s\", start = 1 } }"))
-                                     .model.gravity;
+                                            "gravity = { value = [0, 0, -9.81], ramp = \"100 ms\", rotation = { axis = "
+                                            "[0, -2, 0], rate = \"1 deg/s\", start = 1 } }"))
+                                      .model.gravity;
     EXPECT_EQ(gravity.value.z, -9.81);
     EXPECT_EQ(gravity.ramp, 0.1);
     EXPECT_EQ(gravity.axis, (Vec3{0, -1, 0}));

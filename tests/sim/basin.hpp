@@ -32,22 +32,22 @@ struct Basin : SmallScene {
     }
     void fill(const Vec3& low, const Vec3& high, const Vec3& margin, double level, const Vec3& gravity) {
         model.gravity.value = gravity;
-        FluidModel& water = model.fluid.emplace();
-        water.sph.spacing = dp;
-        water.sph.particle_mass = 1000 * dp * dp;
-        water.sph.sound_speed = sound_speed;
-        water.sph.domain = {low - margin, high + margin, {}, 2};
+        coupling::ParticleFluid& water = model.fluid.emplace<coupling::ParticleFluid>();
+        water.settings().spacing = dp;
+        water.settings().particle_mass = 1000 * dp * dp;
+        water.settings().sound_speed = sound_speed;
+        water.settings().domain = {low - margin, high + margin, {}, 2};
         water.is_dry.assign(static_cast<std::size_t>(model.bodies.size()), 0);
         const coupling::FillRegion region{
             {geometry::moved(geometry::box({high.x - low.x, high.y - low.y, 1}), {0.5 * (low + high), {}})}, level};
-        coupling::Filling filling = coupling::fill(model.shapes, model.bodies, state.bodies, water.sph, {0, 1, 0},
-                                                   std::vector<coupling::FillRegion>{region}, 1'000'000);
-        set_hydrostatic_density(filling, water.sph, gravity);
+        coupling::Filling filling = coupling::fill(model.shapes, model.bodies, state.bodies, water.settings(),
+                                                   {0, 1, 0}, std::vector<coupling::FillRegion>{region}, 1'000'000);
+        set_hydrostatic_density(filling, water.settings(), gravity);
         state.fluid = std::move(filling.particles);
         coupling::SampleSettings settings;
         settings.spacing = dp;
-        settings.reach = water.sph.support_radius();
-        settings.domain = water.sph.domain;
+        settings.reach = water.settings().support_radius();
+        settings.domain = water.settings().domain;
         settings.limit = 1'000'000;
         water.samples = sample_shapes(model.shapes, model.bodies, state.bodies, settings);
     }
@@ -64,7 +64,7 @@ struct Basin : SmallScene {
     Vec3 total_momentum() const {
         Vec3 sum{};
         for (const Vec3& v : state.fluid.velocity) {
-            sum += model.fluid->sph.particle_mass * v;
+            sum += model.particles()->settings().particle_mass * v;
         }
         for (std::size_t b = 0; b < model.bodies.mass.size(); ++b) {
             if (model.bodies.drive[b] == body::Drive::free) {
@@ -77,7 +77,7 @@ struct Basin : SmallScene {
     double momentum_scale() const {
         double sum = 0;
         for (const Vec3& v : state.fluid.velocity) {
-            sum += model.fluid->sph.particle_mass * norm(v);
+            sum += model.particles()->settings().particle_mass * norm(v);
         }
         return sum;
     }

@@ -278,7 +278,7 @@ TEST(Advance, ANonFiniteVelocityIsNamedWithinOneStep) {
 
 TEST(Advance, AnOverlapBeyondTheAllowedPotentialIsNamedWithBothBodies) {
     SmallScene scene;
-    scene.model.solid.max_potential = 0.3;
+    scene.model.dem()->max_potential = 0.3;
     const ShapeId cube = scene.add_shape(box({1, 1, 1}));
     scene.add("one", cube, {});
     scene.add("two", cube, {{0.7, 0, 0}, {}});

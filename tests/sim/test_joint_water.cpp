@@ -46,7 +46,7 @@ TEST(JointWater, a_block_on_the_floor_of_a_pool_feels_the_buoyancy_of_archimedes
 
     // Where the joint is watertight the water above presses it down.
     Lying tight;
-    tight.model.fluid->has_joint_pressure = false;
+    tight.model.particles()->has_joint_pressure = false;
     EXPECT_NEAR(tight.mean_force(0, 200, 200).y, -1000 * 9.81 * 0.4 * 0.4, 0.05 * buoyancy);
 }
 
@@ -80,7 +80,7 @@ struct Dam : Basin {
         add("dam", add_shape(geometry::planar_prism(corners).value()), {{1 + 0.5 * width, 0.5 * height, 0}, {}});
         add_walls(3);
         fill({0, 0, 0}, {1, depth, 0}, {2 + dp, 1, 0}, depth, {0, -9.81, 0});
-        model.fluid->has_joint_pressure = has_joint_pressure;
+        model.particles()->has_joint_pressure = has_joint_pressure;
     }
 };
 
@@ -92,7 +92,7 @@ TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_not
     without.steps(1, of_without);
     // Slopes are looked up by the numbers of samples, of which those of the left wall, above the water, are left out
     // here.
-    ASSERT_LT(std::ssize(with.state.coupling.near_samples), with.model.fluid->samples.size());
+    ASSERT_LT(std::ssize(with.state.coupling.near_samples), with.model.particles()->samples.size());
     ASSERT_GT(with.state.coupling.near_samples.back(), std::ssize(with.state.coupling.near_samples));
     const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
     const Vec3 uplift = a.pressure.force[0] - b.pressure.force[0];
@@ -125,9 +125,9 @@ TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
     basin.add_square(0.3, 800, {0.35, 1.2, 0}, {0, -3, 0});
     basin.add_square(0.3, 1500, {0.653, 1.2, 0}, {0, -3, 0});
     basin.fill({0, 0, 0}, {1, 1, 0}, {5, 5, 0}, 9, {0, 0, 0});
-    basin.model.fluid->sph.is_plain = true;
+    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
     Basin tight = basin;
-    tight.model.fluid->has_joint_pressure = false;
+    tight.model.particles()->has_joint_pressure = false;
     Scratch scratch, other;
     const Vec3 before = basin.total_momentum();
     const StepReport report = basin.steps(15, scratch);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/sim/paddle_absorption.hpp"
+#include "riprap/coupling/particle_walls/paddle_absorption.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::sim {

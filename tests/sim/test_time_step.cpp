@@ -57,7 +57,7 @@ TEST(TimeStepBound, ALightSoftBodyIsBoundByTheStiffestNeighbour) {
 TEST(Kick, LocalDampingTakesItsShareOfTheForceThatSpeedsABodyUp) {
     SmallScene scene;
     scene.model.gravity.value = {0, 0, -10};
-    scene.model.solid.local_damping = 0.3;
+    scene.model.dem()->local_damping = 0.3;
     scene.add("stone", scene.add_shape(box({1, 1, 1})), {}, body::Drive::free, {0, 0, -1});
     const StepReport report = scene.run(100, 1e-3);
     EXPECT_NEAR(scene.state.bodies.velocity[0].z, -1 - 0.7 * 10 * 0.1, 1e-12);
@@ -66,7 +66,7 @@ TEST(Kick, LocalDampingTakesItsShareOfTheForceThatSpeedsABodyUp) {
 
 TEST(Kick, MassDampingSlowsAFreeBodyExponentially) {
     SmallScene scene;
-    scene.model.solid.mass_damping = 2;
+    scene.model.dem()->mass_damping = 2;
     scene.add("stone", scene.add_shape(box({1, 1, 1})), {}, body::Drive::free, {3, 0, 0}, {0, 0, 1});
     scene.run(1000, 1e-3);
     EXPECT_NEAR(scene.state.bodies.velocity[0].x, 3 * std::exp(-2.0), 2e-3);

@@ -102,7 +102,7 @@ TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_nam
     ASSERT_GT(norm(pose.position - initial.bodies.position[0]), 0.01);
     gauge.carrier = -1;
     gauge.point = to_world(pose, gauge.point);
-    const auto expected = read_gauge(gauge, basin.model.fluid->sph, basin.state.fluid);
+    const auto expected = read_gauge(gauge, basin.model.particles()->settings(), basin.state.fluid);
     EXPECT_EQ(evaluate(find_column(basin.model, "velocity.x").value(), moment), expected[0]);
     EXPECT_EQ(evaluate(find_column(basin.model, "velocity.y").value(), moment), expected[1]);
     EXPECT_GT(std::hypot(expected[0], expected[1]), 0.01);
@@ -116,11 +116,11 @@ Hit hit_wall(double speed, WallTreatment treatment) {
     Basin basin;
     basin.add_walls(1);
     basin.fill({0.7, 0.5, 0}, {0.7 + dp, 0.5 + dp, 0}, {1, 1, 0}, 2, {});
-    basin.model.fluid->wall = treatment;
+    basin.model.particles()->wall = treatment;
     if (treatment == WallTreatment::penalty) {
-        basin.model.fluid->samples = {};
+        basin.model.particles()->samples = {};
     }
-    basin.model.fluid->sph.artificial_alpha = 0;  // gauges read pressure alone
+    basin.std::get<fluid::SphSettings>(model.particles()->scheme).artificial_alpha = 0;  // gauges read pressure alone
     basin.state.fluid.velocity[0] = {speed, 0, 0};
     std::vector<Column> columns;
     constexpr double pitch = 0.2 * dp;

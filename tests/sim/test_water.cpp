@@ -7,8 +7,8 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
 #include "sim/basin.hpp"
 
 namespace riprap::sim {
@@ -25,7 +25,7 @@ Basin collision() {
 
 TEST(Water, what_water_loses_bodies_gain_to_round_off) {
     Basin basin = collision();
-    basin.model.fluid->sph.is_plain = true;
+    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
     Scratch scratch;
     const Vec3 before = basin.total_momentum();
     const double water_before = basin.momentum_scale();
@@ -39,9 +39,9 @@ TEST(Water, what_water_loses_bodies_gain_to_round_off) {
 
 TEST(Water, walls_that_push_take_what_they_give_to_round_off) {
     Basin basin = collision();
-    basin.model.fluid->sph.is_plain = true;
-    basin.model.fluid->wall = WallTreatment::penalty;
-    basin.model.fluid->samples = {};
+    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
+    basin.model.particles()->wall = WallTreatment::penalty;
+    basin.model.particles()->samples = {};
     Scratch scratch;
     const Vec3 before = basin.total_momentum();
     const double water_before = basin.momentum_scale();
@@ -58,10 +58,10 @@ TEST(Water, a_box_floats_at_the_draft_of_its_weight_with_either_kind_of_wall) {
         Basin basin;
         basin.add_square(0.4, 500, {0.6, 0.8, 0});
         basin.fill_pool(1.2, 0.8);
-        basin.model.solid.mass_damping = 3;
-        basin.model.fluid->wall = wall;
-        basin.model.fluid->samples =
-            wall == WallTreatment::penalty ? coupling::SampleSet{} : std::move(basin.model.fluid->samples);
+        basin.model.dem()->mass_damping = 3;
+        basin.model.particles()->wall = wall;
+        basin.model.particles()->samples =
+            wall == WallTreatment::penalty ? coupling::SampleSet{} : std::move(basin.model.particles()->samples);
         Scratch scratch;
         basin.model.time.end = 3;
         double height = 0;
@@ -167,7 +167,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     Basin basin = collision();
     Scratch scratch;
     initialise(basin.model, basin.state);
-    const double limit = choose_fluid_time_step(basin.model.fluid->sph, basin.state.fluid).limit;
+    const double limit = choose_fluid_time_step(basin.model.particles()->settings(), basin.state.fluid).limit;
     basin.model.time.time_step = 0.95 * limit;
     ASSERT_TRUE(basin.steps(2, scratch).status.ok());
     basin.state.fluid.velocity[0] = {30, 0, 0};  // as fast as sound: the limit is about half as long
@@ -212,8 +212,8 @@ TEST(Water, a_run_continued_from_its_state_takes_the_same_bits) {
 TEST(Water, feels_all_walls_in_its_reach_wherever_it_has_come_and_is_spared_the_rest) {
     Basin basin = dam_break();
     Scratch scratch;
-    const coupling::SampleSet& samples = basin.model.fluid->samples;
-    const double reach = basin.model.fluid->sph.support_radius();
+    const coupling::SampleSet& samples = basin.model.particles()->samples;
+    const double reach = basin.model.particles()->settings().support_radius();
     int renewals = 0;
     std::vector<std::int32_t> before;
     for (int step = 0; step < 120; ++step) {

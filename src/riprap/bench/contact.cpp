@@ -50,7 +50,7 @@ PairSample sample_pairs(bool touching) {
     const std::vector<std::uint8_t> mobile(radii.size(), 1);
     contact::PairCache candidates;
     candidates.update({centers, radii, bodies, mobile}, {},
-                      {.skin = pile.model.solid.skin * contact::median_radius(radii)});
+                      {.skin = pile.model.dem()->skin * contact::median_radius(radii)});
     int face_face = 0, with_face = 0, edge_edge = 0;
     for (const contact::PartPair pair : candidates.pairs()) {
         const contact::Frame& a = sample.frames[static_cast<std::size_t>(pair.a)];

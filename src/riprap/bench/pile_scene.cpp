@@ -100,7 +100,7 @@ void settle(Pile& pile, double fall, double size) {
     const double free_step = 0.1 * size / terminal_speed;
     sim::Scratch scratch;
     sim::initialise(pile.model, pile.state);
-    pile.model.solid.mass_damping = gravity / terminal_speed;
+    pile.model.dem()->mass_damping = gravity / terminal_speed;
     pile.dt = free_step;
     const auto go_on = [&](double soft_factor, double duration, int most_steps) {
         pile.model.materials.materials[0].normal_stiffness = soft_factor * stiffness;
@@ -111,14 +111,14 @@ void settle(Pile& pile, double fall, double size) {
         }
     };
     go_on(0.1, 2 * fall / terminal_speed, 4000);
-    pile.model.solid.local_damping = 0.7;
+    pile.model.dem()->local_damping = 0.7;
     for (const double soft_factor : {0.2, 0.4, 0.7}) {
         pile.dt *= 0.5;  // before the first stiffer contacts report theirs
         go_on(soft_factor, 1, 50);
     }
     go_on(1, 1, 800);
-    pile.model.solid.local_damping = 0;
-    pile.model.solid.mass_damping = 0;
+    pile.model.dem()->local_damping = 0;
+    pile.model.dem()->mass_damping = 0;
     pile.dt = sim::largest_time_step(pile.model, sim::time_step_bound(pile.model));
 }
 

@@ -25,6 +25,16 @@ struct Loads {
     std::size_t size() const { return force.size(); }
     bool empty() const { return force.empty(); }
     std::size_t bytes() const { return bytes_of(force, torque, pull); }
+    Loads& operator+=(const Loads& other) {
+        for (std::size_t b = 0; b < other.force.size(); ++b) {
+            force[b] += other.force[b];
+            torque[b] += other.torque[b];
+        }
+        for (std::size_t b = 0; b < other.pull.size(); ++b) {
+            pull[b] += other.pull[b];
+        }
+        return *this;
+    }
     /// Makes zeros for `bodies` bodies; of the pull too where `deforms`.
     void clear(std::size_t bodies, bool deforms = false) {
         force.assign(bodies, {});

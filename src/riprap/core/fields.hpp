@@ -21,6 +21,12 @@
 
 namespace riprap {
 
+/// State of a method that has no fields of its own.
+struct NoFields {
+    template <class Self, class Visit>
+    static void visit_fields(Self& /*self*/, Visit&& /*visit*/) {}
+};
+
 /// How the entries of a field are stored.
 enum class FieldType : std::uint8_t { float64 = 1, int32 = 2, int64 = 3, uint64 = 4, uint8 = 5 };
 

@@ -18,7 +18,8 @@ AddedMassIteration::AddedMassIteration(std::span<const double> mass, std::span<c
                                        std::span<const double> kappa)
     : mass_(mass), inertia_(inertia), kappa_(kappa) {}
 
-bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::span<const body::Acceleration> found, double scale) {
+bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::span<const body::Acceleration> found,
+                                double scale) {
     const auto product = [this](std::size_t b, const body::Acceleration& x, const body::Acceleration& y) {
         return mass_[b] * dot(x.linear, y.linear) + inertia_[b] * dot(x.angular, y.angular);
     };

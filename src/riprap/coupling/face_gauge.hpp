@@ -31,7 +31,7 @@ struct LoadedFaces {
     const geometry::ShapeSet& shapes;
     const body::BodySet& bodies;
     std::span<const std::uint8_t> is_dry;       ///< per body: not there for the water; empty = none
-    const body::Motion& motion;                   ///< of all bodies, where the samples are
+    const body::Motion& motion;                 ///< of all bodies, where the samples are
     SampleView samples;                         ///< the samples that the water may feel
     const fluid::BoundaryParticles& particles;  ///< ... as the water met them; may be more than the samples
     const fluid::Domain& domain;

@@ -10,7 +10,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
@@ -60,7 +60,7 @@ std::vector<Polyhedron> pieces_of(const FillRegion& region, const fluid::Domain&
 }
 
 /// The region cut at its level, with its volume and surface.
-RegionPlanes planes_of(const FillRegion& region, const fluid::SphSettings& settings, const Vec3& up,
+RegionPlanes planes_of(const FillRegion& region, const fluid::ParticleSettings& settings, const Vec3& up,
                        FillReport& report) {
     RegionPlanes result{{}, {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}}, -1e300};
     for (const Polyhedron& whole : pieces_of(region, settings.domain)) {
@@ -110,7 +110,8 @@ Vec3 lattice_corner(std::span<const RegionPlanes> regions, const fluid::Domain& 
     throw CaseError(Diagnostic{{}, std::move(message), std::move(allowed)});
 }
 
-Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::SphSettings& settings, const Vec3& corner) {
+Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::ParticleSettings& settings,
+                     const Vec3& corner) {
     const double dp = settings.spacing;
     Lattice lattice{{}, {1, 1, 1}, dp};
     Bounds all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
@@ -205,7 +206,7 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 }
 
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-             const fluid::SphSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
+             const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
              std::int64_t limit) {
     Filling filling;
     filling.regions.resize(regions.size());
@@ -261,7 +262,7 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     return filling;
 }
 
-void set_hydrostatic_density(Filling& filling, const fluid::SphSettings& settings, const Vec3& gravity) {
+void set_hydrostatic_density(Filling& filling, const fluid::ParticleSettings& settings, const Vec3& gravity) {
     const double strength = norm(gravity);
     for (std::size_t i = 0; i < filling.region.size() && strength > 0; ++i) {
         const double height = -dot(gravity, filling.particles.position[i]) / strength;

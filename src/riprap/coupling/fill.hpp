@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/polyhedron.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
@@ -52,11 +52,11 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 /// @throws CaseError  with the cause when more than `limit` particles would be made, or when a period of the domain is
 /// not a whole number of spacings
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-             const fluid::SphSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
+             const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
              std::int64_t limit);
 
 /// Gives every particle the density of rest under gravity g: p = rho_0 |g| d at depth d below the surface of its
 /// region (its level or else its highest point), through the state equation of `settings`.
-void set_hydrostatic_density(Filling& filling, const fluid::SphSettings& settings, const Vec3& gravity);
+void set_hydrostatic_density(Filling& filling, const fluid::ParticleSettings& settings, const Vec3& gravity);
 
 }  // namespace riprap::coupling

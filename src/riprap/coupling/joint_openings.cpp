@@ -63,8 +63,8 @@ double covered(const Vec3& open, const Vec3& water) {
 }  // namespace
 
 void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                         const body::Motion& motion, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
-                         std::vector<JointOpening>& openings) {
+                         const body::Motion& motion, const fluid::WaterAtWalls& water,
+                         const fluid::ParticleSettings& settings, std::vector<JointOpening>& openings) {
     const std::vector<JointMember>& members = pairs.members();
     const JointKernel kernel(settings);
     openings.resize(members.size());

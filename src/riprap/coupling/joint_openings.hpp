@@ -25,7 +25,7 @@ struct JointOpening {
 /// @param water     at each sample of `near`
 /// @param openings  receives one for each member; its memory is reused
 void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                         const body::Motion& motion, const fluid::WaterAtWalls& water, const fluid::SphSettings& settings,
-                         std::vector<JointOpening>& openings);
+                         const body::Motion& motion, const fluid::WaterAtWalls& water,
+                         const fluid::ParticleSettings& settings, std::vector<JointOpening>& openings);
 
 }  // namespace riprap::coupling

@@ -22,14 +22,14 @@ constexpr double farther = 1.5;
 
 }  // namespace
 
-JointKernel::JointKernel(const fluid::SphSettings& settings)
+JointKernel::JointKernel(const fluid::ParticleSettings& settings)
     : kernel_(settings.smoothing_length(), settings.domain.dimension),
       nearest_(settings.domain),
       square_of_support_(settings.support_radius() * settings.support_radius()),
       farthest_(reach(settings)),
       spacing_(settings.spacing) {}
 
-double JointKernel::reach(const fluid::SphSettings& settings) {
+double JointKernel::reach(const fluid::ParticleSettings& settings) {
     return settings.support_radius() + farther * settings.spacing;
 }
 
@@ -56,7 +56,7 @@ JointLink JointKernel::touching(const JointLink& link, const JointGap& gap) cons
     return gap.width > 0 ? nearer(link, gap.width * gap.across) : link;
 }
 
-double JointPairs::reach(const fluid::SphSettings& settings, bool has_driven) {
+double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_driven) {
     // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
     return (has_driven ? 2 : 1) * JointKernel::reach(settings) + skin * settings.spacing;
 }
@@ -77,7 +77,7 @@ bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids
 }
 
 void JointPairs::find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                              const fluid::SphSettings& settings) {
+                              const fluid::ParticleSettings& settings) {
     std::vector<std::uint8_t> is_member(at(near.size()), 0);
     std::vector<Vec3> loose;
     bool has_driven = false;
@@ -129,7 +129,7 @@ void JointPairs::place_members(const SampleView& near, const body::Motion& motio
     });
 }
 
-void JointPairs::find_pairs(const fluid::SphSettings& settings) {
+void JointPairs::find_pairs(const fluid::ParticleSettings& settings) {
     std::vector<Vec3> places;
     for (const JointMember& member : members_) {
         places.push_back(member.place);
@@ -169,7 +169,7 @@ void JointPairs::find_who_is_at_joints() {
 }
 
 void JointPairs::update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
-                        const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings) {
+                        const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings) {
     const double reach = JointKernel::reach(settings);
     nearest_ = fluid::NearestImage(settings.domain);
     square_of_reach_ = reach * reach;

@@ -12,7 +12,7 @@
 #include "riprap/fluid/particle/boundary_particles.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::coupling {
 
@@ -53,11 +53,11 @@ struct JointGap {
 /// What links are found with, made once for many.
 class JointKernel {
  public:
-    explicit JointKernel(const fluid::SphSettings& settings);
+    explicit JointKernel(const fluid::ParticleSettings& settings);
     /// Distance from which on two samples do nothing to each other, brought together or not [m]. Deeper layers of faces
     /// 1.5 to 2 spacings apart would be within the support from a little farther, by less than 1e-4 of the kernel's
     /// slope.
-    static double reach(const fluid::SphSettings& settings);
+    static double reach(const fluid::ParticleSettings& settings);
     JointLink link(const JointMember& i, const JointMember& j) const {
         const Vec3 apart = nearest_(i.place - j.place);
         const double square = norm_squared(apart);
@@ -85,11 +85,11 @@ class JointPairs {
  public:
     /// How far members are looked for about loose bodies; periods of the domain must be at least twice that [m].
     /// @param has_driven  some body is driven: what it shuts off is looked for too
-    static double reach(const fluid::SphSettings& settings, bool has_driven);
+    static double reach(const fluid::ParticleSettings& settings, bool has_driven);
 
     /// Brings members and pairs up to date with where samples are.
     void update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
-                const fluid::BoundaryParticles& walls, const fluid::SphSettings& settings);
+                const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings);
     /// Call where `near` is no longer the same.
     void forget() { paired_at_.clear(); }
 
@@ -113,9 +113,9 @@ class JointPairs {
     bool is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                        double spacing) const;
     void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                      const fluid::SphSettings& settings);
+                      const fluid::ParticleSettings& settings);
     void place_members(const SampleView& near, const body::Motion& motion, const fluid::BoundaryParticles& walls);
-    void find_pairs(const fluid::SphSettings& settings);
+    void find_pairs(const fluid::ParticleSettings& settings);
     void find_who_is_at_joints();
 
     fluid::NearestImage nearest_{fluid::Domain{}};

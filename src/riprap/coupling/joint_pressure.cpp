@@ -45,7 +45,8 @@ void JointPressure::list_sides() {
     rims_.resize(joints.size());
 }
 
-double JointPressure::felt_about(std::size_t member, const fluid::SphSettings& settings, const Vec3& gravity) const {
+double JointPressure::felt_about(std::size_t member, const fluid::ParticleSettings& settings,
+                                 const Vec3& gravity) const {
     const std::vector<JointMember>& members = pairs_.members();
     const fluid::NearestImage nearest(settings.domain);
     const double reach = JointKernel::reach(settings);
@@ -63,7 +64,7 @@ double JointPressure::felt_about(std::size_t member, const fluid::SphSettings& s
 }
 
 JointPressure::RimPiece JointPressure::rim_piece(const SampleView& near, std::size_t member,
-                                                 const fluid::SphSettings& settings, const Vec3& gravity) const {
+                                                 const fluid::ParticleSettings& settings, const Vec3& gravity) const {
     const JointMember& self = pairs_.members()[member];
     const JointOpening& opening = openings_[member];
     const double strength = settings.smoothing_length() * norm(opening.rim) - uneven;
@@ -74,7 +75,7 @@ JointPressure::RimPiece JointPressure::rim_piece(const SampleView& near, std::si
     return {self.place, weight * share, weight * (1 - share), share > 0 ? felt_about(member, settings, gravity) : 0};
 }
 
-void JointPressure::find_rims(const SampleView& near, const fluid::SphSettings& settings, const Vec3& gravity) {
+void JointPressure::find_rims(const SampleView& near, const fluid::ParticleSettings& settings, const Vec3& gravity) {
     for (std::vector<RimPiece>& rim : rims_) {
         rim.clear();
     }
@@ -119,7 +120,7 @@ double JointPressure::pressure_of(std::size_t member, std::int32_t other) const 
 
 void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
                          const body::Motion& motion, const fluid::BoundaryParticles& walls,
-                         const fluid::WaterAtWalls& water, const fluid::SphSettings& settings, const Vec3& gravity,
+                         const fluid::WaterAtWalls& water, const fluid::ParticleSettings& settings, const Vec3& gravity,
                          std::vector<Vec3>& force) {
     RIPRAP_ASSERT(near.size() == 0 || near.number(at(near.size()) - 1) < slopes.size(), "slopes are of the whole set");
     force.clear();

@@ -40,9 +40,9 @@ class JointPressure {
     /// @param water    at each of `walls`, beginning with those of `near`
     /// @param gravity  [m/s^2]
     /// @param force    one for each of `near` [N]; empty where nothing is loose or no joint is wet
-    void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids, const body::Motion& motion,
-              const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
-              const fluid::SphSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
+    void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
+              const body::Motion& motion, const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
+              const fluid::ParticleSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
 
     /// Call where `near` is no longer the same.
     void forget() { pairs_.forget(); }
@@ -65,11 +65,11 @@ class JointPressure {
 
     void list_sides();
     /// The piece of a rim that a member is; nothing where it is none.
-    RimPiece rim_piece(const SampleView& near, std::size_t member, const fluid::SphSettings& settings,
+    RimPiece rim_piece(const SampleView& near, std::size_t member, const fluid::ParticleSettings& settings,
                        const Vec3& gravity) const;
-    void find_rims(const SampleView& near, const fluid::SphSettings& settings, const Vec3& gravity);
+    void find_rims(const SampleView& near, const fluid::ParticleSettings& settings, const Vec3& gravity);
     /// Mean of what walls feel about a member, carried to it as in water at rest [Pa].
-    double felt_about(std::size_t member, const fluid::SphSettings& settings, const Vec3& gravity) const;
+    double felt_about(std::size_t member, const fluid::ParticleSettings& settings, const Vec3& gravity) const;
     double pressure_of(std::size_t member, std::int32_t other) const;
 
     JointPairs pairs_;

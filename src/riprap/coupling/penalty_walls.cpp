@@ -95,7 +95,7 @@ void meet_in_the_middle(std::vector<Touch>& touches) {
 }
 
 /// Settings from the reach over the spacing and the stiffness over rho_0 c_0^2 dp^(dim-2).
-PenaltySettings scaled_settings(const fluid::SphSettings& settings, double reach, double strength) {
+PenaltySettings scaled_settings(const fluid::ParticleSettings& settings, double reach, double strength) {
     constexpr double damping_ratio = 0.5;
     const double stiffness = strength * settings.rest_density * settings.sound_speed * settings.sound_speed *
                              std::pow(settings.spacing, settings.domain.dimension - 2);
@@ -105,9 +105,11 @@ PenaltySettings scaled_settings(const fluid::SphSettings& settings, double reach
 
 }  // namespace
 
-PenaltySettings penalty_settings(const fluid::SphSettings& settings) { return scaled_settings(settings, 0.5, 0.1); }
+PenaltySettings penalty_settings(const fluid::ParticleSettings& settings) {
+    return scaled_settings(settings, 0.5, 0.1);
+}
 
-PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt) {
+PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double dt) {
     PenaltySettings guard = scaled_settings(settings, 0.2, 0.5);
     guard.fastest_return = 0.05 * settings.sound_speed;
     guard.hardest = settings.particle_mass / dt;
@@ -165,10 +167,8 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
 void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
                           FluidLoads& loads) const {
     const auto count = at(bodies.size());
-    loads.pressure.force.assign(count, {});
-    loads.pressure.torque.assign(count, {});
-    loads.viscous.force.assign(count, {});
-    loads.viscous.torque.assign(count, {});
+    loads.pressure.clear(count, motion.deforms());
+    loads.viscous.clear(count, motion.deforms());
     std::int64_t i = 0;
     for (const std::vector<Push>& pushes : blocks_) {
         const std::int64_t end = std::min(i + block_size, particles);
@@ -176,7 +176,11 @@ void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motio
             for (std::int32_t n = 0; n < count_[at(i)]; ++n, ++k) {
                 const auto b = at(pushes[k].body);
                 loads.pressure.force[b] -= pushes[k].force;
-                loads.pressure.torque[b] -= cross(pushes[k].place - motion.pose[b].position, pushes[k].force);
+                const Vec3 arm = pushes[k].place - motion.pose[b].position;
+                loads.pressure.torque[b] -= cross(arm, pushes[k].force);
+                if (motion.deforms()) {
+                    loads.pressure.pull[b] += -1.0 * symmetric_product(pushes[k].force, arm);
+                }
             }
         }
     }

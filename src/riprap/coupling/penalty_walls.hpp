@@ -9,8 +9,8 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::coupling {
@@ -28,7 +28,7 @@ struct PenaltySettings {
 /// r_0 = dp/2, k_s = 0.1 rho_0 c_0^2 dp^(dim-2), k_d = 2 zeta sqrt(k_s m) with zeta = 0.5, m a particle's mass. At rest
 /// under a column of height H a particle then stands rho_0 g H dp^(dim-1)/k_s <= dp/10 inside the reach, as
 /// c_0 >= 10 sqrt(g H).
-PenaltySettings penalty_settings(const fluid::SphSettings& settings);
+PenaltySettings penalty_settings(const fluid::ParticleSettings& settings);
 
 /// A guard behind boundary particles: what squeezes a particle harder than they hold, a block that closes on a wall
 /// say, must not press it through a face. r_0 = dp/5, where particles under pressure do not come (they stand at about
@@ -37,7 +37,7 @@ PenaltySettings penalty_settings(const fluid::SphSettings& settings);
 /// thrown. Its oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by
 /// default. Where several parts push one particle, at the seam of a union say, the bound falls.
 /// @param dt  of the step [s]
-PenaltySettings guard_settings(const fluid::SphSettings& settings, double dt);
+PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double dt);
 
 /// The push of faces on particles near them and its reaction, [MikolaSitar2013, eq. 22] completed:
 ///
@@ -73,7 +73,8 @@ class PenaltyWalls {
     std::size_t bytes() const { return bytes_of(count_, blocks_); }
 
  private:
-    void gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles, FluidLoads& loads) const;
+    void gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
+                FluidLoads& loads) const;
 
     std::vector<std::int32_t> count_;        ///< pushes on each particle
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them

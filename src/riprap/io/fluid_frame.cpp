@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "riprap/core/index.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/vtk_data.hpp"
 #include "riprap/io/vtp.hpp"
 
 namespace riprap::io {
 
-void put_fluid(const TextSink& put, const fluid::SphSettings& settings, const fluid::ParticleState& particles,
+void put_fluid(const TextSink& put, const fluid::ParticleSettings& settings, const fluid::ParticleState& particles,
                double time) {
     const std::size_t count = particles.position.size();
     std::vector<float> numbers;  // one buffer for all: there may be millions
@@ -43,7 +43,7 @@ void put_fluid(const TextSink& put, const fluid::SphSettings& settings, const fl
                     put_arrays);
 }
 
-void write_fluid(const std::filesystem::path& path, const fluid::SphSettings& settings,
+void write_fluid(const std::filesystem::path& path, const fluid::ParticleSettings& settings,
                  const fluid::ParticleState& particles, double time) {
     AtomicFile file(path);
     put_fluid([&file](std::string_view piece) { file.write(piece); }, settings, particles, time);

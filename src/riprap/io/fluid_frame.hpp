@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/io/base64.hpp"
 
 namespace riprap::io {
@@ -12,11 +12,11 @@ namespace riprap::io {
 /// The text of a frame, piece by piece: particles of a fluid as points. Point arrays: id, velocity [m/s], speed [m/s],
 /// density [kg/m^3] (half a step behind the places), pressure [Pa] at that density. Field array: spacing [m] of the
 /// particles at the start.
-void put_fluid(const TextSink& put, const fluid::SphSettings& settings, const fluid::ParticleState& particles,
+void put_fluid(const TextSink& put, const fluid::ParticleSettings& settings, const fluid::ParticleState& particles,
                double time);
 
 /// Writes that frame, whole or not at all; on the disk at the next flush_file_system. @throws FileError
-void write_fluid(const std::filesystem::path& path, const fluid::SphSettings& settings,
+void write_fluid(const std::filesystem::path& path, const fluid::ParticleSettings& settings,
                  const fluid::ParticleState& particles, double time);
 
 }  // namespace riprap::io

@@ -52,9 +52,9 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
     const std::vector<io::DrawnPlane> planes = io::draw_planes(model, initial);
     const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
     double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
-    if (model.fluid) {
+    if (model.particles() != nullptr) {
         io::put_fluid([&bytes](std::string_view piece) { bytes += static_cast<double>(piece.size()); },
-                      model.fluid->sph, stirred(model.fluid->sph, state.fluid), 0);
+                      model.particles()->settings(), stirred(model.particles()->settings(), state.fluid), 0);
     }
     if (model.output.contacts) {
         bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
@@ -155,14 +155,14 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         }
     }
     check.tipping = early_tipping(model, loaded.state);
-    if (model.fluid) {
+    if (model.particles() != nullptr) {
         check.particles = loaded.state.fluid.size();
-        check.samples = model.fluid->samples.size();
-        check.water_mass = static_cast<double>(check.particles) * model.fluid->sph.particle_mass;
-        check.filled_volume = model.fluid->filled_volume;
-        check.trimmed_volume = model.fluid->region_volume - model.fluid->filled_volume;
-        check.sound_speed = model.fluid->sph.sound_speed;
-        check.sound_speed_reason = model.fluid->sound_speed_reason;
+        check.samples = model.particles()->samples.size();
+        check.water_mass = static_cast<double>(check.particles) * model.particles()->settings().particle_mass;
+        check.filled_volume = model.particles()->filled_volume;
+        check.trimmed_volume = model.particles()->region_volume - model.particles()->filled_volume;
+        check.sound_speed = model.particles()->settings().sound_speed;
+        check.sound_speed_reason = model.particles()->sound_speed_reason;
         check.gaps = scene::find_narrow_gaps(model, loaded.state);
         if (check.gaps.pairs > 0) {
             check.beside_gap = {model.bodies.name(check.gaps.a), model.bodies.name(check.gaps.b)};
@@ -174,7 +174,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
                 check.face_gauges.push_back({gauge.name, model.bodies.name(face.body), rotate(turn, face.normal)});
             }
         }
-        const fluid::FluidTimeStep step = choose_fluid_time_step(model.fluid->sph, loaded.state.fluid);
+        const fluid::FluidTimeStep step = choose_fluid_time_step(model.particles()->settings(), loaded.state.fluid);
         check.time_step_limit = step.limit;
         check.limited_by = step.reason;
     }

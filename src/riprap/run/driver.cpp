@@ -121,7 +121,7 @@ void Driver::announce(const std::string& beginning) {
 
 /// The line of the beginning that is about water, where there is any.
 std::string Driver::water_text() const {
-    if (!model().fluid) {
+    if (model().particles() == nullptr) {
         return {};
     }
     std::string text = fmt::format("  {} particles of water", state().fluid.size());
@@ -289,7 +289,7 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
     summarise(progress, "failed", reason, simulation_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     const char* const advice =
-        !model().fluid ? "a smaller time_step, a stiffer material or more damping usually helps"
+        model().particles() == nullptr ? "a smaller time_step, a stiffer material or more damping usually helps"
         : sim::fixed_step_problem(model(), state()).empty()
             ? "water that leaves the domain needs a wall there, or an [[fluid.outflow]] that lets it go and counts it; "
               "where walls move, the fluid.domain has to hold all of their way; else a smaller fluid.courant or "

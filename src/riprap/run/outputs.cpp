@@ -114,9 +114,9 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
               io::draw_bodies(model_, moment.initial, moment.state, planes_,
                               has_contacts ? moment.scratch->contact_force() : no_force),
               moment.state.time);
-    if (model_.fluid) {
-        io::write_fluid(folder_.frames() / ("water_" + tag + ".vtp"), model_.fluid->sph, moment.state.fluid,
-                        moment.state.time);
+    if (model_.particles() != nullptr) {
+        io::write_fluid(folder_.frames() / ("water_" + tag + ".vtp"), model_.particles()->settings(),
+                        moment.state.fluid, moment.state.time);
     }
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
@@ -142,7 +142,7 @@ void Outputs::write_lists(const sim::Moment* last) const {
         return frames;
     };
     io::write_pvd(folder_.root / "out.pvd",
-                  model_.fluid ? list({"bodies", "water"}) : list(std::vector<std::string>{"bodies"}));
+                  model_.particles() != nullptr ? list({"bodies", "water"}) : list(std::vector<std::string>{"bodies"}));
     if (model_.output.contacts) {
         io::write_pvd(folder_.root / "contacts.pvd", list({"contacts"}));
     }

@@ -42,9 +42,10 @@ void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, c
     }
 }
 
-void check_near_samples(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::CouplingState& coupling) {
+void check_near_samples(const io::Checkpoint& checkpoint, const sim::Model& model,
+                        const coupling::CouplingState& coupling) {
     const std::vector<std::int32_t>& near = coupling.near_samples;
-    const std::int64_t count = model.fluid ? model.fluid->samples.size() : 0;
+    const std::int64_t count = model.particles() != nullptr ? model.particles()->samples.size() : 0;
     const bool is_rising = std::adjacent_find(near.begin(), near.end(), std::greater_equal<>()) == near.end();
     if (!is_rising || (!near.empty() && (near.front() < 0 || near.back() >= count))) {
         refuse(checkpoint, fmt::format("the samples of walls in reach of the water are not among the {} of the case in "
@@ -76,7 +77,7 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
 }
 
 /// Water that comes and goes has no length that is known beforehand, but its fields agree.
-void check_openings(const io::Checkpoint& checkpoint, const sim::FluidModel& model, const sim::State& state) {
+void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFluid& model, const sim::State& state) {
     const fluid::ParticleState& water = state.fluid;
     const fluid::OpenState& open = state.open;
     const std::size_t count = water.position.size(), layers = open.position.size();
@@ -139,7 +140,7 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
     Restart restart{initial, {}, {}};
-    const bool is_open = model.fluid && !model.fluid->open.empty();
+    const bool is_open = model.particles() != nullptr && !model.particles()->open.empty();
     const auto has_fixed_length = [is_open](std::string_view name) {
         return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) ||
                (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
@@ -161,7 +162,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     }
     check_near_samples(checkpoint, model, restart.state.coupling);
     if (is_open) {
-        check_openings(checkpoint, *model.fluid, restart.state);
+        check_openings(checkpoint, *model.particles(), restart.state);
     }
     check_contacts(checkpoint, model, restart.state.contacts);
     check_orientations(checkpoint, restart.state);

@@ -21,7 +21,9 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, s
     constexpr std::int64_t first_steps = 10;
     constexpr double round_off = 1e-9;
     const double tolerance = model.output.ledger_tolerance, residual = std::abs(ledger.residual);
-    const double grain = model.fluid ? ledger.water.mass * norm(model.gravity.value) * model.fluid->sph.spacing : 0;
+    const double grain = model.particles() != nullptr
+                             ? ledger.water.mass * norm(model.gravity.value) * model.particles()->settings().spacing
+                             : 0;
     const double counted = std::max(ledger.turnover, grain);
     const double scale = std::max({std::abs(ledger.kinetic), std::abs(ledger.potential), ledger.turnover});
     if (!ledger.has_energy || step <= first_steps || ledger.turnover <= 0 || residual <= round_off * scale ||
@@ -40,7 +42,7 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, s
 Simulation::Simulation(scene::LoadedCase loaded)
     : loaded_(std::move(loaded)),
       initial_(loaded_.state),
-      bound_(sim::time_step_bound(loaded_.model)),
+      bound_(sim::time_step_bound(loaded_.model, loaded_.state)),
       watch_(loaded_.model) {
     sim::initialise(model(), initial_);
     state_ = initial_;

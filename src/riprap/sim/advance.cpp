@@ -1,54 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/advance.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
+#include <optional>
 
-#include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
-#include "riprap/fluid/particle/sort.hpp"
+#include "riprap/coupling/added_mass.hpp"
+#include "riprap/sim/cycle.hpp"
+#include "riprap/sim/fluid_exchange.hpp"
 #include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/scratch_data.hpp"
-#include "riprap/solid/explicit_dem.hpp"
 
 namespace riprap::sim {
 
-Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
-Scratch::~Scratch() = default;
-Scratch::Scratch(Scratch&&) noexcept = default;
-Scratch& Scratch::operator=(Scratch&&) noexcept = default;
-contact::ContactRows Scratch::contacts() const { return data_->pipeline.rows(); }
-const std::vector<Vec3>& Scratch::contact_force() const { return data_->loads.force; }
-const std::vector<Vec3>& Scratch::contact_torque() const { return data_->loads.torque; }
-
-const coupling::FluidLoads& Scratch::water_loads() const { return data_->water.loads; }
-
-void Scratch::forget() {
-    const StageTimes times = data_->times;
-    data_ = std::make_unique<ScratchData>();
-    data_->times = times;
-}
-
-StageTimes stage_times(const Scratch& scratch) { return scratch.data().times; }
-
 namespace {
-
-contact::ContactScene contact_scene(const Model& model) {
-    return {model.shapes, model.materials, model.bodies, model.solid.grid_factor, model.solid.skin};
-}
-
-/// What happens between two parts: the one place that chooses it.
-contact::DistancePotentialPhysics pair_physics(const Model& model, bool with_energy) {
-    contact::DistancePotentialPhysics physics{model.solid.contact};
-    physics.options.with_energy = with_energy;
-    return physics;
-}
 
 /// Adds to a sum whose rounding errors are kept in `rest` and made good (Kahan): after any number of steps the time
 /// is that of the exact sum to a unit in the last place.
@@ -59,206 +28,246 @@ void add_compensated(double& sum, double& rest, double term) {
     sum = next;
 }
 
-/// Sums and extremes over the contacts of one step, in fixed blocks of their order.
-struct ContactSums {
-    double elastic{0}, shear{0}, friction_loss{0};
-    float potential{0}, overlap{0};
-    std::int64_t deepest{-1};
+/// How often a refused piece may be cut in halves: 1024 times over.
+constexpr int most_cuts = 10;
+
+template <class Solid>
+inline constexpr bool takes_back = requires {
+    requires Solid::takes_back;
 };
 
-ContactSums sum_contacts(const contact::ContactRows& rows, const contact::ContactHistory& history) {
-    return parallel::reduce(
-        static_cast<std::int64_t>(rows.size()), ContactSums{},
-        [&](std::int64_t i) {
-            const contact::ContactRow& row = rows[at(i)];
-            return ContactSums{
-                row.elastic_energy, history.shear_energy[at(i)], row.friction_loss, row.potential, row.overlap, i};
-        },
-        [](ContactSums a, const ContactSums& b) {
-            a.elastic += b.elastic;
-            a.shear += b.shear;
-            a.friction_loss += b.friction_loss;
-            a.overlap = std::max(a.overlap, b.overlap);
-            // A potential that is not a number counts as the deepest and stays so.
-            if (b.deepest >= 0 && (a.deepest < 0 || (!std::isnan(a.potential) && !(b.potential <= a.potential)))) {
-                a.potential = b.potential;
-                a.deepest = b.deepest;
-            }
-            return a;
-        });
+/// What a refused piece of the solids may have changed.
+struct Kept {
+    body::BodyState bodies;
+    contact::ContactHistory contacts;
+    Solids::Fields fields;
+    double previous_dt;
+};
+
+Kept keep(const State& state) { return {state.bodies, state.contacts, state.solid_fields, state.previous_dt}; }
+
+void take_back(Kept&& kept, State& state) {
+    state.bodies = std::move(kept.bodies);
+    state.contacts = std::move(kept.contacts);
+    std::swap(state.solid_fields, kept.fields);
+    state.previous_dt = kept.previous_dt;
 }
 
-/// Names what makes the step unacceptable, if anything does.
-StepStatus judge(const Model& model, const State& state, const solid::KickReport& kick, const ContactSums& contacts,
-                 const contact::ContactRows& rows, double time) {
-    const body::BodySet& bodies = model.bodies;
-    if (kick.worst_body >= 0) {
-        const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
-        const Vec3& v = state.bodies.velocity[at(kick.worst_body)];
-        const Vec3& x = state.bodies.position[at(kick.worst_body)];
-        return {fmt::format(
-            "velocity of {} is ({:.6g}, {:.6g}, {:.6g}) m/s, its spin {:.6g} rad/s, at ({:.6g}, {:.6g}, {:.6g}) m, "
-            "t = {:.9g} s; allowed: finite, sqrt(2 K/m) at most {:.6g} m/s",
-            bodies.name(body), v.x, v.y, v.z, norm(angular_velocity(bodies, state.bodies, body)), x.x, x.y, x.z, time,
-            model.solid.max_speed)};
+/// Takes one piece into the report of the step.
+void join(const solid::SolidReport& piece, State& state, StepReport& all) {
+    all.ledger = account(piece, state.ledger);
+    all.dt_bound = std::min(all.dt_bound, piece.dt_bound);
+    all.max_speed = std::max(all.max_speed, piece.kick.max_speed);
+    all.max_potential = std::max(all.max_potential, piece.max_potential);
+    all.max_depth = std::max(all.max_depth, piece.max_depth);
+    all.contact_count = piece.contact_count;
+    all.pair_count = piece.pair_count;
+    all.pairs_rebuilt = all.pairs_rebuilt || piece.pairs_rebuilt;
+}
+
+/// Moves the solids over a piece; what is refused is taken back and cut finer where the method says that this helps.
+template <class Solid>
+Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads, Measure measure,
+                      int cuts, StepReport& report) {
+    std::optional<Kept> kept;
+    if constexpr (takes_back<Solid>) {
+        kept = keep(state);
     }
-    if (contacts.deepest >= 0 && !(contacts.potential <= model.solid.max_potential)) {
-        const contact::ContactRow& row = rows[at(contacts.deepest)];
-        const auto name = [&](std::int32_t part) { return bodies.name(bodies.parts[at(part)].body); };
-        return {
-            fmt::format("overlap of {} and {} reaches {:.4g} of an inscribed radius at ({:.6g}, {:.6g}, {:.6g}) m, "
-                        "t = {:.9g} s; allowed: {:.4g}",
-                        name(row.parts.a), name(row.parts.b), contacts.potential, row.point.x, row.point.y, row.point.z,
-                        time, model.solid.max_potential)};
+    solid::SolidReport piece;
+    Outcome outcome = solids.advance(span, loads, measure, piece);
+    if (outcome.ok() || !kept || outcome.shorten <= 0 || cuts == most_cuts) {
+        join(piece, state, report);
+        return outcome;
+    }
+    take_back(std::move(*kept), state);
+    const double half = 0.5 * span.dt;
+    outcome = advance_piece(solids, state, {span.time, half}, loads, Measure::flow, cuts + 1, report);
+    return outcome.ok() ? advance_piece(solids, state, {span.time + half, half}, loads, measure, cuts + 1, report)
+                        : outcome;
+}
+
+/// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
+template <class Fluid>
+void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double ahead,
+                         ScratchData& data, StepReport& report) {
+    Prediction& prediction = data.prediction;
+    const auto count = at(model.bodies.size());
+    const std::span<const double> feedback = fluid.feedback();
+    std::vector<double> kappa(count, 0);
+    for (std::size_t b = 0; b < feedback.size(); ++b) {
+        kappa[b] = prediction.kinematics.inverse_mass[b] > 0 ? feedback[b] : 0;
+    }
+    const std::vector<double> inertia = mean_inertia(model.bodies);
+    coupling::AddedMassIteration iteration(model.bodies.mass, inertia, kappa);
+    std::vector<body::Acceleration> found(count);
+    for (bool is_settled = false; !is_settled;) {
+        fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
+                    span.middle(), ahead, span.dt, prediction.middle);
+        fluid.load(span, prediction.middle, data.fluid_loads);
+        add_up(model.bodies, data.fluid_loads, data.span_loads);
+        for (std::size_t b = 0; b < count; ++b) {
+            found[b] = response(state.coupling, prediction.kinematics, data.span_loads, b);
+        }
+        is_settled = iteration.accept(prediction.guess, found, norm(model.gravity.value));
+    }
+    report.water_passes = std::max<std::int64_t>(report.water_passes, iteration.passes());
+    report.water_residual = std::max(report.water_residual, iteration.residual());
+    report.is_water_settled = report.is_water_settled && iteration.is_settled();
+}
+
+/// The fluid from the beginning of a span to its loads and its kick.
+template <class Fluid>
+Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& span, ScratchData& data,
+             FluidSpan& brought, StepReport& report) {
+    Prediction& prediction = data.prediction;
+    const double since = span.time - state.time;
+    fluid.drive(span, prediction.correction);
+    predict(model, state, span, since, prediction);
+    Outcome outcome = fluid.begin(span, prediction.now, prediction.middle, brought.step);
+    if (!outcome.ok()) {
+        return outcome;
+    }
+    settle_light_bodies(model, state, fluid, span, since + 0.5 * span.dt, data, report);
+    outcome = fluid.kick(span, brought.step);
+    brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
+    if (report.intruder.empty()) {
+        report.intruder = brought.step.intruder;
+    }
+    report.max_water_speed = std::max(report.max_water_speed, brought.step.fluid.max_speed);
+    return outcome;
+}
+
+/// The spans of the fluid, to the loads that the solids feel over the step. The last span is not ended yet.
+template <class Fluid>
+Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
+                  std::vector<FluidSpan>& spans, StepReport& report) {
+    const ScopedTimer timer(data.times.water);
+    fluid.tidy(state.step);
+    data.loads.clear(at(model.bodies.size()), state.bodies.deforms());
+    data.prediction.guess = last_accelerations(state.coupling);
+    for (std::int64_t k = 0; k < cycle.spans; ++k) {
+        Outcome outcome = flow(model, state, fluid, cycle.span(k), data, spans.emplace_back(), report);
+        if (!outcome.ok()) {
+            return outcome;
+        }
+        add_share(data.span_loads, cycle.spans, data.loads);
+        if (k + 1 < cycle.spans) {
+            outcome = fluid.end(cycle.span(k), spans.back().step);
+            if (!outcome.ok()) {
+                return outcome;
+            }
+        }
     }
     return {};
 }
 
-/// One step of the solids from `time`.
-StepReport advance_solids(const Model& model, State& state, ScratchData& data, double time, double dt, bool is_first,
-                          Measure measure, const body::LoadView& loads) {
-    contact::ContactPipeline& contacts = data.pipeline;
-    const bool with_energy = measure == Measure::energy || is_first;
-    const contact::ContactScene scene = contact_scene(model);
-    const double kick_time = time + 0.5 * dt;
-    const double sliding_time = 0.5 * (state.previous_dt + dt);
-    const double previous_kick = !is_first ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
-    StepReport report;
-    double lost_springs = 0;
-    {
-        const ScopedTimer timer(data.times.move_bodies);
-        solid::drift(model.bodies, state.bodies, kick_time, 0.5 * dt);
-        body::update_kinematics(model.bodies, state.bodies, kick_time, data.kinematics);
-    }
-    {
-        const ScopedTimer timer(data.times.find_pairs);
-        contacts.place_parts(scene, state.bodies);
-        report.pairs_rebuilt = contacts.find_pairs();
-    }
-    {
-        const ScopedTimer timer(data.times.find_contacts);
-        lost_springs = contacts.find_contacts(pair_physics(model, with_energy), scene, state.bodies, data.kinematics,
-                                              sliding_time, state.contacts);
-    }
-    {
-        const ScopedTimer timer(data.times.contact_loads);
-        contacts.gather_loads(scene, state.bodies, data.loads);
-    }
-    const Vec3 gravity = model.gravity.at(kick_time);
-    solid::KickReport kick;
-    double dashpot_loss = 0;
-    {
-        const ScopedTimer timer(data.times.move_bodies);
-        kick = solid::kick(model.bodies, model.solid, data.kinematics, data.loads,
-                           data.point_loads.add(model.loads, state.bodies, kick_time, loads), gravity,
-                           {kick_time, previous_kick, dt}, state.bodies);
-        dashpot_loss = contacts.dashpot_loss(scene, state.bodies, data.kinematics, dt);
-        solid::drift(model.bodies, state.bodies, time + dt, 0.5 * dt);
-    }
-    const ScopedTimer timer(data.times.measure);
-    const ContactSums sums = sum_contacts(contacts.rows(), state.contacts);
-    report.ledger = account({.kick = kick,
-                             .kick_time = kick_time,
-                             .gravity = gravity,
-                             .elastic = with_energy ? sums.elastic : 0,
-                             .has_elastic = with_energy,
-                             .shear = sums.shear,
-                             .friction_loss = sums.friction_loss + lost_springs,
-                             .damping_loss = dashpot_loss},
-                            state.ledger);
-    state.previous_dt = dt;
-
-    report.dt = dt;
-    report.dt_bound = contacts.stable_step(scene);
-    report.max_speed = kick.max_speed;
-    report.max_potential = sums.potential;
-    report.max_depth = sums.overlap;
-    report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
-    report.pair_count = contacts.pair_count();
-    report.status = judge(model, state, kick, sums, contacts.rows(), kick_time);
-    return report;
-}
-
-/// What several steps of the solids report together.
-void join(StepReport& all, const StepReport& step) {
-    const StepReport before = all;
-    all = step;
-    all.dt_bound = std::min(before.dt_bound, step.dt_bound);
-    all.max_speed = std::max(before.max_speed, step.max_speed);
-    all.max_potential = std::max(before.max_potential, step.max_potential);
-    all.max_depth = std::max(before.max_depth, step.max_depth);
-    all.pairs_rebuilt = before.pairs_rebuilt || step.pairs_rebuilt;
-}
-
-/// One step of the water with the solids within it.
-StepReport advance_with_water(const Model& model, State& state, ScratchData& data, double dt, Measure measure) {
-    StepReport report;
-    WaterReport water;
-    const double dt_bound = model.time.is_automatic() ? std::numeric_limits<double>::infinity()
-                                                      : choose_fluid_time_step(model.fluid->sph, state.fluid).limit;
-    report.status.text = fixed_step_problem(model, state);
-    if (!report.status.ok()) {
-        return report;
-    }
-    {
-        const ScopedTimer timer(data.times.water);
-        if (state.step % model.fluid->sph.sort_interval == 0) {
-            sort_by_place(state.fluid, model.fluid->sph.domain, model.fluid->sph.spacing);
-        }
-        water = kick_water(model, state, data.water, dt);
-        report.status.text = water.fluid.problem;
-        if (!report.status.ok()) {
-            return report;
-        }
-    }
-    data.before = state.bodies;
-    const std::int64_t count = solid_substeps(model, state, data, dt);
-    const double solid_dt = dt / static_cast<double>(count);
-    const bool is_first = state.step == 0;
-    for (std::int64_t k = 0; k < count; ++k) {
-        const double time = state.time + solid_dt * static_cast<double>(k);
-        const bool is_last = k + 1 == count;
-        const StepReport step =
-            advance_solids(model, state, data, time, solid_dt, is_first && k == 0, is_last ? measure : Measure::flow,
-                           {data.water.force, data.water.torque});
-        if (k == 0) {
-            report = step;
-        } else {
-            join(report, step);
-        }
-        if (!report.status.ok()) {
-            return report;
-        }
-    }
+/// Books what both sides exchanged, and ends the last span of the fluid.
+template <class Fluid>
+Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
+                 std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
-    const double work_given = work_done(model, data.before, state, data.water);
-    note_accelerations(model, data.before, state, data.water, dt);
-    const fluid::Passage passage = end_water_step(model, state, water.fluid, data.water, dt);
-    report.status.text = passage.problem;
-    account_water({water.fluid, water.absorbed, water.flow_work, water.work_on_free, work_given}, state.ledger,
-                  report.ledger);
-    account_passage(passage, state.ledger);
+    const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
+    note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
+    const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
+    book_fluid(spans, work_given, state.ledger, report.ledger);
+    return outcome;
+}
+
+/// One step with these methods.
+template <class Solid, class Fluid>
+StepReport take_step(const Model& model, State& state, ScratchData& data, Solid& solids, Fluid& fluid, double dt,
+                     Measure measure, const body::LoadView& given) {
+    StepReport report;
     report.dt = dt;
-    report.dt_bound *= static_cast<double>(count);
-    report.substeps = count;
-    report.water_passes = water.passes;
-    report.water_residual = water.residual;
-    report.is_water_settled = water.is_settled;
-    report.max_water_speed = water.fluid.max_speed;
-    report.water_dt_bound = dt_bound;
-    report.intruder = std::move(water.intruder);
+    report.dt_bound = std::numeric_limits<double>::infinity();
+    const StepLimit of_solids = solids.limit();
+    StepLimit of_fluid;
+    if (Fluid::leads && (of_solids.is_wanted || !model.time.is_automatic())) {
+        of_fluid = fluid.limit();
+    }
+    const Cycle cycle = make_cycle(model, state, of_solids, of_fluid, Fluid::leads, dt);
+    body::LoadView loads = given;
+    std::vector<FluidSpan> spans;
+    if constexpr (Fluid::is_there) {
+        report.water_dt_bound = model.time.is_automatic() ? report.water_dt_bound : of_fluid.longest;
+        report.status.text = fixed_step_problem(model, state, of_fluid);
+        if (report.status.ok()) {
+            report.status.text = flow_over(model, state, fluid, cycle, data, spans, report).problem;
+        }
+        data.before = state.bodies;
+        loads = data.loads;
+    }
+    for (std::int64_t k = 0; k < cycle.pieces && report.status.ok(); ++k) {
+        const Measure of_piece = k + 1 == cycle.pieces ? measure : Measure::flow;
+        report.status.text = advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, report).problem;
+    }
+    if constexpr (Fluid::is_there) {
+        if (report.status.ok()) {
+            report.status.text = end_flow(model, state, fluid, cycle, data, spans, report).problem;
+        }
+    }
+    report.dt_bound *= static_cast<double>(cycle.pieces);
+    report.substeps = cycle.pieces;
     return report;
+}
+
+template <class Method, class Scratch>
+StageTimes times_of(const Scratch& scratch, StageTimes times) {
+    if constexpr (requires { scratch.times.find_pairs; }) {
+        times.find_pairs += scratch.times.find_pairs;
+        times.find_contacts += scratch.times.find_contacts;
+        times.contact_loads += scratch.times.contact_loads;
+        times.move_bodies += scratch.times.move_bodies;
+        times.measure += scratch.times.measure;
+    }
+    return times;
 }
 
 }  // namespace
 
+Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
+Scratch::~Scratch() = default;
+Scratch::Scratch(Scratch&&) noexcept = default;
+Scratch& Scratch::operator=(Scratch&&) noexcept = default;
+
+contact::ContactRows Scratch::contacts() const {
+    return Solids::visit(data_->solids, []<class Solid>(const typename Solid::Scratch& scratch) {
+        if constexpr (requires { Solid::contacts(scratch); }) {
+            return Solid::contacts(scratch);
+        } else {
+            return contact::ContactRows{};
+        }
+    });
+}
+
+const body::Loads& Scratch::contact_loads() const {
+    return Solids::visit(data_->solids, []<class Solid>(const typename Solid::Scratch& scratch) -> const body::Loads& {
+        return Solid::contact_loads(scratch);
+    });
+}
+const std::vector<Vec3>& Scratch::contact_force() const { return contact_loads().force; }
+const std::vector<Vec3>& Scratch::contact_torque() const { return contact_loads().torque; }
+const coupling::FluidLoads& Scratch::water_loads() const { return data_->fluid_loads; }
+
+void Scratch::forget() {
+    const StageTimes times = stage_times(*this);
+    data_ = std::make_unique<ScratchData>();
+    data_->times = times;
+}
+
+StageTimes stage_times(const Scratch& scratch) {
+    return Solids::visit(scratch.data().solids, [&]<class Solid>(const typename Solid::Scratch& own) {
+        return times_of<Solid>(own, scratch.data().times);
+    });
+}
+
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
                    const body::LoadView& loads) {
-    ScratchData& data = scratch.data();
-    RIPRAP_ASSERT(!model.fluid || loads.force.empty(), "water brings its own loads");
-    const StepReport report = model.fluid
-                                  ? advance_with_water(model, state, data, dt, measure)
-                                  : advance_solids(model, state, data, state.time, dt, state.step == 0, measure, loads);
+    RIPRAP_ASSERT(!model.has_fluid() || loads.empty(), "a fluid brings its own loads");
+    StepReport report;
+    with_methods(model, state, scratch.data(), [&](auto& solids, auto& fluid) {
+        report = take_step(model, state, scratch.data(), solids, fluid, dt, measure, loads);
+    });
     add_compensated(state.time, state.time_rest, dt);
     state.step += 1;
     if (report.status.ok()) {
@@ -270,9 +279,11 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 void initialise(const Model& model, State& state) {
     reset(state.ledger);
     reset(model, state.coupling);
-    if (model.fluid) {
-        start_openings(model.fluid->open, model.fluid->sph, state.fluid, state.open);
+    if (const coupling::ParticleFluid* water = model.particles()) {
+        start_openings(water->open, water->settings(), state.fluid, state.open);
     }
+    ScratchData unused;
+    with_methods(model, state, unused, [](auto& /*solids*/, auto& /*fluid*/) {});  // makes the fields of the methods
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;
@@ -289,7 +300,7 @@ void initialise(const Model& model, State& state) {
 std::size_t memory_bytes(const Model& model, const State& state, const Scratch& scratch) {
     const ScratchData& data = scratch.data();
     const body::BodySet& bodies = model.bodies;
-    std::size_t bytes = model.shapes.bytes() + data.pipeline.bytes();
+    std::size_t bytes = model.shapes.bytes();
     const auto add = [&bytes](std::string_view, const auto& field) {
         if constexpr (is_field_array<std::remove_cvref_t<decltype(field)>>) {
             bytes += bytes_of(field);
@@ -297,14 +308,20 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     };
     State::visit_fields(state, add);
     body::BodyState::visit_fields(data.before, add);
+    body::BodyState::visit_fields(data.prediction.bodies, add);
     bytes += bytes_of(bodies.name_id, bodies.name_index, bodies.material, bodies.drive, bodies.mass) +
              bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time) +
              bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
-    if (model.fluid) {
-        bytes += model.fluid->samples.bytes() + data.water.bytes();
+    if (const coupling::ParticleFluid* water = model.particles()) {
+        bytes += water->samples.bytes();
     }
-    return bytes + bytes_of(data.loads.force, data.loads.torque, data.kinematics.angular_velocity) +
-           bytes_of(data.kinematics.inverse_inertia, data.kinematics.inverse_mass);
+    const auto own = [](const auto& of_method) { return of_method.bytes(); };
+    bytes += std::visit(own, data.solids) + std::visit(own, data.fluid);
+    const Prediction& prediction = data.prediction;
+    return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
+           prediction.middle.bytes() + bytes_of(prediction.guess, prediction.correction) +
+           bytes_of(prediction.kinematics.angular_velocity, prediction.kinematics.inverse_inertia,
+                    prediction.kinematics.inverse_mass);
 }
 
 }  // namespace riprap::sim

@@ -27,11 +27,12 @@ class Scratch {
     ScratchData& data() { return *data_; }
     const ScratchData& data() const { return *data_; }
     /// View of the contacts of the last step, for output, valid until the next or forget(). Empty before the first
-    /// step.
+    /// step, and where the contacts of the method are not between parts.
     contact::ContactRows contacts() const;
     /// Sum of contact forces and of their moments about the centre of mass on every body in the last step [N, N m].
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;
+    const body::Loads& contact_loads() const;
     /// Forces of the water on every body in the last step, and its moments about the centre of mass, pressure and
     /// viscosity apart; empty without water.
     const coupling::FluidLoads& water_loads() const;
@@ -74,20 +75,17 @@ struct StepReport {
     std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };
 
-/// How much of the ledger a step works out. The elastic energy of an overlap is a function of the pose and costs more
-/// than its force, so a run asks for it only where a row is written. It changes no bit of the State.
-enum class Measure {
-    energy,  ///< everything
-    flow,    ///< all but the elastic energy and the residual
-};
+using solid::Measure;
 
-/// One step. With water, its step: bodies then take as many steps of their own within it as their bound asks for, with
-/// the loads of the water held. On failure State may be non-finite: the driver keeps the last good one. The first step
-/// of a run measures the energy whatever is asked.
+/// Takes one step of a scene: any solid method with any fluid method (docs/architecture.md). The fluid goes first, over
+/// one span or several, to the loads that it puts on bodies where they will be at mid-step; the bodies follow in one
+/// piece or several under those loads, held over the step; then the fluid ends its last span. A piece that a solid
+/// method refuses is taken back and cut finer. On failure State may be non-finite: the caller keeps the last good one.
+/// The first step of a run measures the energy whatever is asked.
 ///
 /// @param dt     of choose_time_step, or any other [s]
-/// @param loads  what acts on the bodies besides contacts, gravity and Model::loads, held over the step; none
-///               where there is water
+/// @param loads  on the bodies besides contacts, gravity and Model::loads, held over the step; none where there is a
+///               fluid
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure = Measure::energy,
                    const body::LoadView& loads = {});
 

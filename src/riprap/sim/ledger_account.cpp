@@ -86,7 +86,7 @@ double widest_range(std::vector<double>& totals, const std::array<double, count>
 
 void reset(LedgerState& state) { state.totals.assign(total_count, 0.0); }
 
-Ledger account(const LedgerStep& step, LedgerState& state) {
+Ledger account(const solid::SolidReport& step, LedgerState& state) {
     std::vector<double>& totals = state.totals;
     const solid::KickReport& kick = step.kick;
     const bool is_first = totals[is_started] == 0;
@@ -130,14 +130,14 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
     const double dissipated = ledger.dissipated_friction + ledger.dissipated_contact + ledger.dissipated_damping;
     const double stored = ledger.elastic + ledger.shear;
     const double closure = ledger.kinetic + ledger.potential + stored + dissipated - work;
-    ledger.has_energy = step.has_elastic;
+    ledger.has_energy = step.has_stored;
     if (is_first) {
         totals[is_started] = 1;
         totals[reference_energy] = closure;
         put(totals, reference_momentum, ledger.momentum - ledger.impulse);
         put(totals, reference_angular_momentum, ledger.angular_momentum - ledger.angular_impulse);
     }
-    ledger.residual = step.has_elastic ? closure - totals[reference_energy] : 0;
+    ledger.residual = step.has_stored ? closure - totals[reference_energy] : 0;
     // The potential counts from the origin, and so does the work of whoever turns gravity or releases a body: only
     // together do they say what the bodies gave to contacts, drivers, damping and loads.
     const double mechanical = ledger.kinetic + ledger.potential - ledger.work_gravity_change - ledger.work_released;
@@ -152,7 +152,7 @@ Ledger account(const LedgerStep& step, LedgerState& state) {
 }
 
 void account_water(const WaterLedgerStep& all, LedgerState& state, Ledger& ledger) {
-    const fluid::FluidReport& step = all.fluid;
+    const fluid::FluidReport& step = all.step.fluid;
     std::vector<double>& totals = state.totals;
     const bool is_first = totals[water_is_started] == 0;
     WaterLedger& water = ledger.water;
@@ -164,11 +164,11 @@ void account_water(const WaterLedgerStep& all, LedgerState& state, Ledger& ledge
     water.dissipated_viscous = add_across(totals[water_viscous], step.dissipated_viscous);
     totals[water_shifted] += step.shifted;  // before the kick, so the potential energy at the kick knows it
     water.shifted = totals[water_shifted];
-    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids - all.flow_work);
+    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids - all.step.flow_work);
     water.wall_exchange = add_across(totals[water_exchange], step.wall_exchange);
-    water.work_external = add_across(totals[water_external], step.work_external + all.absorbed);
-    water.absorbed = add_across(totals[water_absorbed], all.absorbed);
-    water.flow_work = add_across(totals[water_flow_work], all.flow_work);
+    water.work_external = add_across(totals[water_external], step.work_external + all.step.absorbed);
+    water.absorbed = add_across(totals[water_absorbed], all.step.absorbed);
+    water.flow_work = add_across(totals[water_flow_work], all.step.flow_work);
     water.transported = totals[water_transported];
     water.coupling_gap = add_across(totals[water_gap], all.work_given - all.work_seen);
     put(totals, water_impulse, get(totals, water_impulse) + step.impulse);

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,42 +10,12 @@
 #include "riprap/body/gravity.hpp"
 #include "riprap/body/point_loads.hpp"
 #include "riprap/coupling/face_gauge.hpp"
-#include "riprap/coupling/sample_set.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
-#include "riprap/fluid/open/open_boundary.hpp"
-#include "riprap/fluid/open/sponge.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
-#include "riprap/sim/paddle_absorption.hpp"
-#include "riprap/solid/dem_settings.hpp"
+#include "riprap/sim/methods.hpp"
 
 namespace riprap::sim {
-
-/// How solids move; today explicit DEM with the distance potential.
-using SolidSettings = solid::DemSettings;
-
-/// How solids hold water back.
-enum class WallTreatment : std::uint8_t {
-    boundary_particles,  ///< samples inside the kernel sums
-    penalty,             ///< faces that push particles away
-};
-
-/// What the case says of its water.
-struct FluidModel {
-    fluid::SphSettings sph;
-    WallTreatment wall{WallTreatment::boundary_particles};
-    coupling::SampleSet samples;       ///< of all wet bodies; empty with penalty walls
-    bool has_joint_pressure{true};     ///< water presses between faces too close for particles; boundary particles only
-    std::vector<std::uint8_t> is_dry;  ///< per body
-    std::vector<PaddleAbsorption> absorptions;
-    std::vector<fluid::Sponge> sponges;
-    fluid::OpenBoundaries open;
-    std::string sound_speed_reason;  ///< where sph.sound_speed comes from
-    double depth{0};                 ///< of the water at the start [m]
-    double filled_volume{0};         ///< [m^3]; in 2D [m^2]
-    double region_volume{0};         ///< room that its regions have outside of solids [m^3]; in 2D [m^2]
-};
 
 /// Time axis.
 struct TimeSettings {
@@ -103,11 +72,18 @@ struct Model {
     body::BodySet bodies;
     body::Gravity gravity;
     std::vector<body::PointLoad> loads;
-    SolidSettings solid;
-    std::optional<FluidModel> fluid;
+    Solids::Settings solid;
+    Fluids::Settings fluid;
     TimeSettings time;
     OutputSettings output;
     std::vector<Expect> expects;
+
+    /// Settings of the polyhedral DEM, of the particle fluid. nullptr where the case chose another method.
+    solid::DemSettings* dem() { return std::get_if<solid::DemSettings>(&solid); }
+    const solid::DemSettings* dem() const { return std::get_if<solid::DemSettings>(&solid); }
+    coupling::ParticleFluid* particles() { return std::get_if<coupling::ParticleFluid>(&fluid); }
+    const coupling::ParticleFluid* particles() const { return std::get_if<coupling::ParticleFluid>(&fluid); }
+    bool has_fluid() const { return !std::holds_alternative<std::monostate>(fluid); }
 };
 
 }  // namespace riprap::sim

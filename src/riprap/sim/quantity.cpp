@@ -51,16 +51,17 @@ std::string with_component(std::string_view name, const QuantityInfo& quantity, 
     return text;
 }
 
-/// Force over area of the last step; nothing before the first.
-double read_face_gauge(const Moment& moment, const coupling::FaceGauge& gauge) {
-    if (moment.scratch == nullptr || moment.scratch->data().water.motion.pose.empty()) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const WaterScratch& water = moment.scratch->data().water;
-    const fluid::SphSettings& sph = moment.model.fluid->sph;
-    return coupling::read_face(gauge, {moment.model.shapes, moment.model.bodies, moment.model.fluid->is_dry,
-                                       water.motion, samples_near_water(moment.model, water), water.walls, sph.domain,
-                                       sph.spacing, sph.support_radius(), water.penalty.pushes()});
+/// Reads a gauge of the fluid of the case.
+std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge) {
+    const Model& model = moment.model;
+    const coupling::FaceGauge* const face =
+        gauge.face >= 0 ? &model.output.faces[static_cast<std::size_t>(gauge.face)] : nullptr;
+    const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
+    return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
+        const auto* const scratch =
+            moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().fluid);
+        return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face);
+    });
 }
 
 /// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.
@@ -88,15 +89,10 @@ const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
 double evaluate(const Column& column, const Moment& moment) {
     if (column.gauge >= 0) {
         const fluid::Gauge& gauge = moment.model.output.gauges[static_cast<std::size_t>(column.gauge)];
-        if (gauge.face >= 0) {
-            return read_face_gauge(moment, moment.model.output.faces[static_cast<std::size_t>(gauge.face)]);
-        }
-        const auto read = [&](const fluid::Gauge& now) {
-            return fluid::read_gauge(now, moment.model.fluid->sph,
-                                     moment.state.fluid)[static_cast<std::size_t>(column.component)];
-        };
         const body::BodyState& bodies = moment.state.bodies;
-        return gauge.carrier < 0 ? read(gauge) : read(carried(gauge, bodies.position, bodies.orientation));
+        const bool is_carried = gauge.carrier >= 0 && gauge.face < 0;
+        return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
+                                             : gauge)[static_cast<std::size_t>(column.component)];
     }
     const Quantity& quantity = behind(column.quantity);
     const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);

@@ -47,7 +47,7 @@ Vec3 contact_force_size(const Moment& m, BodyId b) { return scalar(norm(contact_
 /// Mass of so many particles of water as these counts add up to.
 Vec3 mass_of(const Moment& m, const std::vector<std::int64_t>& counts) {
     const double particles = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
-    return scalar(m.model.fluid ? m.model.fluid->sph.particle_mass * particles : missing);
+    return scalar(m.model.particles() != nullptr ? m.model.particles()->settings().particle_mass * particles : missing);
 }
 Vec3 water_mass_in(const Moment& m) { return mass_of(m, m.state.open.entered); }
 Vec3 water_mass_out(const Moment& m) { return mass_of(m, m.state.open.left); }
@@ -130,15 +130,13 @@ const std::array body_table{
     Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},
              water_load<force, true, true>,
              nullptr},
-    Quantity{{"fluid_pressure_force", "N", 3, true, "the part of it by pressure"},
-             water_load<force, true, false>,
-             nullptr},
+    Quantity{
+        {"fluid_pressure_force", "N", 3, true, "the part of it by pressure"}, water_load<force, true, false>, nullptr},
     Quantity{{"fluid_viscous_force", "N", 3, true, "the part of it by viscosity: 0 but on bodies with slip = false"},
              water_load<force, false, true>,
              nullptr},
-    Quantity{{"fluid_torque", "N m", 3, true, "of water about the centre of mass"},
-             water_load<torque, true, true>,
-             nullptr},
+    Quantity{
+        {"fluid_torque", "N m", 3, true, "of water about the centre of mass"}, water_load<torque, true, true>, nullptr},
 };
 
 const std::array scene_table{

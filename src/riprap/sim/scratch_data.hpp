@@ -5,25 +5,48 @@
 
 #include <optional>
 
-#include "riprap/contact/pipeline.hpp"
+#include "riprap/body/predict.hpp"
 #include "riprap/sim/advance.hpp"
-#include "riprap/body/point_loads.hpp"
-#include "riprap/sim/water_step.hpp"
+#include "riprap/sim/methods.hpp"
 
 namespace riprap::sim {
 
-struct ScratchData {
-    contact::ContactPipeline pipeline;
-    body::Loads loads;
-    body::BodyKinematics kinematics;
-    body::PointLoadSum point_loads;
-    WaterScratch water;
-    body::BodyState before;  ///< bodies at the start of the step, where there is water
-    StageTimes times;
-    std::optional<double> largest_time_step;  ///< of the solids [s]; set when it is first asked for
+/// Bodies as they will be at mid-step, which the fluid is told: Scratch.
+struct Prediction {
+    std::vector<body::Acceleration> guess;  ///< of free bodies
+    std::vector<Vec3> correction;           ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
+    body::BodyState bodies;                 ///< at mid-step, as they drift there
+    body::BodyKinematics kinematics;        ///< ... there
+    body::Motion now, middle;               ///< at t_n and at mid-step
 };
 
-/// Steps of the solids within one of the water that lasts `dt`, from their own bound.
-std::int64_t solid_substeps(const Model& model, const State& state, ScratchData& scratch, double dt);
+struct ScratchData {
+    Solids::Scratch solids;
+    Fluids::Scratch fluid;
+    Prediction prediction;
+    coupling::FluidLoads fluid_loads;  ///< of the fluid in the last step, pressure and viscosity apart
+    body::Loads span_loads, loads;     ///< ... together: in one span, and over the step
+    body::BodyState before;            ///< bodies at the start of the step, where there is a fluid
+    StageTimes times;
+};
+
+/// Calls work(solids, fluid) with the methods of the case, bound to Model, State and Scratch.
+template <class Work>
+void with_methods(const Model& model, State& state, ScratchData& scratch, const Work& work) {
+    const solid::SolidScene solid_scene{model.shapes, model.materials, model.bodies, model.gravity, model.loads};
+    const solid::SolidState solid_state{state.bodies, state.contacts, state.previous_dt};
+    const coupling::FluidScene fluid_scene{model.shapes, model.bodies, model.gravity};
+    const coupling::FluidState fluid_state{state.fluid, state.open, state.coupling, state.bodies};
+    Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& solid_settings) {
+        Solid solids(solid_scene, solid_settings, solid_state, Solids::matching<Solid>(model.solid, state.solid_fields),
+                     Solids::matching<Solid>(model.solid, scratch.solids));
+        Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& fluid_settings) {
+            Fluid fluid(fluid_scene, fluid_settings, fluid_state,
+                        Fluids::matching<Fluid>(model.fluid, state.fluid_fields),
+                        Fluids::matching<Fluid>(model.fluid, scratch.fluid));
+            work(solids, fluid);
+        });
+    });
+}
 
 }  // namespace riprap::sim

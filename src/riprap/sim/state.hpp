@@ -5,6 +5,7 @@
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/sim/methods.hpp"
 
 namespace riprap::sim {
 
@@ -28,28 +29,6 @@ struct StepControl {
     }
 };
 
-/// What the coupling of water and bodies remembers; one entry per body, none without water.
-struct CouplingState {
-    double previous_dt{0};                       ///< of the water; 0 at the start [s]
-    std::vector<Vec3> acceleration;              ///< mean over the last step: the first guess of the next [m/s^2]
-    std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
-    std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to water [m/s^2]
-    std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
-    std::vector<std::int32_t> near_samples;      ///< that water or joints may feel, see coupling::near_samples
-    double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
-
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        visit("coupling.previous_dt", self.previous_dt);
-        visit("coupling.acceleration", self.acceleration);
-        visit("coupling.angular_acceleration", self.angular_acceleration);
-        visit("coupling.dry_acceleration", self.dry_acceleration);
-        visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
-        visit("coupling.near_samples", self.near_samples);
-        visit("coupling.near_travel", self.near_travel);
-    }
-};
-
 /// Everything that changes and must be saved to continue. Restart = write State, read State.
 struct State {
     double time{0};       ///< [s]
@@ -62,7 +41,9 @@ struct State {
     LedgerState ledger;
     fluid::ParticleState fluid;  ///< empty without water
     fluid::OpenState open;       ///< of its inflows and outflows
-    CouplingState coupling;
+    coupling::CouplingState coupling;
+    Solids::Fields solid_fields;  ///< of the solid method alone; see methods.hpp
+    Fluids::Fields fluid_fields;  ///< of the fluid method alone
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
@@ -76,7 +57,10 @@ struct State {
         LedgerState::visit_fields(self.ledger, visit);
         fluid::ParticleState::visit_fields(self.fluid, visit);
         fluid::OpenState::visit_fields(self.open, visit);
-        CouplingState::visit_fields(self.coupling, visit);
+        coupling::CouplingState::visit_fields(self.coupling, visit);
+        const auto visit_own = [&](auto& own) { std::remove_cvref_t<decltype(own)>::visit_fields(own, visit); };
+        std::visit(visit_own, self.solid_fields);
+        std::visit(visit_own, self.fluid_fields);
     }
 };
 

@@ -7,9 +7,7 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/sim/scratch_data.hpp"
-#include "riprap/solid/time_step.hpp"
 
 namespace riprap::sim {
 
@@ -17,44 +15,62 @@ namespace {
 constexpr const char* other_steps = "use \"auto\", a smaller step, or force_time_step = true";
 }  // namespace
 
-TimeStepBound time_step_bound(const Model& model) {
-    const solid::DemTimeStep bound = solid::time_step_bound(model.bodies, model.shapes, model.materials);
-    return {bound.limit, bound.body, bound.reason};
+namespace {
+
+/// What both sides allow from this State.
+struct Limits {
+    StepLimit solids, fluid;
+    bool fluid_leads{false};  ///< the fluid's step is that of the run; else the solids'
+};
+
+Limits limits_of(const Model& model, const State& state, ScratchData& scratch) {
+    Limits limits;
+    auto& looked_at = const_cast<State&>(state);  // methods are bound to a State that they may change; limit() does not
+    with_methods(model, looked_at, scratch, [&]<class Solid, class Fluid>(const Solid& solids, const Fluid& fluid) {
+        limits = {solids.limit(), fluid.limit(), Fluid::leads};
+    });
+    return limits;
 }
 
-double largest_time_step(const Model& model, const TimeStepBound& bound) {
+Limits limits_of(const Model& model, const State& state) {
+    ScratchData scratch;
+    return limits_of(model, state, scratch);
+}
+
+double automatic_step(const Model& model, const StepLimit& solids) {
+    const double factor = solids.is_wanted ? 1 : model.time.factor;
+    return std::isfinite(solids.longest) ? factor * solids.longest : 1e-3 * model.time.end;
+}
+
+/// Returns the longest step that solids take. @throws CaseError
+double largest_step(const Model& model, const Limits& limits) {
     const TimeSettings& time = model.time;
-    if (time.is_automatic() || model.fluid) {
-        return std::isfinite(bound.limit) ? time.factor * bound.limit : 1e-3 * time.end;
+    if (time.is_automatic() || limits.fluid_leads) {
+        return automatic_step(model, limits.solids);
     }
-    if (time.time_step > bound.limit && !time.force_time_step) {
+    if (!limits.solids.is_wanted && time.time_step > limits.solids.longest && !time.force_time_step) {
         Diagnostic problem;
         problem.message = fmt::format("time_step = {:.6g} s is above the stability limit {:.6g} s ({})", time.time_step,
-                                      bound.limit, bound.reason);
+                                      limits.solids.longest, limits.solids.reason);
         problem.allowed = other_steps;
         throw CaseError(std::move(problem));
     }
     return time.time_step;
 }
 
-namespace {
-
-std::string above_water_limit(const Model& model, const State& state) {
+std::string above_fluid_limit(const Model& model, const StepLimit& fluid) {
     const TimeSettings& time = model.time;
-    if (!model.fluid || time.is_automatic() || time.force_time_step) {
-        return {};
-    }
-    const fluid::FluidTimeStep water = choose_fluid_time_step(model.fluid->sph, state.fluid);
-    return time.time_step > water.limit
+    return !time.is_automatic() && !time.force_time_step && time.time_step > fluid.longest
                ? fmt::format("time_step = {:.6g} s is above what the water allows, {:.6g} s ({})", time.time_step,
-                             water.limit, water.reason)
+                             fluid.longest, fluid.reason)
                : std::string();
 }
 
-/// The step that the case fixes: a case that starts above what the water allows is refused. Later it is the step.
-double fixed_water_step(const Model& model, const State& state) {
+/// Returns the step that the case fixes: a case that starts above what the water allows is refused. Later it is the
+/// step.
+double fixed_fluid_step(const Model& model, const State& state, const StepLimit& fluid) {
     if (state.step == 0) {
-        if (std::string message = above_water_limit(model, state); !message.empty()) {
+        if (std::string message = above_fluid_limit(model, fluid); !message.empty()) {
             Diagnostic problem;
             problem.message = std::move(message);
             problem.allowed = other_steps;
@@ -66,17 +82,47 @@ double fixed_water_step(const Model& model, const State& state) {
 
 }  // namespace
 
-std::string fixed_step_problem(const Model& model, const State& state) {
-    const std::string message = above_water_limit(model, state);
+TimeStepBound time_step_bound(const Model& model, const State& state) {
+    const StepLimit solids = limits_of(model, state).solids;
+    return {solids.longest, solids.reason, solids.is_wanted};
+}
+
+double largest_time_step(const Model& model, const TimeStepBound& bound) {
+    Limits limits;
+    limits.solids = {bound.limit, bound.is_wanted, bound.reason};
+    limits.fluid_leads = Fluids::visit(
+        model.fluid, []<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::leads; });
+    return largest_step(model, limits);
+}
+
+std::string fixed_step_problem(const Model& model, const State& state, const StepLimit& fluid) {
+    const std::string message = above_fluid_limit(model, fluid);
     return message.empty() ? message : fmt::format("{} at t = {:.6g} s; {}", message, state.time, other_steps);
 }
 
+std::string fixed_step_problem(const Model& model, const State& state) {
+    return fixed_step_problem(model, state, limits_of(model, state).fluid);
+}
+
 TimeStepBound step_bound(const Model& model, const State& state) {
-    if (!model.fluid) {
-        return time_step_bound(model);
+    const Limits limits = limits_of(model, state);
+    const StepLimit& leader = limits.fluid_leads ? limits.fluid : limits.solids;
+    return {leader.longest, leader.reason, leader.is_wanted};
+}
+
+Cycle make_cycle(const Model& model, const State& state, const StepLimit& solids, const StepLimit& fluid,
+                 bool fluid_leads, double dt) {
+    Cycle cycle{state.time, dt, 1, 1};
+    if (!fluid_leads) {
+        return cycle;
     }
-    const fluid::FluidTimeStep water = choose_fluid_time_step(model.fluid->sph, state.fluid);
-    return {water.limit, BodyId{}, water.reason};
+    const double allowed = std::ldexp(automatic_step(model, solids), -static_cast<int>(state.stepping.halvings));
+    cycle.pieces = std::max<std::int64_t>(1, steps_across(dt, allowed));
+    if (solids.is_wanted && model.time.is_automatic()) {
+        const double longest = std::ldexp(fluid.longest, -static_cast<int>(state.stepping.halvings));
+        cycle.spans = std::max<std::int64_t>(1, steps_across(dt, longest));
+    }
+    return cycle;
 }
 
 std::int64_t steps_across(double span, double dt) {
@@ -86,27 +132,20 @@ std::int64_t steps_across(double span, double dt) {
 }
 
 TimeStep choose_time_step(const Model& model, const State& state, Scratch& scratch) {
-    std::optional<double>& largest = scratch.data().largest_time_step;
-    if (!largest) {
-        largest = largest_time_step(model, time_step_bound(model));
-    }
+    const Limits limits = limits_of(model, state, scratch.data());
     const double span = (model.time.end - state.time) + state.time_rest;
     if (!model.time.is_automatic()) {
-        const double fixed = model.fluid ? fixed_water_step(model, state) : *largest;
+        const double fixed =
+            limits.fluid_leads ? fixed_fluid_step(model, state, limits.fluid) : largest_step(model, limits);
         return {fixed, steps_across(span, fixed)};
     }
-    const double limit = model.fluid ? choose_fluid_time_step(model.fluid->sph, state.fluid).limit : *largest;
+    double limit = limits.fluid_leads ? limits.fluid.longest : largest_step(model, limits);
+    if (limits.fluid_leads && limits.solids.is_wanted) {
+        limit = std::max(limit, limits.solids.longest);
+    }
     const double allowed = std::ldexp(limit, -static_cast<int>(state.stepping.halvings));
     const std::int64_t steps = steps_across(span, allowed);
     return {steps > 0 ? span / static_cast<double>(steps) : allowed, steps};
-}
-
-std::int64_t solid_substeps(const Model& model, const State& state, ScratchData& scratch, double dt) {
-    if (!scratch.largest_time_step) {
-        scratch.largest_time_step = largest_time_step(model, time_step_bound(model));
-    }
-    const double allowed = std::ldexp(*scratch.largest_time_step, -static_cast<int>(state.stepping.halvings));
-    return std::max<std::int64_t>(1, steps_across(dt, allowed));
 }
 
 bool halve_time_step(const Model& model, State& state) {

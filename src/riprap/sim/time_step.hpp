@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "riprap/sim/cycle.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
@@ -16,14 +17,14 @@ class Scratch;
 
 /// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
 struct TimeStepBound {
-    double limit{0};     ///< 2/omega_max [s]
-    BodyId body;         ///< the body that sets it
-    std::string reason;  ///< in words, for the log
+    double limit{0};        ///< 2/omega_max, or the step that an implicit method wants [s]
+    std::string reason;     ///< in words, for the log
+    bool is_wanted{false};  ///< the step that an implicit method wants
 };
-TimeStepBound time_step_bound(const Model& model);
+TimeStepBound time_step_bound(const Model& model, const State& state = {});
 
-/// The longest step that solids take: model.time.time_step, or factor * bound where that is automatic or where there is
-/// water, whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
+/// Returns the longest step that solids take: model.time.time_step, or factor * bound where that is automatic or where
+/// there is a fluid whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
 double largest_time_step(const Model& model, const TimeStepBound& bound);
 
 /// The same with water: what it allows from this State, whose step the solids cut into steps of their own.
@@ -32,6 +33,13 @@ TimeStepBound step_bound(const Model& model, const State& state);
 /// Why a step that the case fixes cannot be taken from this State: it is longer than what the water allows and not
 /// forced. Empty where it can, and where the step is automatic.
 std::string fixed_step_problem(const Model& model, const State& state);
+std::string fixed_step_problem(const Model& model, const State& state, const StepLimit& fluid);
+
+/// Shares a step of `dt` out between both sides, from what each allows.
+/// @param fluid        of no meaning where the solids want no step of their own
+/// @param fluid_leads  the step of the run is the fluid's
+Cycle make_cycle(const Model& model, const State& state, const StepLimit& solids, const StepLimit& fluid,
+                 bool fluid_leads, double dt);
 
 /// The step to take from a State.
 struct TimeStep {

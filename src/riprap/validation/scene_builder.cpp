@@ -64,7 +64,7 @@ Trial::Trial(sim::Model model, sim::State state) : model_(std::move(model)), sta
 }
 
 const sim::StepReport& Trial::step() {
-    if (model_.fluid) {
+    if (model_.particles() != nullptr) {
         dt_ = sim::choose_time_step(model_, state_, scratch_).dt;
     }
     report_ = sim::advance(model_, state_, scratch_, dt_, measure_);

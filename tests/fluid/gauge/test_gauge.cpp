@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -50,6 +50,7 @@ TEST(Muller, water_in_a_tank_weighs_what_it_weighs) {
     Water water;
     water.settings = settings_2d(depth / 16, 10 * std::sqrt(g * depth));
     water.settings.scheme = SphScheme::muller;
+    water.settings.state_equation = StateEquation::linear_without_tension;
     water.settings.smoothing_ratio = 1.2;
     water.settings.artificial_alpha = 0.1;  // less lets its pressure noise grow (docs/theory/sph.md, 9)
     water.gravity = {0, -g, 0};
@@ -72,6 +73,7 @@ TEST(Muller, keeps_the_momentum_of_two_blocks_that_collide) {
     Water water;
     water.settings = settings_2d(0.02, 30);
     water.settings.scheme = SphScheme::muller;
+    water.settings.state_equation = StateEquation::linear_without_tension;
     water.settings.viscosity = Viscosity::laminar_sps;
     water.settings.kinematic_viscosity = 0.02;
     water.settings.is_plain = true;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
 
 namespace riprap::fluid::testing {
 

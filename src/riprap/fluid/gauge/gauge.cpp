@@ -6,7 +6,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 
@@ -33,7 +33,7 @@ Vec3 across(const Vec3& up, int dimension) {
     return normalized(least - dot(least, up) * up);
 }
 
-double level(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+double level(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const bool is_planar = settings.domain.dimension == 2;
     const Vec3 first = across(gauge.up, settings.domain.dimension);
     const Vec3 second = cross(gauge.up, first);
@@ -59,7 +59,7 @@ double level(const Gauge& gauge, const SphSettings& settings, const ParticleStat
 }
 
 /// Water fraction at equal steps along a line from its start to its end.
-std::vector<double> fractions_along(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+std::vector<double> fractions_along(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const double length = norm(gauge.end - gauge.point);
     const auto steps = static_cast<std::int64_t>(std::ceil(length / (line_step * settings.spacing)));
     const Vec3 way = gauge.end - gauge.point;
@@ -77,7 +77,7 @@ double crossing(const std::vector<double>& fraction, std::size_t i, double lengt
     return length * (static_cast<double>(i) + share) / static_cast<double>(fraction.size() - 1);
 }
 
-double surface(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+double surface(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const std::vector<double> fraction = fractions_along(gauge, settings, state);
     const double length = norm(gauge.end - gauge.point);
     if (fraction.back() >= 0.5) {
@@ -91,7 +91,7 @@ double surface(const Gauge& gauge, const SphSettings& settings, const ParticleSt
     return 0;
 }
 
-double run_up(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+double run_up(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const std::vector<double> fraction = fractions_along(gauge, settings, state);
     const double length = norm(gauge.end - gauge.point);
     for (std::size_t i = 0; i + 1 < fraction.size(); ++i) {
@@ -124,7 +124,7 @@ int normal_axis(const Gauge& gauge) {
     return axis;
 }
 
-double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+double flow(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const int axis = settings.domain.dimension == 2
                          ? (std::abs(gauge.end.x - gauge.point.x) < std::abs(gauge.end.y - gauge.point.y) ? 0 : 1)
                          : normal_axis(gauge);
@@ -144,7 +144,7 @@ double flow(const Gauge& gauge, const SphSettings& settings, const ParticleState
     return sum;
 }
 
-double volume(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+double volume(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     const double rest_volume = settings.particle_mass / settings.rest_density;
     const PeriodicImages images(settings.domain);
     double sum = 0;
@@ -184,7 +184,7 @@ Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<cons
     return out;
 }
 
-std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state) {
+std::array<double, 3> read_gauge(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
     switch (gauge.kind) {
         case GaugeKind::pressure:
             return {interpolate(gauge.point, settings, state,

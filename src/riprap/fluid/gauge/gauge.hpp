@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "riprap/core/quat.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 
@@ -68,6 +68,6 @@ const GaugeInfo* find_gauge_kind(std::string_view name);
 ///
 /// Across periodic sides a particle counts where its image lies: the nearest one for sums about a place, all of them
 /// for the column of `level`, any one of them, once, for `flow` and `volume`.
-std::array<double, 3> read_gauge(const Gauge& gauge, const SphSettings& settings, const ParticleState& state);
+std::array<double, 3> read_gauge(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state);
 
 }  // namespace riprap::fluid

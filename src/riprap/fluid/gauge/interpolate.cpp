@@ -25,7 +25,7 @@ double spline_weight(double distance, double width) {
     return (u < 1 ? 4 - 6 * u * u + 3 * u * u * u : tail) / (6 * width);
 }
 
-std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
+std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const ParticleSettings& settings,
                                              const ParticleState& state) {
     const double reach = settings.support_radius();
     const Vec3 way = b - a;
@@ -47,7 +47,7 @@ std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const
     return near;
 }
 
-double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
+double water_fraction(const Vec3& x, const ParticleSettings& settings, const ParticleState& state,
                       const std::vector<std::size_t>& near) {
     const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
     const PeriodicImages images(settings.domain);

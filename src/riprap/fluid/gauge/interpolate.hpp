@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 
@@ -17,12 +17,12 @@ namespace riprap::fluid {
 double spline_weight(double distance, double width);  ///< [1/m]
 
 /// Indices of the particles that have an image within a support of the line from a to b, ascending.
-std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const SphSettings& settings,
+std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const ParticleSettings& settings,
                                              const ParticleState& state);
 
 /// sum_j V_j W(|x - x_j|) over the nearest images of the listed particles: 1 inside water, about one half at its
 /// surface and on a wall [-].
-double water_fraction(const Vec3& x, const SphSettings& settings, const ParticleState& state,
+double water_fraction(const Vec3& x, const ParticleSettings& settings, const ParticleState& state,
                       const std::vector<std::size_t>& near);
 
 /// Sums of a first-order moving least-squares fit about one point: the moments of the weights and of weight times value
@@ -39,7 +39,7 @@ struct LinearFit {
 
 /// A field of the particles at x by moving least squares; `field(j)` is its value at particle j.
 template <class Field>
-double interpolate(const Vec3& x, const SphSettings& settings, const ParticleState& state, const Field& field) {
+double interpolate(const Vec3& x, const ParticleSettings& settings, const ParticleState& state, const Field& field) {
     const double h = settings.smoothing_length();
     const WendlandC2 kernel(h, settings.domain.dimension);
     const PeriodicImages images(settings.domain);

@@ -9,14 +9,14 @@
 #include <numbers>
 #include <string_view>
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 
 namespace {
 
 /// Layers behind an opening: as deep as a support wherever the first one is on its way.
-std::int64_t layer_count(const SphSettings& settings) {
+std::int64_t layer_count(const ParticleSettings& settings) {
     return static_cast<std::int64_t>(std::ceil(settings.support_radius() / settings.spacing - 1e-9)) + 1;
 }
 
@@ -27,7 +27,7 @@ double phase_of(const Inflow& inflow, std::int64_t layers, double spacing, doubl
     return inflow.distance_at(time) + 0.5 * spacing - static_cast<double>(layers) * spacing;
 }
 
-double hydrostatic(const Outflow& outflow, const SphSettings& settings, const Vec3& x) {
+double hydrostatic(const Outflow& outflow, const ParticleSettings& settings, const Vec3& x) {
     return std::max(0.0, settings.rest_density * outflow.gravity * (outflow.level - dot(outflow.up, x)));
 }
 
@@ -41,7 +41,7 @@ void append(BoundaryParticles& walls, const Vec3& x, const Vec3& v, const Vec3& 
 }
 
 /// Energy and momentum that go with one particle.
-void book(const SphSettings& settings, const ParticleState& water, std::size_t i, const Vec3& gravity, double sign,
+void book(const ParticleSettings& settings, const ParticleState& water, std::size_t i, const Vec3& gravity, double sign,
           Passage& passage) {
     const double m = settings.particle_mass;
     const Vec3& v = water.velocity[i];
@@ -52,7 +52,7 @@ void book(const SphSettings& settings, const ParticleState& water, std::size_t i
 }
 
 /// Water that has passed a plane, or -1: outflows come first, then inflows that it passes backwards.
-std::int64_t opening_passed(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x) {
+std::int64_t opening_passed(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& x) {
     const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
     const int dimension = settings.domain.dimension;
     for (std::size_t k = 0; k < open.outflows.size(); ++k) {
@@ -94,7 +94,7 @@ void enter_layers(const Outflow& outflow, std::int32_t k, const Vec3& x, const V
     state.outflow.push_back(k);
 }
 
-void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec3& gravity, OpenState& state,
+void pass_out(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& gravity, OpenState& state,
               ParticleState& water, Passage& passage) {
     std::vector<std::size_t> kept;
     kept.reserve(water.position.size());
@@ -121,7 +121,7 @@ void pass_out(const OpenBoundaries& open, const SphSettings& settings, const Vec
 
 /// Layers of outflows of a level go with the water in front of them, never back, so that they neither stay behind still
 /// water that begins to move nor pass each other. Where there is none they keep their speed.
-void follow_water(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+void follow_water(const OpenBoundaries& open, const ParticleSettings& settings, const ParticleState& water,
                   OpenState& state) {
     for (std::size_t k = 0; k < open.outflows.size(); ++k) {
         const Opening& opening = open.outflows[k].opening;
@@ -147,7 +147,7 @@ void follow_water(const OpenBoundaries& open, const SphSettings& settings, const
 }
 
 /// Layers of outflows go on by `dt`; what is beyond the last one is dropped: as water it is long gone.
-void move_layers(const OpenBoundaries& open, const SphSettings& settings, double dt, OpenState& state) {
+void move_layers(const OpenBoundaries& open, const ParticleSettings& settings, double dt, OpenState& state) {
     const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < state.position.size(); ++i) {
@@ -164,8 +164,9 @@ void move_layers(const OpenBoundaries& open, const SphSettings& settings, double
     state.outflow.resize(kept);
 }
 
-void pass_in(const OpenBoundaries& open, const SphSettings& settings, const BoundaryParticles& walls, std::size_t first,
-             const Vec3& gravity, double time, OpenState& state, ParticleState& water, Passage& passage) {
+void pass_in(const OpenBoundaries& open, const ParticleSettings& settings, const BoundaryParticles& walls,
+             std::size_t first, const Vec3& gravity, double time, OpenState& state, ParticleState& water,
+             Passage& passage) {
     std::size_t entry = first;  // of the first layer of this inflow
     for (std::size_t k = 0; k < open.inflows.size(); ++k) {
         const Inflow& inflow = open.inflows[k];
@@ -197,7 +198,7 @@ bool Opening::is_across(const Vec3& x, int dimension) const {
     return true;
 }
 
-const Opening* opening_with_layers_at(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x) {
+const Opening* opening_with_layers_at(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& x) {
     const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
     const auto is_behind = [&](const Opening& opening, double side) {
         const double past = side * opening.past(x);
@@ -229,7 +230,7 @@ double Inflow::distance_at(double time) const {
                        : speed * (time - 0.5 * ramp);
 }
 
-std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, const Vec3& up, double level) {
+std::vector<Vec3> rows_of(const Opening& opening, const ParticleSettings& settings, const Vec3& up, double level) {
     std::array<std::int64_t, 3> count{1, 1, 1};
     for (int axis = 0; axis < settings.domain.dimension; ++axis) {
         const double extent = opening.high[axis] - opening.low[axis];
@@ -255,7 +256,7 @@ std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, c
     return rows;
 }
 
-void start_openings(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+void start_openings(const OpenBoundaries& open, const ParticleSettings& settings, const ParticleState& water,
                     OpenState& state) {
     const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
     state.layers.assign(open.inflows.size(), 0);
@@ -278,7 +279,7 @@ void start_openings(const OpenBoundaries& open, const SphSettings& settings, con
     }
 }
 
-void place_openings(const OpenBoundaries& open, const OpenState& state, const SphSettings& settings, double time,
+void place_openings(const OpenBoundaries& open, const OpenState& state, const ParticleSettings& settings, double time,
                     double ahead, BoundaryParticles& walls) {
     constexpr double not_given = -1;  // pressure comes from the water
     const double volume = std::pow(settings.spacing, settings.domain.dimension);
@@ -303,7 +304,7 @@ void place_openings(const OpenBoundaries& open, const OpenState& state, const Sp
     }
 }
 
-Passage pass_openings(const OpenBoundaries& open, const SphSettings& settings, const BoundaryParticles& walls,
+Passage pass_openings(const OpenBoundaries& open, const ParticleSettings& settings, const BoundaryParticles& walls,
                       std::size_t first, const Vec3& gravity, double time, double dt, OpenState& state,
                       ParticleState& water) {
     Passage passage;

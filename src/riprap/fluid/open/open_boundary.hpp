@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 
@@ -104,27 +104,27 @@ struct Passage {
 
 /// The opening whose layers x lies among: that of an inflow, or of an outflow that has layers; nullptr where there is
 /// none.
-const Opening* opening_with_layers_at(const OpenBoundaries& open, const SphSettings& settings, const Vec3& x);
+const Opening* opening_with_layers_at(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& x);
 
 /// The places of an opening at which rows of particles pass: a lattice from its low corner on, below `level` along
 /// `up`.
-std::vector<Vec3> rows_of(const Opening& opening, const SphSettings& settings, const Vec3& up, double level);
+std::vector<Vec3> rows_of(const Opening& opening, const ParticleSettings& settings, const Vec3& up, double level);
 
 /// Starts the State of the openings for water that is already there: behind an outflow of a given speed or level it
 /// goes on as its mirror image, so that it does not begin with a free surface.
-void start_openings(const OpenBoundaries& open, const SphSettings& settings, const ParticleState& water,
+void start_openings(const OpenBoundaries& open, const ParticleSettings& settings, const ParticleState& water,
                     OpenState& state);
 
 /// Appends all layers to `walls`, which hold those of solids: as they are at `time`, `ahead` seconds after the State.
 /// Called for two times of a step with as many entries both times.
-void place_openings(const OpenBoundaries& open, const OpenState& state, const SphSettings& settings, double time,
+void place_openings(const OpenBoundaries& open, const OpenState& state, const ParticleSettings& settings, double time,
                     double ahead, BoundaryParticles& walls);
 
 /// Ends a step of length `dt` at `time`: layers move on; water passes in, in the order of inflows and rows, with the
 /// density of the pressure that its boundary particles had; water passes out in the order of the State.
 /// @param first    index in `walls` of the first entry of place_openings
 /// @param gravity  without its components along periodic axes [m/s^2]
-Passage pass_openings(const OpenBoundaries& open, const SphSettings& settings, const BoundaryParticles& walls,
+Passage pass_openings(const OpenBoundaries& open, const ParticleSettings& settings, const BoundaryParticles& walls,
                       std::size_t first, const Vec3& gravity, double time, double dt, OpenState& state,
                       ParticleState& water);
 

@@ -28,8 +28,8 @@ double sponge_rate(double gravity, double depth, double length) {
     return 3 * std::log(100.0) * std::sqrt(gravity * depth) / length;
 }
 
-void push_sponges(std::span<const Sponge> sponges, const SphSettings& settings, const ParticleState& state, double dt,
-                  std::vector<Vec3>& force, SpongeWork& work) {
+void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& settings, const ParticleState& state,
+                  double dt, std::vector<Vec3>& force, SpongeWork& work) {
     const auto count = state.position.size();
     force.resize(count);
     work.force.resize(count);

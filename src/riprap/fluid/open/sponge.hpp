@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 
@@ -34,8 +34,8 @@ struct SpongeWork {
 };
 
 /// Adds the forces of all sponges to `force` and notes them in `work`.
-void push_sponges(std::span<const Sponge> sponges, const SphSettings& settings, const ParticleState& state, double dt,
-                  std::vector<Vec3>& force, SpongeWork& work);
+void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& settings, const ParticleState& state,
+                  double dt, std::vector<Vec3>& force, SpongeWork& work);
 
 /// Energy that sponges took from the water over the kick that these forces were part of [J].
 double absorbed_energy(const ParticleState& state, double dt, const SpongeWork& work);

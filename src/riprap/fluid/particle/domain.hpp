@@ -34,4 +34,13 @@ struct Domain {
     }
 };
 
+/// Returns the part of gravity that has a potential: without its components along periodic axes [m/s^2].
+inline Vec3 without_periodic(const Vec3& gravity, const Domain& domain) {
+    Vec3 g = gravity;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        g[axis] = domain.is_periodic[static_cast<std::size_t>(axis)] ? 0 : g[axis];
+    }
+    return g;
+}
+
 }  // namespace riprap::fluid

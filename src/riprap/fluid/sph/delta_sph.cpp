@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/forces.hpp"
@@ -10,7 +11,6 @@
 #include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/forces.hpp"
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 

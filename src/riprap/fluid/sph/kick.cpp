@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 namespace {
@@ -62,15 +62,7 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
 
 }  // namespace
 
-Vec3 without_periodic(const Vec3& gravity, const Domain& domain) {
-    Vec3 g = gravity;
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        g[axis] = domain.is_periodic[static_cast<std::size_t>(axis)] ? 0 : g[axis];
-    }
-    return g;
-}
-
-void kick(const SphSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
+void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
           const SphScratchData& scratch, std::span<const Vec3> extra_force, FluidReport& report) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
@@ -126,7 +118,8 @@ void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) 
     report.work_on_solids = dt * push.power;
 }
 
-void find_lost_particle(const SphSettings& settings, const ParticleState& state, double time, FluidReport& report) {
+void find_lost_particle(const ParticleSettings& settings, const ParticleState& state, double time,
+                        FluidReport& report) {
     describe(state,
              first_unsound(state,
                            [&](std::size_t i) {
@@ -140,7 +133,8 @@ void find_lost_particle(const SphSettings& settings, const ParticleState& state,
     }
 }
 
-void find_wild_particle(const SphSettings& settings, const ParticleState& state, double time, FluidReport& report) {
+void find_wild_particle(const ParticleSettings& settings, const ParticleState& state, double time,
+                        FluidReport& report) {
     const double limit = settings.sound_speed * settings.sound_speed;
     describe(state, first_unsound(state, [&](std::size_t i) { return norm_squared(state.velocity[i]) <= limit; }), time,
              "is faster than the sound speed of the model", report);

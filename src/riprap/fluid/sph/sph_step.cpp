@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/kick.hpp"
 #include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
 
 namespace riprap::fluid {
 namespace {
@@ -68,22 +68,6 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     }
 }
 
-void drift(const SphSettings& settings, ParticleState& state, double dt) {
-    const Domain& domain = settings.domain;
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        Vec3& x = state.position[i];
-        x += dt * state.velocity[i];
-        for (int axis = 0; axis < domain.dimension; ++axis) {
-            if (domain.is_periodic[static_cast<std::size_t>(axis)] &&
-                (x[axis] < domain.low[axis] || x[axis] >= domain.high[axis])) {
-                const double period = domain.high[axis] - domain.low[axis];
-                x[axis] -= period * std::floor((x[axis] - domain.low[axis]) / period);
-            }
-        }
-    });
-}
-
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
                   SphScratch& scratch, FluidReport& report) {
     find_lost_particle(settings, state, time, report);
@@ -124,6 +108,35 @@ void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParti
         load_walls(settings, state, walls, gravity, scratch);
         kick_fluid(settings, state, walls, gravity, dt, time, scratch, report, extra_force);
     }
+}
+
+FluidTimeStep SphFluid::limit(const ParticleState& state) const { return choose_fluid_time_step(*settings_, state); }
+
+void SphFluid::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+                              FluidReport& report) {
+    fluid::update_density(*settings_, state, walls, gravity, dt, scratch_, report);
+}
+
+void SphFluid::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
+                            const Vec3& /*gravity*/, FluidReport& report) {
+    fluid::begin_forces(*settings_, state, walls, span.time, scratch_, report);
+}
+
+void SphFluid::describe_walls(const Vec3& gravity, WaterAtWalls& water) const {
+    describe_water_at_walls(gravity, scratch_, water);
+}
+
+void SphFluid::load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) {
+    fluid::load_walls(*settings_, state, walls, gravity, scratch_);
+}
+
+void SphFluid::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+                    std::span<const Vec3> extra_force, FluidReport& report) {
+    kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, report, extra_force);
+}
+
+std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings) {
+    return std::make_unique<SphFluid>(settings);
 }
 
 }  // namespace riprap::fluid

@@ -5,8 +5,7 @@
 #include <span>
 #include <string>
 
-#include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/particle_scheme.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
@@ -28,39 +27,6 @@ class SphScratch {
     std::unique_ptr<SphScratchData> data_;
 };
 
-/// The longest steps that each limit allows [s].
-struct FluidTimeStep {
-    double acoustic;  ///< courant h / (c + max speed), c at the highest density
-    double force;     ///< 0.25 sqrt(h / max acceleration)
-    double viscous;   ///< 0.125 h^2 / nu, nu the viscosity or what the artificial one amounts to
-    double limit;     ///< the least
-    const char* reason;
-};
-
-/// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
-///
-///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_diffusion + shifted
-///         + work_on_solids + wall_exchange - work_external)
-///
-/// stays the same (docs/theory/sph.md, 6).
-struct FluidReport {
-    double kinetic{0};               ///< sum m v_n.v_(n+1)/2
-    double potential{0};             ///< -sum m g.x; gravity along periodic axes is in work_external
-    double internal{0};              ///< of compression
-    double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
-    double dissipated_diffusion{0};  ///< in this step, by the diffusion of density and by tearing
-    double shifted{0};               ///< potential energy and that of compression that shifting took away in this step
-    double work_on_solids{0};        ///< in this step
-    double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees
-    double work_external{0};         ///< in this step, by extra forces and by gravity along periodic axes
-    Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
-    double mass{0};              ///< [kg]
-    double max_speed{0}, max_acceleration{0};
-    double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
-    std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
-    std::string problem;              ///< why, with particle, place and time
-};
-
 // The step is symplectic for the acoustic system (position Verlet): density is known half a step behind.
 //
 //     rho_(n+1/2) = rho_(n-1/2) + (dt_(n-1) + dt_n)/2 R(x_n, v_n)            update_density, walls at t_n
@@ -78,9 +44,6 @@ FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const Particle
 /// @param dt  from density to density: (dt_(n-1) + dt_n)/2, dt_0/2 in the first step [s]
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report);
-
-/// @param dt  half the step [s]
-void drift(const SphSettings& settings, ParticleState& state, double dt);
 
 /// Forces within the fluid, its averages at the walls and the sums of its pressure there; walls may then be told to
 /// move in another way but not to another place. Where a particle is no longer sound report.problem says so and nothing
@@ -109,5 +72,28 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
 void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, SphScratch& scratch, FluidReport& report,
                 std::span<const Vec3> extra_force = {});
+
+/// SPH as a scheme of a particle fluid.
+class SphFluid final : public ParticleScheme {
+ public:
+    explicit SphFluid(const SphSettings& settings) : settings_(&settings) {}
+    FluidTimeStep limit(const ParticleState& state) const override;
+    void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+                        FluidReport& report) override;
+    void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
+                      FluidReport& report) override;
+    void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
+    void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
+    void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+              std::span<const Vec3> extra_force, FluidReport& report) override;
+    std::size_t bytes() const override { return scratch_.bytes(); }
+
+ private:
+    const SphSettings* settings_;
+    SphScratch scratch_;
+};
+
+/// Makes the scheme that these settings are of. They have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings);
 
 }  // namespace riprap::fluid

@@ -38,8 +38,8 @@ struct CaseBuild {
     std::map<std::string, MaterialId> materials{};
     std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
     std::set<std::int32_t> used_materials{};
-    std::vector<sim::PaddleAbsorption> absorptions{};  ///< of paddles that have one
-    std::vector<SourcePlace> absorption_places{};      ///< of their 'absorb'
+    std::vector<coupling::PaddleAbsorption> absorptions{};  ///< of paddles that have one
+    std::vector<SourcePlace> absorption_places{};           ///< of their 'absorb'
     std::vector<WavePaddle> paddles{};
     std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
     bool has_all_bodies{true};                     ///< none is missing for a problem of its own
@@ -71,10 +71,10 @@ void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
 void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
 /// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
-void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
+void build_openings(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid);
 /// Whether water in joints is asked for, and whether periods of the domain are long enough for it; after the fluid's
 /// settings.
-void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid);
+void build_joints(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void warn_of_densities(CaseBuild& build);                ///< of free bodies and of the water
 void build_output(CaseBuild& build);                     ///< last: probes and expects look bodies up
@@ -108,7 +108,7 @@ std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const 
 /// The wave of that table.
 PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
 /// How that paddle takes up waves that come back; nothing where it does not.
-std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
+std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
 
 /// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.
 bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
+#include <concepts>
+
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
-#include "riprap/fluid/sph/kick.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
@@ -31,24 +33,24 @@ bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
 }
 
 /// Paddles that absorb waves look at the water as it lies at the start.
-void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, sim::FluidModel& fluid) {
+void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, coupling::ParticleFluid& fluid) {
     for (std::size_t k = 0; k < build.absorptions.size(); ++k) {
-        sim::PaddleAbsorption& paddle = build.absorptions[k];
-        paddle.still = sim::surface_at_paddle(paddle, 0, fluid.sph, particles);
+        coupling::PaddleAbsorption& paddle = build.absorptions[k];
+        paddle.still = coupling::surface_at_paddle(paddle, 0, fluid.settings(), particles);
         const std::string& name = build.model.bodies.name(paddle.body);
         const Vec3& foot = paddle.foot;
         const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g}) m", foot.x, foot.y, foot.z);
         if (!coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, {}, foot,
-                                 fluid.sph.spacing, paddle.body)) {
+                                 fluid.settings().spacing, paddle.body)) {
             build.problem(
                 build.absorption_places[k],
                 fmt::format("'absorb' is at {}, more than a spacing from the faces of '{}'", where, name),
                 "the foot of the face that makes waves: the surface of the water before it is looked at there");
-        } else if (paddle.still < fluid.sph.spacing) {
+        } else if (paddle.still < fluid.settings().spacing) {
             build.problem(
                 build.absorption_places[k],
                 fmt::format("no water stands {} spacings in front of {}, the foot of '{}', which is to absorb waves",
-                            sim::absorption_gauge_distance, where, name),
+                            coupling::absorption_gauge_distance, where, name),
                 "'absorb' at the foot of its face, in water");
         }
         fluid.absorptions.push_back(paddle);
@@ -62,7 +64,7 @@ void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, 
 
 /// Water where bodies leave room for it, and the boundary particles of those that are wet. False with a problem.
 bool place_particles(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
-                     sim::FluidModel& fluid, coupling::Filling& filling) {
+                     coupling::ParticleFluid& fluid, coupling::Filling& filling) {
     const geometry::ShapeSet& shapes = build.model.shapes;
     const body::BodySet& bodies = build.model.bodies;
     fluid.is_dry = build.is_dry;
@@ -72,50 +74,46 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
         is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
     }
     bool is_good = place_problems(build, get(table, "region"), [&] {
-        filling = coupling::fill(shapes, bodies, build.state.bodies, fluid.sph, build.up(), regions, limits::particles);
+        filling = coupling::fill(shapes, bodies, build.state.bodies, fluid.settings(), build.up(), regions,
+                                 limits::particles);
     });
-    if (is_good && fluid.wall == sim::WallTreatment::boundary_particles) {
+    if (is_good && fluid.wall == coupling::WallTreatment::boundary_particles) {
         is_good = place_problems(build, table, [&] {
-            fluid.samples =
-                coupling::sample_shapes(shapes, bodies, build.state.bodies,
-                                        {fluid.sph.spacing, fluid.sph.support_radius(), fluid.sph.domain,
-                                         filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
+            fluid.samples = coupling::sample_shapes(
+                shapes, bodies, build.state.bodies,
+                {fluid.settings().spacing, fluid.settings().support_radius(), fluid.settings().domain,
+                 filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
         });
     }
     return is_good;
 }
 
 /// Sums the volume up and refuses regions without water.
-void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling, sim::FluidModel& fluid) {
+void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling,
+                   coupling::ParticleFluid& fluid) {
     for (std::size_t r = 0; r < filling.regions.size(); ++r) {
         const coupling::FillReport& report = filling.regions[r];
         fluid.filled_volume += report.volume;
         if (report.count == 0) {
-            build.problem(
-                list.items[r].place,
-                fmt::format("no particle of water fits into this region at a spacing of {:.4g} m", fluid.sph.spacing),
-                "a region larger than the spacing, in the domain, outside of solids and earlier regions");
+            build.problem(list.items[r].place,
+                          fmt::format("no particle of water fits into this region at a spacing of {:.4g} m",
+                                      fluid.settings().spacing),
+                          "a region larger than the spacing, in the domain, outside of solids and earlier regions");
         }
     }
 }
 
-}  // namespace
-
-void build_fluid(CaseBuild& build) {
-    const Value* table = build.root.find("fluid");
-    if (table == nullptr) {
-        if (!build.absorptions.empty()) {
-            build.problem(build.root.place, "a paddle that absorbs waves in a case without water", "a [fluid]");
-        }
-        return;
-    }
-    sim::FluidModel fluid;
-    fluid.sph = read_settings(build, *table);
+/// Builds a fluid of particles: where they start, what carries their walls, where they come and go.
+void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings scheme) {
+    coupling::ParticleFluid fluid;
+    fluid.scheme = std::move(scheme);
+    fluid.settings().particle_mass =
+        fluid.settings().rest_density * std::pow(fluid.settings().spacing, build.is_planar ? 2 : 3);
     read_keys(*table, fluid_model_keys(), fluid);
     const Value& list = get(*table, "region");
-    const bool has_domain = read_domain(build, get(*table, "domain"), fluid.sph.domain);
+    const bool has_domain = read_domain(build, get(*table, "domain"), fluid.settings().domain);
     if (has_domain) {
-        build.domain = fluid.sph.domain;  // gauges are checked against it, whatever becomes of the water
+        build.domain = fluid.settings().domain;  // gauges are checked against it, whatever becomes of the water
     }
     std::vector<coupling::FillRegion> regions;
     coupling::Filling filling;
@@ -124,7 +122,7 @@ void build_fluid(CaseBuild& build) {
     }
     build_joints(build, *table, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        check_level(build, list.items[r], regions[r], fluid.sph);
+        check_level(build, list.items[r], regions[r], fluid.settings());
     }
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
@@ -137,19 +135,49 @@ void build_fluid(CaseBuild& build) {
         return;
     }
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
-    coupling::set_hydrostatic_density(filling, fluid.sph,
-                                      fluid::without_periodic(build.model.gravity.at(0), fluid.sph.domain));
-    fluid.region_volume = room_for_water(build, fluid.sph.domain, regions);
+    coupling::set_hydrostatic_density(filling, fluid.settings(),
+                                      fluid::without_periodic(build.model.gravity.at(0), fluid.settings().domain));
+    fluid.region_volume = room_for_water(build, fluid.settings().domain, regions);
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
-    warn_of_scheme(build, fluid.sph);
+    if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {
+        warn_of_scheme(build, *sph);
+    }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);
     warn_of_open_sides(build, get(*table, "domain").place, fluid, build.state.fluid.position);
-    start_openings(fluid.open, fluid.sph, build.state.fluid, build.state.open);
+    start_openings(fluid.open, fluid.settings(), build.state.fluid, build.state.open);
     build.model.fluid = std::move(fluid);
+}
+
+template <std::derived_from<fluid::ParticleSettings> Settings>
+void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
+    if constexpr (requires { settings.complete(); }) {
+        settings.complete();
+    }
+    build_particles(build, &table, settings);
+}
+
+/// Builds a fluid that is a field: its settings say it all.
+template <class Settings>
+void build_fluid_of(CaseBuild& build, const Value& /*table*/, Settings& settings) {
+    build.model.fluid = settings;
+}
+
+}  // namespace
+
+void build_fluid(CaseBuild& build) {
+    const Value* table = build.root.find("fluid");
+    if (table == nullptr) {
+        if (!build.absorptions.empty()) {
+            build.problem(build.root.place, "a paddle that absorbs waves in a case without water", "a [fluid]");
+        }
+        return;
+    }
+    FluidMethods::Settings chosen = FluidMethods::read(*table, build.problems);
+    std::visit([&](auto& settings) { build_fluid_of(build, *table, settings); }, chosen);
 }
 
 }  // namespace riprap::scene

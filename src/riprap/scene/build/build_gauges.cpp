@@ -93,17 +93,17 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
 
 /// Notes the face that a transducer stands in.
 void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
-    if (gauge.kind != fluid::GaugeKind::wall_pressure || !build.model.fluid || !build.has_all_bodies) {
+    if (gauge.kind != fluid::GaugeKind::wall_pressure || build.model.particles() == nullptr || !build.has_all_bodies) {
         return;
     }
-    const sim::FluidModel& water = *build.model.fluid;
+    const coupling::ParticleFluid& water = *build.model.particles();
     const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, water.is_dry,
-                                          gauge.point, water.sph.spacing, body);
+                                          gauge.point, water.settings().spacing, body);
     if (!face) {
         const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
         build.problem(get(table, "point").place,
                       fmt::format("no wet face{} within a spacing, {:.4g} m, of the gauge '{}'", whose,
-                                  water.sph.spacing, gauge.name),
+                                  water.settings().spacing, gauge.name),
                       "a point on a face of a body that is not wet = false, or the kind 'pressure'");
         return;
     }
@@ -111,7 +111,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
     for (std::size_t i = 0; i < build.state.bodies.position.size(); ++i) {
         motion.pose.push_back({build.state.bodies.position[i], build.state.bodies.orientation[i]});
     }
-    const fluid::SphSettings& sph = water.sph;
+    const fluid::ParticleSettings& sph = water.settings();
     if (!coupling::is_open(*face, {build.model.shapes,
                                    build.model.bodies,
                                    water.is_dry,
@@ -132,7 +132,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
 /// The first solid along the line of a run_up gauge, as far as that is in the domain.
 BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spacing) {
     constexpr double touched = 0.25;  // of a spacing
-    const fluid::Domain& domain = build.model.fluid->sph.domain;
+    const fluid::Domain& domain = build.model.particles()->settings().domain;
     const Vec3 along = gauge.end - gauge.point;
     double length = norm(along);
     const Vec3 direction = along / length;
@@ -143,7 +143,7 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
         }
     }
     const Vec3 end = gauge.point + length * direction;
-    const PlacedSolids solids(build, build.model.fluid->is_dry, min(gauge.point, end), max(gauge.point, end));
+    const PlacedSolids solids(build, build.model.particles()->is_dry, min(gauge.point, end), max(gauge.point, end));
     constexpr double most_steps = 1e6;  // a line along a period may be any length
     const double steps = std::clamp(std::ceil(length / (0.5 * spacing)), 1.0, most_steps);
     for (double k = 0; k <= steps; ++k) {
@@ -157,7 +157,8 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
 
 /// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
 void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
-    if (!build.model.fluid || build.model.fluid->is_dry.size() != build.state.bodies.position.size()) {
+    if (build.model.particles() == nullptr ||
+        build.model.particles()->is_dry.size() != build.state.bodies.position.size()) {
         return;  // no water, or it has a problem
     }
     const auto warn = [&](BodyId solid, std::string_view text) {
@@ -166,7 +167,7 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
                 Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
         }
     };
-    const double spacing = build.model.fluid->sph.spacing;
+    const double spacing = build.model.particles()->settings().spacing;
     if (gauge.kind == fluid::GaugeKind::run_up) {
         if (gauge.end != gauge.point) {
             warn(first_solid(build, gauge, spacing),
@@ -174,7 +175,7 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
         }
     } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
                gauge.kind == fluid::GaugeKind::level) {
-        const PlacedSolids solids(build, build.model.fluid->is_dry, gauge.point, gauge.point);
+        const PlacedSolids solids(build, build.model.particles()->is_dry, gauge.point, gauge.point);
         warn(solids.at(gauge.point, spacing), "the gauge '{}' lies inside '{}' at the start and reads 0 there");
     }
 }

@@ -9,7 +9,7 @@
 
 namespace riprap::scene {
 
-void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
+void build_joints(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid) {
     const body::BodySet& bodies = build.model.bodies;
     bool has_loose = false, has_driven = false;
     for (std::size_t b = 0; b < bodies.drive.size(); ++b) {
@@ -19,13 +19,12 @@ void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
     }
     // The forces of joints and those of the water have to come from one kernel.
     fluid.has_joint_pressure = fluid.has_joint_pressure && has_loose &&
-                               fluid.wall == sim::WallTreatment::boundary_particles &&
-                               fluid.sph.scheme == fluid::SphScheme::delta_sph;
+                               fluid.wall == coupling::WallTreatment::boundary_particles && takes_joints(fluid.scheme);
     if (!fluid.has_joint_pressure) {
         return;
     }
-    const double least = 2 * coupling::JointPairs::reach(fluid.sph, has_driven);
-    const fluid::Domain& domain = fluid.sph.domain;
+    const double least = 2 * coupling::JointPairs::reach(fluid.settings(), has_driven);
+    const fluid::Domain& domain = fluid.settings().domain;
     for (int axis = 0; axis < domain.dimension; ++axis) {
         const double period = domain.high[axis] - domain.low[axis];
         if (domain.is_periodic[static_cast<std::size_t>(axis)] && period < least) {
@@ -33,7 +32,7 @@ void build_joints(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
                 get(table, "domain").place,
                 fmt::format("a period of {:.4g} m: a loose block would meet the water in its own joints twice", period),
                 fmt::format("at least {:.4g} m ({:.3g} spacings), or joint_pressure = false", least,
-                            least / fluid.sph.spacing));
+                            least / fluid.settings().spacing));
         }
     }
 }

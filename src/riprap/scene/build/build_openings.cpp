@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "riprap/fluid/sph/kick.hpp"
 #include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/placed_part.hpp"
@@ -26,7 +25,7 @@ struct Way {
 
 Way way_of(const std::string& text) { return {text.back() - 'x', text.size() == 1}; }
 
-void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
+void build_sponge(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid) {
     fluid::Sponge sponge;
     sponge.low = get_vector(table, "low");
     sponge.high = get_vector(table, "high");
@@ -34,7 +33,7 @@ void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
     sponge.axis = way.axis;
     sponge.is_towards_high = way.is_towards_high;
     sponge.velocity = get_vector(table, "velocity");
-    for (int axis = 0; axis < fluid.sph.domain.dimension; ++axis) {
+    for (int axis = 0; axis < fluid.settings().domain.dimension; ++axis) {
         if (!(sponge.low[axis] < sponge.high[axis])) {
             build.problem(table.place,
                           fmt::format("the sponge reaches from {} m to {} m along {}", sponge.low[axis],
@@ -43,13 +42,13 @@ void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
             return;
         }
     }
-    if (sponge.axis >= fluid.sph.domain.dimension) {
+    if (sponge.axis >= fluid.settings().domain.dimension) {
         build.problem(get(table, "towards").place, "a sponge that grows out of the plane",
                       "\"x\", \"-x\", \"y\" or \"-y\"");
         return;
     }
-    for (int axis = 0; axis < fluid.sph.domain.dimension; ++axis) {
-        const double low = fluid.sph.domain.low[axis], high = fluid.sph.domain.high[axis];
+    for (int axis = 0; axis < fluid.settings().domain.dimension; ++axis) {
+        const double low = fluid.settings().domain.low[axis], high = fluid.settings().domain.high[axis];
         if (!(sponge.high[axis] > low && sponge.low[axis] < high)) {
             build.problem(table.place,
                           fmt::format("the sponge lies outside the domain: from {} m to {} m along {}",
@@ -59,7 +58,7 @@ void build_sponge(CaseBuild& build, const Value& table, sim::FluidModel& fluid) 
         }
     }
     const Value& rate = get(table, "rate");
-    const double gravity = norm(fluid::without_periodic(build.model.gravity.value, fluid.sph.domain));
+    const double gravity = norm(fluid::without_periodic(build.model.gravity.value, fluid.settings().domain));
     if (rate.is_text() && !(gravity * fluid.depth > 0)) {
         build.problem(rate.place, "no rate follows for a sponge where water has no depth", "a rate in 1/s");
         return;
@@ -109,10 +108,10 @@ bool read_opening(CaseBuild& build, const Value& table, const fluid::Domain& dom
 /// Refuses solids among the layers behind an opening, and water that is there already.
 /// @param side  +1 where layers lie past the plane (outflow), -1 where before it
 /// @param rows  of its layers
-void check_behind(CaseBuild& build, const Value& table, const sim::FluidModel& fluid, const fluid::Opening& opening,
-                  double side, const std::vector<Vec3>& rows) {
-    const double dp = fluid.sph.spacing;
-    const auto layers = static_cast<int>(std::ceil(fluid.sph.support_radius() / dp - 1e-9)) + 1;
+void check_behind(CaseBuild& build, const Value& table, const coupling::ParticleFluid& fluid,
+                  const fluid::Opening& opening, double side, const std::vector<Vec3>& rows) {
+    const double dp = fluid.settings().spacing;
+    const auto layers = static_cast<int>(std::ceil(fluid.settings().support_radius() / dp - 1e-9)) + 1;
     const Vec3 away = side * opening.direction(), behind = layers * dp * away, before = dp * away;
     const PlacedSolids solids(build, fluid.is_dry, min(opening.low - before, opening.low + behind),
                               max(opening.high - before, opening.high + behind));
@@ -136,7 +135,7 @@ void check_behind(CaseBuild& build, const Value& table, const sim::FluidModel& f
     const auto& water = build.state.fluid.position;
     const auto is_behind = [&](const Vec3& x) {
         const double past = side * opening.past(x);
-        return past > 1e-6 * dp && past <= layers * dp && opening.is_across(x, fluid.sph.domain.dimension);
+        return past > 1e-6 * dp && past <= layers * dp && opening.is_across(x, fluid.settings().domain.dimension);
     };
     const auto count = std::count_if(water.begin(), water.end(), is_behind);
     if (count > 0) {
@@ -147,7 +146,7 @@ void check_behind(CaseBuild& build, const Value& table, const sim::FluidModel& f
 }
 
 /// Warns where an inflow is not a whole number of spacings high and wide.
-void warn_of_rows(CaseBuild& build, const Value& table, const fluid::SphSettings& sph, const Vec3& up,
+void warn_of_rows(CaseBuild& build, const Value& table, const fluid::ParticleSettings& sph, const Vec3& up,
                   const fluid::Inflow& inflow) {
     const Value* level = table.find("level");
     bool is_cut = level == nullptr;
@@ -174,8 +173,8 @@ void warn_of_rows(CaseBuild& build, const Value& table, const fluid::SphSettings
 
 }  // namespace
 
-void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid) {
-    const fluid::Domain& domain = fluid.sph.domain;
+void build_openings(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid) {
+    const fluid::Domain& domain = fluid.settings().domain;
     const Vec3 weight = fluid::without_periodic(build.model.gravity.value, domain);
     const double gravity = norm(weight);
     const Vec3 up = gravity > 0 ? -1 / gravity * weight : Vec3{};
@@ -197,7 +196,7 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
         }
         inflow.speed = get_number(entry, "speed");
         inflow.ramp = get_number(entry, "ramp");
-        inflow.rows = rows_of(inflow.opening, fluid.sph, up, get_number_or(entry, "level", 1e300));
+        inflow.rows = rows_of(inflow.opening, fluid.settings(), up, get_number_or(entry, "level", 1e300));
         if (inflow.rows.empty()) {
             build.problem(entry.place, "no particle of water fits into this inflow", "an extent of a spacing or more");
         }
@@ -207,7 +206,7 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
         }
         if (!inflow.rows.empty() && static_cast<std::int64_t>(inflow.rows.size()) <= limits::particles) {
             check_behind(build, entry, fluid, inflow.opening, -1, inflow.rows);
-            warn_of_rows(build, entry, fluid.sph, up, inflow);
+            warn_of_rows(build, entry, fluid.settings(), up, inflow);
         }
         fluid.open.inflows.push_back(std::move(inflow));
     }
@@ -231,12 +230,12 @@ void build_openings(CaseBuild& build, const Value& table, sim::FluidModel& fluid
         }
         const bool has_layers = outflow.kind != fluid::OutflowKind::free;
         check_behind(build, entry, fluid, outflow.opening, 1,
-                     has_layers ? rows_of(outflow.opening, fluid.sph, up, 1e300) : std::vector<Vec3>{});
+                     has_layers ? rows_of(outflow.opening, fluid.settings(), up, 1e300) : std::vector<Vec3>{});
         fluid.open.outflows.push_back(std::move(outflow));
     }
     fluid.open.most_particles = limits::particles;
-    const bool has_penalty = fluid.wall == sim::WallTreatment::penalty;
-    if (!fluid.open.empty() && (has_penalty || fluid.sph.scheme == fluid::SphScheme::muller)) {
+    const bool has_penalty = fluid.wall == coupling::WallTreatment::penalty;
+    if (!fluid.open.empty() && (has_penalty || !takes_openings(fluid.scheme))) {
         build.problem(table.place, "inflow and outflow need the scheme delta_sph and walls of boundary particles",
                       "scheme = \"delta_sph\", wall = \"boundary_particles\"");
     }

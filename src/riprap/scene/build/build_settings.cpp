@@ -249,7 +249,7 @@ void build_settings(CaseBuild& build) {
     model.time.force_time_step = get_boolean(root, "force_time_step");
     model.time.max_steps = get_integer(root, "max_steps");
 
-    model.solid = std::get<solid::DemSettings>(SolidMethods::read(get(root, "solid"), build.problems));
+    model.solid = SolidMethods::read(get(root, "solid"), build.problems);
 }
 
 void build_output(CaseBuild& build) {

@@ -180,14 +180,14 @@ PaddleWave paddle_wave(const CaseBuild& build, const Value& table) {
     return result;
 }
 
-std::optional<sim::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {
+std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {
     const Value* absorb = table.find("absorb");
     if (absorb == nullptr) {
         return std::nullopt;
     }
     const double g = norm(build.model.gravity.value), depth = get_number(table, "depth");
     const std::string& kind = get_text(table, "wave");
-    sim::PaddleAbsorption absorption;
+    coupling::PaddleAbsorption absorption;
     absorption.direction = normalized(get_vector(table, "direction"));
     absorption.foot = to_vector(*absorb);
     absorption.up = -1 / g * build.model.gravity.value;

@@ -77,12 +77,6 @@ bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {
     return is_good;
 }
 
-fluid::SphSettings read_settings(CaseBuild& build, const Value& table) {
-    fluid::SphSettings sph = std::get<fluid::SphSettings>(FluidMethods::read(table, build.problems));
-    sph.particle_mass = sph.rest_density * std::pow(sph.spacing, build.is_planar ? 2 : 3);
-    return sph;
-}
-
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions) {
     if (static_cast<std::int64_t>(list.items.size()) > limits::fluid_regions) {
         build.problem(list.place, fmt::format("{} regions of water", list.items.size()),
@@ -98,7 +92,7 @@ bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::Fil
 }
 
 void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
-                 const fluid::SphSettings& sph) {
+                 const fluid::ParticleSettings& sph) {
     constexpr double slack = 1e-6;  // of a spacing: the level may be the top
     if (!std::isfinite(region.level)) {
         return;

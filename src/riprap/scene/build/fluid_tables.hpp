@@ -13,19 +13,16 @@ namespace riprap::scene {
 /// The domain in `table`. False with a problem.
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain);
 
-/// Settings of the method, but for domain and sound speed.
-fluid::SphSettings read_settings(CaseBuild& build, const Value& table);
-
 /// The regions of the case; false where one of them has a problem.
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions);
 
 /// Refuses a level that its region does not reach: the water would end at the top of the region instead.
 void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
-                 const fluid::SphSettings& sph);
+                 const fluid::ParticleSettings& sph);
 
 /// c_0 from the depth of the water that is there, and from the fastest that the case makes something move, or as given;
 /// filling does not need it yet.
 void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
-                        const fluid::ParticleState& particles, sim::FluidModel& fluid);
+                        const fluid::ParticleState& particles, coupling::ParticleFluid& fluid);
 
 }  // namespace riprap::scene

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/sph/kick.hpp"
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 
 namespace riprap::scene {
@@ -52,9 +51,9 @@ double fastest_start(const CaseBuild& build, const Value& table, const std::vect
 }  // namespace
 
 void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
-                        const fluid::ParticleState& particles, sim::FluidModel& fluid) {
+                        const fluid::ParticleState& particles, coupling::ParticleFluid& fluid) {
     // Along a periodic axis water has no depth.
-    const Vec3 gravity = fluid::without_periodic(build.model.gravity.value, fluid.sph.domain);
+    const Vec3 gravity = fluid::without_periodic(build.model.gravity.value, fluid.settings().domain);
     const double strength = norm(gravity);
     double low = 1e300, high = -1e300;
     for (const Vec3& x : particles.position) {
@@ -62,10 +61,10 @@ void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<
         low = std::min(low, height);
         high = std::max(high, height);
     }
-    fluid.depth = particles.size() > 0 && strength > 0 ? high - low + fluid.sph.spacing : 0;
+    fluid.depth = particles.size() > 0 && strength > 0 ? high - low + fluid.settings().spacing : 0;
     const Value& given = get(table, "sound_speed");
     if (!given.is_text()) {
-        fluid.sph.sound_speed = given.as_number();
+        fluid.settings().sound_speed = given.as_number();
         fluid.sound_speed_reason = "as given";
         return;
     }
@@ -74,7 +73,7 @@ void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<
     const fluid::SoundSpeed chosen = fluid::choose_sound_speed(
         strength, fluid.depth,
         std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, table, regions)));
-    fluid.sph.sound_speed = chosen.value;
+    fluid.settings().sound_speed = chosen.value;
     fluid.sound_speed_reason = chosen.reason;
     if (!(chosen.value > 0) && build.has_all_bodies) {
         build.problem(given.place, "nothing moves and nothing weighs: no sound speed follows from the case",

@@ -140,11 +140,11 @@ std::vector<Key> scene_rows() {
 
 }  // namespace
 
-KeyList<sim::FluidModel> fluid_model_keys() {
-    using S = sim::FluidModel;
+KeyList<coupling::ParticleFluid> fluid_model_keys() {
+    using S = coupling::ParticleFluid;
     return {key::choice(&S::wall, "wall",
-                        {{"boundary_particles", sim::WallTreatment::boundary_particles},
-                         {"penalty", sim::WallTreatment::penalty}},
+                        {{"boundary_particles", coupling::WallTreatment::boundary_particles},
+                         {"penalty", coupling::WallTreatment::penalty}},
                         "How solids hold water back: particles in layers under their faces that take part in all sums, "
                         "or faces that push particles away (for comparison)."),
             key::boolean(&S::has_joint_pressure, "joint_pressure",

@@ -6,10 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
 #include "riprap/sim/model.hpp"
-#include "riprap/solid/dem_settings.hpp"
 
 namespace riprap::scene {
 
@@ -26,6 +24,8 @@ template <class Settings>
 struct MethodList;
 template <MethodSettings... S>
 struct MethodList<std::variant<S...>> {
+    using Settings = std::variant<S...>;
+
     static std::vector<Method> all() { return {method<S>()...}; }
 
     /// The settings of the method that the resolved `table` chooses, and a problem for values that do not go together.
@@ -57,11 +57,11 @@ struct MethodList<std::variant<S...>> {
     }
 };
 
-using SolidMethods = MethodList<std::variant<solid::DemSettings>>;
-using FluidMethods = MethodList<std::variant<fluid::SphSettings>>;
+using SolidMethods = MethodList<sim::Solids::Settings>;
+using FluidMethods = MethodList<sim::FluidChoices>;
 
 /// Keys of the model of the water that are of no method alone.
-KeyList<sim::FluidModel> fluid_model_keys();
+KeyList<coupling::ParticleFluid> fluid_model_keys();
 
 /// Adds the key "method" and the keys of all methods to a table. Methods share a row where it is the same for them.
 /// @param question    help of "method"

@@ -50,8 +50,8 @@ void warn_of_densities(CaseBuild& build) {
                  likely_unit(density, lightest_solid));
         }
     }
-    if (build.model.fluid) {
-        const double density = build.model.fluid->sph.rest_density;
+    if (build.model.particles() != nullptr) {
+        const double density = build.model.particles()->settings().rest_density;
         if (density < lightest_liquid || density > heaviest_liquid) {
             warn(build, get(build.root, "fluid").place,
                  fmt::format("the water has a density of {:.4g} kg/m^3, as no liquid has", density),

@@ -11,8 +11,8 @@
 
 namespace riprap::scene {
 
-void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid) {
-    const fluid::Domain& domain = fluid.sph.domain;
+void warn_of_bodies_outside(CaseBuild& build, const coupling::ParticleFluid& fluid) {
+    const fluid::Domain& domain = fluid.settings().domain;
     std::size_t count = 0, first = 0;
     for (std::size_t b = build.state.bodies.position.size(); b-- > 0;) {
         const Vec3& x = build.state.bodies.position[b];
@@ -85,8 +85,8 @@ bool has_room(const CaseBuild& build, const geometry::Polyhedron& piece, const s
 }  // namespace
 
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
-                        const sim::FluidModel& fluid) {
-    const fluid::Domain& domain = fluid.sph.domain;
+                        const coupling::ParticleFluid& fluid) {
+    const fluid::Domain& domain = fluid.settings().domain;
     double most = 0;
     for (const geometry::Polyhedron& piece : region.pieces) {
         for (int side = 0; side < 2 * domain.dimension; ++side) {
@@ -95,13 +95,13 @@ void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupli
             const Vec3 n = outward(axis, is_high);
             const double end = is_high ? domain.high[axis] : -domain.low[axis];
             if (domain.is_periodic[static_cast<std::size_t>(axis)] ||
-                geometry::range_along(piece, n).high < end + (1 + 1e-6) * fluid.sph.spacing) {
+                geometry::range_along(piece, n).high < end + (1 + 1e-6) * fluid.settings().spacing) {
                 continue;
             }
             const geometry::Polyhedron cut = beyond(piece, region.level, build.up(), n, end);
             const double reach = cut.faces.empty() ? 0 : geometry::range_along(cut, n).high - end;
-            if (reach > std::max(most, (1 + 1e-6) * fluid.sph.spacing) &&
-                has_room(build, cut, fluid.is_dry, domain.dimension, fluid.sph.spacing)) {
+            if (reach > std::max(most, (1 + 1e-6) * fluid.settings().spacing) &&
+                has_room(build, cut, fluid.is_dry, domain.dimension, fluid.settings().spacing)) {
                 most = reach;
             }
         }
@@ -113,10 +113,10 @@ void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupli
     }
 }
 
-void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const sim::FluidModel& fluid,
+void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
                         const std::vector<Vec3>& water) {
-    const fluid::Domain& domain = fluid.sph.domain;
-    const double spacing = fluid.sph.spacing;
+    const fluid::Domain& domain = fluid.settings().domain;
+    const double spacing = fluid.settings().spacing;
     std::vector<const fluid::Opening*> openings;
     for (const fluid::Inflow& inflow : fluid.open.inflows) {
         openings.push_back(&inflow.opening);

@@ -42,7 +42,7 @@ struct ThinEntry {
     bool is_free;
 };
 
-std::vector<ThinEntry> thin_entries(const CaseBuild& build, const sim::FluidModel& fluid, double least) {
+std::vector<ThinEntry> thin_entries(const CaseBuild& build, const coupling::ParticleFluid& fluid, double least) {
     const body::BodySet& bodies = build.model.bodies;
     std::vector<ThinEntry> entries;
     std::vector<std::int32_t> of_name(bodies.names.size(), -1);
@@ -143,9 +143,9 @@ void warn_at(CaseBuild& build, std::int32_t name, std::string text) {
     build.warnings.push_back(to_string(Diagnostic{place, std::move(text), ""}));
 }
 
-void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const fluid::ParticleState& water) {
+void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid, const fluid::ParticleState& water) {
     constexpr double layers = 4;  // spacings: two layers under each of two opposite faces
-    const double spacing = fluid.sph.spacing, least = (layers - 1e-6) * spacing;
+    const double spacing = fluid.settings().spacing, least = (layers - 1e-6) * spacing;
     std::vector<ThinEntry> between, beside;
     for (const ThinEntry& entry : thin_entries(build, fluid, least)) {
         const bool is_between =

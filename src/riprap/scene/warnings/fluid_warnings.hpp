@@ -20,19 +20,19 @@ void warn_at(CaseBuild& build, std::int32_t name, std::string text);
 
 /// Bodies too thin for the spacing (docs/theory/coupling.md, 1): those with water on opposite sides or free to come
 /// there, and those with water on one side.
-void warn_of_thin_bodies(CaseBuild& build, const sim::FluidModel& fluid, const fluid::ParticleState& water);
+void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid, const fluid::ParticleState& water);
 
 /// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
-void warn_of_bodies_outside(CaseBuild& build, const sim::FluidModel& fluid);
+void warn_of_bodies_outside(CaseBuild& build, const coupling::ParticleFluid& fluid);
 
 /// A region that reaches out of the domain to where no solid is, along axes that are not periodic. Its table is at
 /// `place`.
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
-                        const sim::FluidModel& fluid);
+                        const coupling::ParticleFluid& fluid);
 
 /// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
 /// at `place`.
-void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const sim::FluidModel& fluid,
+void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
                         const std::vector<Vec3>& water);
 
 /// Settings of the scheme that do not go together.

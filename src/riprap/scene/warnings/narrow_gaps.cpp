@@ -76,13 +76,13 @@ NarrowGaps find_narrow_gaps(const sim::Model& model, const sim::State& state) {
     contact::PlacedParts placed;
     contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     std::vector<contact::PartPair> pairs;
-    const double spacing = model.fluid->sph.spacing;
-    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, wide * spacing, model.solid.grid_factor,
+    const double spacing = model.particles()->settings().spacing;
+    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, wide * spacing, model.dem()->grid_factor,
                                          pairs);
     const auto part = [&](std::int32_t p) {
         return Placed{model.shapes.view(model.bodies.parts[at(p)].shape), placed.frames[at(p)]};
     };
-    const auto is_wet = [&](std::int32_t p) { return model.fluid->is_dry[at(placed.body[at(p)])] == 0; };
+    const auto is_wet = [&](std::int32_t p) { return model.particles()->is_dry[at(placed.body[at(p)])] == 0; };
     std::vector<double> width(pairs.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {
         const contact::PartPair pair = pairs[at(i)];

@@ -142,7 +142,7 @@ Vec3 point_of_face(const CaseBuild& build, const WavePaddle& paddle, double face
     return still + (face - dot(paddle.direction, still)) * paddle.direction;
 }
 
-void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::SphSettings& sph) {
+void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::ParticleSettings& sph) {
     const fluid::Domain& domain = sph.domain;
     const std::optional<double> face = face_of(build, paddle);
     for (int axis = 0; face && axis < domain.dimension; ++axis) {
@@ -164,11 +164,11 @@ void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::Sp
 
 }  // namespace
 
-void warn_of_paddles(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling) {
-    const double spacing = fluid.sph.spacing;
+void warn_of_paddles(CaseBuild& build, const coupling::ParticleFluid& fluid, const coupling::Filling& filling) {
+    const double spacing = fluid.settings().spacing;
     for (const WavePaddle& paddle : build.paddles) {
         warn_of_height(build, paddle, spacing);
-        warn_of_leaving(build, paddle, fluid.sph);
+        warn_of_leaving(build, paddle, fluid.settings());
         if (const auto before = water_before(build, paddle, spacing, filling)) {
             warn_of_depth(build, paddle, spacing,
                           depth_of(build, paddle, spacing, *before, filling.particles.position));

@@ -12,6 +12,6 @@ namespace riprap::scene {
 /// - a wave of less than four spacings from crest to trough, which the water can hardly carry;
 /// - a face that draws back out of the domain of the water, along an axis, without what absorption adds: water that
 ///   follows it ends the run.
-void warn_of_paddles(CaseBuild& build, const sim::FluidModel& fluid, const coupling::Filling& filling);
+void warn_of_paddles(CaseBuild& build, const coupling::ParticleFluid& fluid, const coupling::Filling& filling);
 
 }  // namespace riprap::scene

@@ -44,7 +44,7 @@ struct Fall {
 Fall follow(const CaseSetting& setting, CaseReport& report, const std::string& name, Trial& trial,
             WaterRecords& records) {
     const BodyId body = trial.body(name);
-    const double start = trial.position(body).y, spacing = trial.model().fluid->sph.spacing;
+    const double start = trial.position(body).y, spacing = trial.model().particles()->settings().spacing;
     Fall fall;
     int inside = 0;
     run_water(trial, records, trial.model().time.end, 0.01, [&](const Trial& now) {

@@ -107,9 +107,9 @@ void plot_surface(const CaseSetting& setting, const WaterRecords& records) {
 void judge_slide(const CaseSetting& setting, CaseReport& report, double friction, double end) {
     Trial trial = wedge_trial(setting, friction, 0);
     const std::string run = fmt::format("mu = {}", friction);
-    const double spacing = trial.model().fluid->sph.spacing;
+    const double spacing = trial.model().particles()->settings().spacing;
     const double solid = 0.5 * wedge_height * wedge_height / std::tan(angle);
-    const double filled = trial.model().fluid->filled_volume;
+    const double filled = trial.model().particles()->filled_volume;
     WaterRecords records;
     int inside = 0, frame = 0;
     run_water(trial, records, end, 0.01, [&](const Trial& now) {

@@ -28,7 +28,7 @@ void take_row(const Trial& trial, WaterRecords& records) {
     records.gauge.resize(gauges.size());
     records.time.push_back(trial.time());
     for (std::size_t i = 0; i < gauges.size(); ++i) {
-        records.gauge[i].push_back(fluid::read_gauge(gauges[i], model.fluid->sph, trial.state().fluid)[0]);
+        records.gauge[i].push_back(fluid::read_gauge(gauges[i], model.particles()->settings(), trial.state().fluid)[0]);
     }
     const sim::Ledger& ledger = trial.report().ledger;
     if (ledger.has_energy) {
@@ -61,7 +61,7 @@ int count_inside_solids(const Trial& trial, double depth) {
     const sim::Model& model = trial.model();
     const auto is_inside = [&](const body::Part& part, const Vec3& x) {
         const auto b = static_cast<std::size_t>(part.body.value);
-        if (b < model.fluid->is_dry.size() && model.fluid->is_dry[b] != 0) {
+        if (b < model.particles()->is_dry.size() && model.particles()->is_dry[b] != 0) {
             return false;  // water passes through it
         }
         const Vec3 in_body = to_body({trial.state().bodies.position[b], trial.state().bodies.orientation[b]}, x);
@@ -92,7 +92,7 @@ double surface_at(const Trial& trial, double x, double low, double high) {
     gauge.point = {x, low, 0};
     gauge.end = {x, high, 0};
     gauge.up = {0, 1, 0};
-    return low + fluid::read_gauge(gauge, trial.model().fluid->sph, trial.state().fluid)[0];
+    return low + fluid::read_gauge(gauge, trial.model().particles()->settings(), trial.state().fluid)[0];
 }
 
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records) {

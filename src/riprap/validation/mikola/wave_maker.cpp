@@ -131,7 +131,7 @@ void judge_waves(const Flume& flume, const WaterRecords& records, CaseReport& re
 void wave_maker(const CaseSetting& setting, CaseReport& report) {
     const Flume& flume = setting.is_full ? full_flume : short_flume;
     Trial trial = flume_trial(setting, flume);
-    const double mass = trial.model().fluid->filled_volume * trial.model().fluid->sph.rest_density;
+    const double mass = trial.model().particles()->filled_volume * trial.model().particles()->settings().rest_density;
     WaterRecords records;
     int inside = 0;
     run_water(trial, records, flume.end, 0.05,

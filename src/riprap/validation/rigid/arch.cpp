@@ -69,7 +69,7 @@ Arch stand(double thickness, double duration) {
     }
     scene.model.gravity.value = {0, -gravity, 0};
     scene.model.gravity.ramp = 1;
-    scene.model.solid.local_damping = 0.5;
+    scene.model.dem()->local_damping = 0.5;
     Trial trial(std::move(scene));
     trial.follow_energy(false);
     const BodyId key{count / 2 + 1};

@@ -56,7 +56,7 @@ Columns stand(double friction_angle, double duration) {
     }
     scene.model.gravity.value = {gravity * std::sin(30 * degree), -gravity * std::cos(30 * degree), 0};
     scene.model.gravity.ramp = 2;
-    scene.model.solid.local_damping = 0.5;
+    scene.model.dem()->local_damping = 0.5;
     Trial trial(std::move(scene));
     trial.follow_energy(false);
     const std::vector<Vec3> start = trial.state().bodies.position;

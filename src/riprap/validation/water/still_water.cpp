@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 

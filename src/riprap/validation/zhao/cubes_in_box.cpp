@@ -47,7 +47,7 @@ Trial tetrahedral_twin(const sim::Model& cubes, const sim::State& state) {
     model.gravity = cubes.gravity;
     model.time = cubes.time;
     model.solid = cubes.solid;
-    model.solid.contact.potential = contact::Potential::fdem;
+    model.dem()->contact.potential = contact::Potential::fdem;
     std::vector<body::Part> pieces;
     for (const auto& [a, b, c, d] : tetrahedra_of_cube()) {
         Vec3 centroid{};

@@ -52,7 +52,7 @@ struct RowAnswer {
 
 RowAnswer hit_row(contact::Sides sides) {
     SceneBuilder scene;
-    scene.model.solid.contact.sides = sides;
+    scene.model.dem()->contact.sides = sides;
     scene.add_material({.name = "rock", .density = 600, .normal_stiffness = modulus});
     const ShapeId cube = scene.add_shape(geometry::cube(edge));
     BodyId body{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 
 #include <fmt/format.h>
 
@@ -22,17 +22,16 @@ double power(double x, double exponent) {
     return std::pow(x, exponent);
 }
 
-/// Müller's scheme has its own state equation: linear, without tension
-bool is_linear(const SphSettings& s) {
-    return s.state_equation == StateEquation::linear || s.scheme == SphScheme::muller;
-}
+bool is_linear(const ParticleSettings& s) { return s.state_equation != StateEquation::tait; }
 
 /// Density below which nothing is stored and nothing pulls
-double least_density(const SphSettings& s) { return s.scheme == SphScheme::muller ? s.rest_density : 0; }
+double least_density(const ParticleSettings& s) {
+    return s.state_equation == StateEquation::linear_without_tension ? s.rest_density : 0;
+}
 
 }  // namespace
 
-double pressure_of(const SphSettings& s, double actual_density) {
+double pressure_of(const ParticleSettings& s, double actual_density) {
     const double density = std::max(actual_density, least_density(s));
     const double stiffness = s.rest_density * s.sound_speed * s.sound_speed;
     if (is_linear(s)) {
@@ -41,7 +40,7 @@ double pressure_of(const SphSettings& s, double actual_density) {
     return stiffness / s.tait_exponent * (power(density / s.rest_density, s.tait_exponent) - 1);
 }
 
-double density_of(const SphSettings& s, double pressure) {
+double density_of(const ParticleSettings& s, double pressure) {
     const double strain = pressure / (s.rest_density * s.sound_speed * s.sound_speed);
     if (is_linear(s)) {
         return s.rest_density * std::max(0.0, 1 + strain);
@@ -49,7 +48,7 @@ double density_of(const SphSettings& s, double pressure) {
     return s.rest_density * std::pow(std::max(0.0, 1 + s.tait_exponent * strain), 1 / s.tait_exponent);
 }
 
-double internal_energy_of(const SphSettings& s, double actual_density) {
+double internal_energy_of(const ParticleSettings& s, double actual_density) {
     const double density = std::max(actual_density, least_density(s));
     const double x = density / s.rest_density, c2 = s.sound_speed * s.sound_speed;
     const double n = s.tait_exponent - 1;
@@ -59,7 +58,7 @@ double internal_energy_of(const SphSettings& s, double actual_density) {
     return c2 / s.tait_exponent * ((power(x, n) - 1) / n + 1 / x - 1);
 }
 
-double sound_speed_of(const SphSettings& s, double density) {
+double sound_speed_of(const ParticleSettings& s, double density) {
     if (is_linear(s)) {
         return s.sound_speed;
     }

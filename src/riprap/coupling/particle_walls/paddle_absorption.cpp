@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/sim/paddle_absorption.hpp"
+#include "riprap/coupling/particle_walls/paddle_absorption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
-namespace riprap::sim {
+namespace riprap::coupling {
 
-double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::SphSettings& settings,
+double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::ParticleSettings& settings,
                          const fluid::ParticleState& water) {
     fluid::Gauge gauge;
     gauge.kind = fluid::GaugeKind::surface;
@@ -55,7 +55,7 @@ double absorption_delay(const PaddleAbsorption& paddle, double spacing, double g
 }
 
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
-                  const fluid::SphSettings& settings, const fluid::ParticleState& water, body::BodyState& state) {
+                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water, body::BodyState& state) {
     for (const PaddleAbsorption& paddle : paddles) {
         const auto b = static_cast<std::size_t>(paddle.body.value);
         const Vec3 at_rest = bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[b])].start.position;
@@ -72,4 +72,4 @@ void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet
     }
 }
 
-}  // namespace riprap::sim
+}  // namespace riprap::coupling

@@ -5,12 +5,12 @@
 #include <span>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/wave/linear_wave.hpp"
 #include "riprap/wave/solitary_wave.hpp"
 
-namespace riprap::sim {
+namespace riprap::coupling {
 
 /// How a piston takes up waves that come back while it makes its own [SchafferKlopman2000]. The surface in front of it,
 /// less what its own motion makes there, is a wave that arrives with amplitude a; a correction of its velocity
@@ -44,7 +44,7 @@ struct PaddleAbsorption {
 inline constexpr double absorption_gauge_distance = 4;
 
 /// Height of the surface above the foot, in front of a paddle that is `shift` from its place at rest [m]; 0 where dry.
-double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::SphSettings& settings,
+double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::ParticleSettings& settings,
                          const fluid::ParticleState& water);
 
 /// The correction of velocity that the law asks for [m/s].
@@ -60,6 +60,6 @@ double absorption_delay(const PaddleAbsorption& paddle, double spacing, double g
 
 /// Sets how fast the corrections of all absorbing paddles go over the next step.
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
-                  const fluid::SphSettings& settings, const fluid::ParticleState& water, body::BodyState& state);
+                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water, body::BodyState& state);
 
-}  // namespace riprap::sim
+}  // namespace riprap::coupling

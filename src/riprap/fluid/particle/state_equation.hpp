@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::fluid {
 
@@ -12,18 +12,19 @@ namespace riprap::fluid {
 //     tait    p = rho_0 c_0^2/gamma (x^gamma - 1)      e = c_0^2/gamma ((x^(gamma-1) - 1)/(gamma-1) + 1/x - 1)
 //     linear  p = rho_0 c_0^2 (x - 1)                  e = c_0^2 (ln x + 1/x - 1)
 //
-//     muller  p = c_0^2 (rho - rho_0) where positive, else 0, and the e of `linear` likewise [Muller2003]
+//     linear_without_tension  p = c_0^2 (rho - rho_0) where positive, else 0, and the e of `linear` likewise: that of
+//             Mueller's scheme [Muller2003]
 //
 // where e = integral of p/rho^2 from rho_0, zero and least at rest. [Cole1948], [Monaghan1994]
 
 /// p [Pa] at density rho [kg/m^3].
-double pressure_of(const SphSettings& settings, double density);
+double pressure_of(const ParticleSettings& settings, double density);
 /// The density [kg/m^3] at which the pressure is p [Pa]; the least possible one where p is below that of empty space.
-double density_of(const SphSettings& settings, double pressure);
+double density_of(const ParticleSettings& settings, double pressure);
 /// e [J/kg] at density rho [kg/m^3].
-double internal_energy_of(const SphSettings& settings, double density);
+double internal_energy_of(const ParticleSettings& settings, double density);
 /// c = sqrt(dp/drho) [m/s]: c_0 x^((gamma-1)/2), or c_0.
-double sound_speed_of(const SphSettings& settings, double density);
+double sound_speed_of(const ParticleSettings& settings, double density);
 
 /// A numerical sound speed and where it comes from.
 struct SoundSpeed {

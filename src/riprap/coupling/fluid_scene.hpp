@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "riprap/body/body_set.hpp"
+#include "riprap/body/gravity.hpp"
+#include "riprap/fluid/open/open_boundary.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/geometry/shape_set.hpp"
+
+namespace riprap::coupling {
+
+/// What every fluid reads of the scene: Model.
+struct FluidScene {
+    const geometry::ShapeSet& shapes;
+    const body::BodySet& bodies;
+    const body::Gravity& gravity;
+};
+
+/// What the coupling of a fluid and bodies remembers: State. One entry per body, none without a fluid.
+struct CouplingState {
+    double previous_dt{0};                       ///< of the fluid; 0 at the start [s]
+    std::vector<Vec3> acceleration;              ///< mean over the last step: the first guess of the next [m/s^2]
+    std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
+    std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to the fluid [m/s^2]
+    std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
+    std::vector<std::int32_t> near_samples;      ///< that water or joints may feel, see coupling::near_samples
+    double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("coupling.previous_dt", self.previous_dt);
+        visit("coupling.acceleration", self.acceleration);
+        visit("coupling.angular_acceleration", self.angular_acceleration);
+        visit("coupling.dry_acceleration", self.dry_acceleration);
+        visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
+        visit("coupling.near_samples", self.near_samples);
+        visit("coupling.near_travel", self.near_travel);
+    }
+};
+
+/// What a fluid may change: State. Fluids without particles leave the first two alone.
+struct FluidState {
+    fluid::ParticleState& particles;
+    fluid::OpenState& open;
+    CouplingState& coupling;
+    body::BodyState& bodies;  ///< drive_rate of driven bodies that absorb waves, nothing else
+};
+
+}  // namespace riprap::coupling

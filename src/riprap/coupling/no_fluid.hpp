@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "riprap/body/motion.hpp"
+#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
+
+namespace riprap::coupling {
+
+/// A scene without a fluid: FluidMethod that does nothing.
+class NoFluid {
+ public:
+    using Settings = std::monostate;
+    using Fields = NoFields;
+    struct Scratch {
+        std::size_t bytes() const { return 0; }
+    };
+    static constexpr bool is_there = false;
+    static constexpr bool leads = false;
+
+    NoFluid(const FluidScene& /*scene*/, const Settings& /*settings*/, const FluidState& /*state*/, Fields& /*fields*/,
+            Scratch& /*scratch*/) {}
+    StepLimit limit() const { return {}; }
+    void tidy(std::int64_t /*step*/) {}
+    void drive(const TimeSpan& /*span*/, std::vector<Vec3>& /*correction*/) {}
+    Outcome begin(const TimeSpan& /*span*/, const body::Motion& /*now*/, const body::Motion& /*middle*/,
+                  FluidStep& /*report*/) {
+        return {};
+    }
+    void load(const TimeSpan& /*span*/, const body::Motion& /*middle*/, FluidLoads& /*loads*/) {}
+    Outcome kick(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
+    Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
+    std::span<const double> feedback() const { return {}; }
+    static std::array<double, 3> read(const FluidScene& /*scene*/, const Settings& /*settings*/,
+                                      const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
+                                      const fluid::Gauge& /*gauge*/, const FaceGauge* /*face*/) {
+        return {std::numeric_limits<double>::quiet_NaN()};
+    }
+};
+
+}  // namespace riprap::coupling

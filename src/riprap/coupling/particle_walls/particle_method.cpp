@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/particle_walls/particle_method.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "riprap/core/index.hpp"
+#include "riprap/coupling/particle_walls/walls.hpp"
+#include "riprap/fluid/particle/sort.hpp"
+
+namespace riprap::coupling {
+
+ParticleMethod::ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state,
+                               Fields& /*fields*/, Scratch& scratch)
+    : scene_(&scene), water_(&water), state_(state), scratch_(&scratch) {
+    if (!scratch.scheme || scratch.made_for != &water) {
+        scratch.made_for = &water;
+        scratch.scheme = make_scheme(water.scheme);
+        scratch.bodies = describe_bodies(scene.bodies, water);
+    }
+}
+
+StepLimit ParticleMethod::limit() const {
+    const fluid::FluidTimeStep step = scratch_->scheme->limit(state_.particles);
+    return {step.limit, false, step.reason};
+}
+
+void ParticleMethod::tidy(std::int64_t step) {
+    const fluid::ParticleSettings& settings = water_->settings();
+    if (step % settings.sort_interval == 0) {
+        sort_by_place(state_.particles, settings.domain, settings.spacing);
+    }
+}
+
+void ParticleMethod::drive(const TimeSpan& span, std::vector<Vec3>& correction) {
+    std::vector<Vec3>& rate = state_.bodies.drive_rate;
+    correction = rate;
+    absorb_waves(water_->absorptions, scene_->bodies, span.time, span.dt, water_->settings(), state_.particles,
+                 state_.bodies);
+    for (std::size_t b = 0; b < correction.size(); ++b) {
+        correction[b] = (rate[b] - correction[b]) / span.dt;
+    }
+}
+
+Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
+                              FluidStep& report) {
+    ParticleScratch& scratch = *scratch_;
+    const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
+    scratch.motion = now;
+    find_near_samples(*scene_, *water_, state_, span.dt, scratch);
+    place_walls(*water_, state_.open, span.time, 0, scratch);
+    scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
+                                   report.fluid);
+    fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
+
+    scratch.motion = middle;
+    place_walls(*water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
+    scratch.scheme->begin_forces(state_.particles, scratch.walls, span, scene_->gravity.at(span.middle()),
+                                 report.fluid);
+    if (report.fluid.problem.empty()) {
+        hold_loads(span);
+    }
+    return {report.fluid.problem};
+}
+
+/// Finds the loads that do not change while accelerations of bodies are iterated: of the guard before faces, and of
+/// joints.
+void ParticleMethod::hold_loads(const TimeSpan& span) {
+    if (water_->wall != WallTreatment::boundary_particles) {
+        return;
+    }
+    ParticleScratch& scratch = *scratch_;
+    scratch.penalty.push(scene_->shapes, scene_->bodies, scratch.motion, water_->is_dry,
+                         guard_settings(water_->settings(), span.dt), scratch.bodies.guard_share, state_.particles,
+                         scratch.extra_force, scratch.held_loads);
+    add_joint_loads(*water_, scratch, scene_->gravity.at(span.middle()));
+}
+
+void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
+    ParticleScratch& scratch = *scratch_;
+    scratch.motion = middle;
+    place_walls(*water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
+    const bool is_penalty = water_->wall == WallTreatment::penalty;
+    if (is_penalty) {
+        scratch.penalty.push(scene_->shapes, scene_->bodies, scratch.motion, water_->is_dry,
+                             penalty_settings(water_->settings()), {}, state_.particles, scratch.extra_force, loads);
+    }
+    scratch.scheme->load_walls(state_.particles, scratch.walls, scene_->gravity.at(span.middle()));
+    if (!is_penalty) {
+        gather_loads(SampleView(water_->samples, scratch.near_numbers), scratch.motion, scratch.walls, loads);
+        loads.pressure += scratch.held_loads.pressure;
+    }
+}
+
+Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
+    ParticleScratch& scratch = *scratch_;
+    if (!water_->sponges.empty()) {
+        push_sponges(water_->sponges, water_->settings(), state_.particles, span.dt, scratch.extra_force,
+                     scratch.sponge);
+    }
+    scratch.scheme->kick(state_.particles, scratch.walls, scene_->gravity.at(span.middle()), span, scratch.extra_force,
+                         report.fluid);
+    const double joint_work = span.dt * joint_power(scratch);
+    report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
+    report.fluid.work_external += joint_work;
+    report.absorbed = water_->sponges.empty() ? 0 : absorbed_energy(state_.particles, span.dt, scratch.sponge);
+    report.flow_work = span.dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
+    report.intruder = find_intruder(scene_->bodies, *water_, scratch);
+    return {report.fluid.problem};
+}
+
+Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
+    ParticleScratch& scratch = *scratch_;
+    fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
+    const double fastest =
+        std::max(report.fluid.max_speed,
+                 speed_of_joints(*water_, scratch.bodies.is_loose, scene_->bodies, state_.bodies, scratch.joints));
+    state_.coupling.near_travel += 0.5 * span.dt * fastest + report.fluid.max_shift;
+    state_.coupling.previous_dt = span.dt;
+    if (!water_->open.empty()) {
+        const Vec3 gravity = without_periodic(scene_->gravity.at(span.end()), water_->settings().domain);
+        report.passage = pass_openings(water_->open, water_->settings(), scratch.walls, scratch.near_numbers.size(),
+                                       gravity, span.end(), span.dt, state_.open, state_.particles);
+    }
+    return {report.passage.problem};
+}
+
+std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settings& water,
+                                           const fluid::ParticleState& particles, const Scratch* scratch,
+                                           const fluid::Gauge& gauge, const FaceGauge* face) {
+    const fluid::ParticleSettings& settings = water.settings();
+    if (face == nullptr) {
+        return read_gauge(gauge, settings, particles);
+    }
+    if (scratch == nullptr || scratch->motion.pose.empty()) {
+        return {std::numeric_limits<double>::quiet_NaN()};
+    }
+    return {read_face(*face, {scene.shapes, scene.bodies, water.is_dry, scratch->motion,
+                              SampleView(water.samples, scratch->near_numbers), scratch->walls, settings.domain,
+                              settings.spacing, settings.support_radius(), scratch->penalty.pushes()})};
+}
+
+}  // namespace riprap::coupling

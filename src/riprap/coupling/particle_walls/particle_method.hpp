@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/particle_walls/particle_scratch.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
+
+namespace riprap::coupling {
+
+/// A fluid of particles between walls, bound to Model, State and Scratch for one step: FluidMethod.
+class ParticleMethod {
+ public:
+    using Settings = ParticleFluid;
+    using Fields = NoFields;
+    using Scratch = ParticleScratch;
+    static constexpr bool is_there = true;
+    static constexpr bool leads = true;  ///< its step is that of the run
+
+    ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
+                   Scratch& scratch);
+
+    /// Returns the longest step that sound, acceleration and viscosity allow.
+    StepLimit limit() const;
+    /// Sorts the particles by place on steps given by the step number alone.
+    void tidy(std::int64_t step);
+    /// Sets how fast the corrections of absorbing paddles go over the span, and tells how that accelerates them.
+    /// @param correction  per driven body, empty where none is corrected [m/s^2]
+    void drive(const TimeSpan& span, std::vector<Vec3>& correction);
+    /// Density, half a drift, and the forces within the fluid with bodies where they will be at mid-step. Bodies are
+    /// not moved.
+    Outcome begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle, FluidStep& report);
+    /// Finds the loads on bodies that move as `middle` says; its poses are those of begin.
+    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
+    /// Kicks the particles with the walls as they were last loaded.
+    Outcome kick(const TimeSpan& span, FluidStep& report);
+    /// The second half of the drift, and what passes inflows and outflows.
+    Outcome end(const TimeSpan& span, FluidStep& report);
+
+    /// Returns the share of each body's mass that its walls feed back to the loads: the bodies whose accelerations have
+    /// to be iterated [-].
+    std::span<const double> feedback() const { return scratch_->bodies.kappa; }
+    /// Reads a gauge; nothing before the first step for one on a face.
+    static std::array<double, 3> read(const FluidScene& scene, const Settings& water,
+                                      const fluid::ParticleState& particles, const Scratch* scratch,
+                                      const fluid::Gauge& gauge, const FaceGauge* face);
+
+ private:
+    void hold_loads(const TimeSpan& span);
+
+    const FluidScene* scene_;
+    const ParticleFluid* water_;
+    FluidState state_;
+    ParticleScratch* scratch_;
+};
+
+}  // namespace riprap::coupling

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Buffers of a particle fluid between walls: for the sources of this folder only.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "riprap/coupling/particle_walls/joint_loads.hpp"
+#include "riprap/coupling/particle_walls/particle_fluid.hpp"
+#include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/sample_set.hpp"
+
+namespace riprap::coupling {
+
+/// Properties of bodies that do not change over a run; one entry per body.
+struct WallBodies {
+    std::vector<double> kappa;           ///< share of the mass that the wall treatment feeds back [-]
+    std::vector<std::uint8_t> is_still;  ///< never moves
+    std::vector<std::uint8_t> is_loose;  ///< forces move it, now or once it is released
+    std::vector<double> guard_share;     ///< of the guard's stiffness [-]
+};
+
+/// Buffers of a particle fluid: Scratch.
+struct ParticleScratch {
+    std::unique_ptr<fluid::ParticleScheme> scheme;
+    const ParticleFluid* made_for{nullptr};  ///< whose settings the scheme points to
+    WallBodies bodies;
+    fluid::BoundaryParticles walls;
+    std::vector<std::int32_t> near_numbers;  ///< a copy of the State's near_samples: those that `walls` stand for
+    PenaltyWalls penalty;
+    body::Motion motion;    ///< of all bodies, where the samples were placed last
+    FluidLoads held_loads;  ///< of particles pressed against faces and of water in joints
+    JointScratch joints;
+    std::vector<Vec3> extra_force;  ///< of penalty walls on particles [N]
+    fluid::SpongeWork sponge;
+
+    std::size_t bytes() const;
+};
+
+}  // namespace riprap::coupling

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/particle_walls/walls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/coupling/near_samples.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+/// Everywhere that water may enter less than a spacing past, and faces that may make joints.
+std::vector<Vec3> places_of_openings_and_joints(const ParticleFluid& water, const ParticleScratch& scratch) {
+    std::vector<Vec3> places;
+    for (const fluid::Inflow& inflow : water.open.inflows) {
+        for (const Vec3& row : inflow.rows) {
+            places.push_back(row);
+            places.push_back(row + water.settings().spacing * inflow.opening.direction());
+        }
+    }
+    add_places_of_joints(water, scratch.bodies.is_loose, scratch.motion, places);
+    return places;
+}
+
+double fastest_of(const fluid::ParticleState& particles) {
+    return std::sqrt(parallel::reduce(
+        particles.size(), 0.0, [&](std::int64_t i) { return norm_squared(particles.velocity[at(i)]); },
+        [](double a, double b) { return std::max(a, b); }));
+}
+
+}  // namespace
+
+void place_walls(const ParticleFluid& water, const fluid::OpenState& open, double time, double ahead,
+                 ParticleScratch& scratch) {
+    place_samples(SampleView(water.samples, scratch.near_numbers), scratch.motion, scratch.walls,
+                  scratch.bodies.is_still);
+    if (!water.open.empty()) {
+        place_openings(water.open, open, water.settings(), time, ahead, scratch.walls);
+    }
+}
+
+void find_near_samples(const FluidScene& scene, const ParticleFluid& water, const FluidState& state, double dt,
+                       ParticleScratch& scratch) {
+    if (water.samples.size() == 0) {
+        return;
+    }
+    CouplingState& coupling = state.coupling;
+    const fluid::ParticleSettings& settings = water.settings();
+    const std::vector<std::uint8_t>& is_loose = scratch.bodies.is_loose;
+    const double margin = 2 * settings.spacing;
+    const double ahead = 0.5 * dt *
+                         std::max(fastest_of(state.particles),
+                                  speed_of_joints(water, is_loose, scene.bodies, state.bodies, scratch.joints));
+    if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
+        const double reach = std::max(settings.support_radius(), reach_of_joints(water, scene.bodies, is_loose));
+        coupling.near_samples =
+            near_samples(water.samples, scratch.motion, scratch.bodies.is_still, state.particles.position,
+                         places_of_openings_and_joints(water, scratch), settings.domain, reach + margin + ahead);
+        coupling.near_travel = 0;
+    }
+    coupling.near_travel += ahead;
+    if (scratch.near_numbers != coupling.near_samples) {
+        scratch.near_numbers = coupling.near_samples;
+        scratch.walls = {};
+        scratch.joints.pressure.forget();
+    }
+}
+
+WallBodies describe_bodies(const body::BodySet& bodies, const ParticleFluid& water) {
+    const auto count = at(bodies.size());
+    WallBodies found;
+    found.kappa.assign(count, 0);
+    found.is_still.resize(count);
+    found.is_loose.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        const bool is_released = std::isfinite(bodies.release_time[b]);
+        found.is_still[b] = bodies.drive[b] == body::Drive::fixed && !is_released ? 1 : 0;
+        found.is_loose[b] = bodies.drive[b] == body::Drive::free || is_released ? 1 : 0;
+    }
+    const SampleSet& samples = water.samples;
+    for (std::size_t i = 0; i < samples.body.size(); ++i) {
+        const auto b = at(samples.body[i].value);
+        if (samples.depth[i] < water.settings().spacing && bodies.mass[b] > 0) {
+            found.kappa[b] += 2 * water.settings().rest_density * samples.volume[i] / bodies.mass[b];
+        }
+    }
+    // The guard is not iterated: its springs on one body must not swing it faster than its particles.
+    found.guard_share.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        found.guard_share[b] = found.is_loose[b] != 0 ? 1 / std::max(1.0, found.kappa[b]) : 1.0;
+    }
+    return found;
+}
+
+std::string find_intruder(const body::BodySet& bodies, const ParticleFluid& water, const ParticleScratch& scratch) {
+    for (std::size_t i = 0; !water.open.empty() && i < scratch.near_numbers.size(); ++i) {
+        const BodyId body = water.samples.body[at(scratch.near_numbers[i])];  // all those of bodies that move are near
+        if (scratch.bodies.is_still[at(body.value)] != 0) {
+            continue;
+        }
+        const fluid::Opening* const opening =
+            opening_with_layers_at(water.open, water.settings(), scratch.walls.position[i]);
+        if (opening != nullptr) {
+            return fmt::format("'{}' stands behind the opening '{}', among the layers of its water", bodies.name(body),
+                               opening->name);
+        }
+    }
+    return {};
+}
+
+}  // namespace riprap::coupling

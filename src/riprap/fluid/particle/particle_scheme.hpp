@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "riprap/core/step.hpp"
+#include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
+#include "riprap/fluid/particle/particle_state.hpp"
+
+namespace riprap::fluid {
+
+/// The longest steps that each limit allows [s].
+struct FluidTimeStep {
+    double acoustic;  ///< courant h / (c + max speed), c at the highest density
+    double force;     ///< 0.25 sqrt(h / max acceleration)
+    double viscous;   ///< 0.125 h^2 / nu, nu the viscosity or what the artificial one amounts to
+    double limit;     ///< the least
+    const char* reason;
+};
+
+/// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
+///
+///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_diffusion + shifted
+///         + work_on_solids + wall_exchange - work_external)
+///
+/// stays the same (docs/theory/sph.md, 6).
+struct FluidReport {
+    double kinetic{0};               ///< sum m v_n.v_(n+1)/2
+    double potential{0};             ///< -sum m g.x; gravity along periodic axes is in work_external
+    double internal{0};              ///< of compression
+    double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
+    double dissipated_diffusion{0};  ///< in this step, by the diffusion of density and by tearing
+    double shifted{0};               ///< potential energy and that of compression that shifting took away in this step
+    double work_on_solids{0};        ///< in this step
+    double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees
+    double work_external{0};         ///< in this step, by extra forces and by gravity along periodic axes
+    Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
+    double mass{0};              ///< [kg]
+    double max_speed{0}, max_acceleration{0};
+    double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
+    std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
+    std::string problem;              ///< why, with particle, place and time
+};
+
+/// What particles of one method do in a step, between the walls that somebody else moves. The driver calls the verbs in
+/// this order in every step; what an object keeps between steps decides no bit.
+///
+///     update_density   walls at t_n
+///     drift            x_(n+1/2) = x_n + dt/2 v_n, the same for all schemes
+///     begin_forces     walls at t_n + dt/2: all that how walls accelerate does not change
+///     load_walls       pressure and loads of walls that move as they say now; may be repeated with another
+///     acceleration
+///                      and velocity of the walls at the same places: light bodies need it, and so does a pressure
+///                      solve
+///     kick             v_(n+1), with what the walls did as they were last loaded
+///     drift            x_(n+1) = x_(n+1/2) + dt/2 v_(n+1)
+class ParticleScheme {
+ public:
+    ParticleScheme() = default;
+    ParticleScheme(const ParticleScheme&) = delete;
+    ParticleScheme& operator=(const ParticleScheme&) = delete;
+    virtual ~ParticleScheme() = default;
+
+    /// Returns the longest step that this State allows.
+    virtual FluidTimeStep limit(const ParticleState& state) const = 0;
+    /// Carries the density to the middle of the step.
+    /// @param dt  from density to density: (dt_(n-1) + dt_n)/2, dt_0/2 in the first step [s]
+    virtual void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+                                FluidReport& report) = 0;
+    /// Finds the forces within the fluid and its averages at the walls. Where a particle is not sound report.problem
+    /// says so and nothing is changed.
+    virtual void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
+                              const Vec3& gravity, FluidReport& report) = 0;
+    /// Describes the water about the walls as begin_forces found it, under this gravity.
+    virtual void describe_walls(const Vec3& gravity, WaterAtWalls& water) const = 0;
+    /// Finds the pressure at walls that move as they say now, and their loads.
+    virtual void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) = 0;
+    /// Adds the forces of the walls as last loaded, and kicks. Where a particle is not sound afterwards report.problem
+    /// says so.
+    /// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
+    virtual void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+                      std::span<const Vec3> extra_force, FluidReport& report) = 0;
+    virtual std::size_t bytes() const = 0;
+};
+
+/// x += dt v, back into the domain along periodic axes.
+/// @param dt  half the step [s]
+void drift(const ParticleSettings& settings, ParticleState& state, double dt);
+
+}  // namespace riprap::fluid

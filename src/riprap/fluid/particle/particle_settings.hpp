@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "riprap/fluid/particle/domain.hpp"
+
+namespace riprap::fluid {
+
+enum class StateEquation : std::uint8_t {
+    tait,
+    linear,
+    linear_without_tension,  ///< nothing is stored and nothing pulls below the density at rest
+};
+
+/// What the case says of any particle fluid: Model. Walls, openings, gauges and frames read this much; a scheme adds
+/// its own.
+struct ParticleSettings {
+    double spacing{0};            ///< dp: distance of particles at the start [m]
+    double smoothing_ratio{1.5};  ///< h/dp [-]; the kernel ends at 2 h
+    double rest_density{1000};    ///< rho_0 [kg/m^3]
+    double particle_mass{0};      ///< rho_0 dp^dimension [kg]; in 2D per metre of width [kg/m]
+    double sound_speed{0};        ///< c_0 [m/s]
+    StateEquation state_equation{StateEquation::tait};
+    double tait_exponent{7};         ///< [-]
+    double courant{0.8};             ///< share of h/(c + v) that a step may last [-]
+    std::int64_t sort_interval{50};  ///< steps between sorts of the State by place
+    Domain domain;
+
+    double smoothing_length() const { return smoothing_ratio * spacing; }
+    double support_radius() const { return 2 * smoothing_length(); }
+};
+
+}  // namespace riprap::fluid

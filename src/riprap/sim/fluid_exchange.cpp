@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/sim/fluid_exchange.hpp"
+
+#include "riprap/core/index.hpp"
+#include "riprap/sim/ledger_account.hpp"
+
+namespace riprap::sim {
+
+void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction) {
+    const body::BodySet& bodies = model.bodies;
+    prediction.bodies = state.bodies;
+    if (since > 0) {
+        solid::drift(bodies, prediction.bodies, span.time, since);
+    }
+    update_kinematics(bodies, prediction.bodies, span.time, prediction.kinematics);
+    fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction, span.time,
+                since, span.dt, prediction.now);
+    solid::drift(bodies, prediction.bodies, span.middle(), 0.5 * span.dt);
+    update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
+    fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
+                span.middle(), since + 0.5 * span.dt, span.dt, prediction.middle);
+}
+
+std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
+    std::vector<body::Acceleration> found(coupling.acceleration.size());
+    for (std::size_t b = 0; b < found.size(); ++b) {
+        found[b] = {coupling.acceleration[b], coupling.angular_acceleration[b]};
+    }
+    return found;
+}
+
+body::Acceleration response(const coupling::CouplingState& coupling, const body::BodyKinematics& kinematics,
+                            const body::Loads& loads, std::size_t b) {
+    return {kinematics.inverse_mass[b] * loads.force[b] + coupling.dry_acceleration[b],
+            kinematics.inverse_inertia[b] * loads.torque[b] + coupling.dry_angular_acceleration[b]};
+}
+
+std::vector<double> mean_inertia(const body::BodySet& bodies) {
+    std::vector<double> inertia(bodies.principal_moments.size());
+    for (std::size_t b = 0; b < inertia.size(); ++b) {
+        const Vec3& moments = bodies.principal_moments[b];
+        inertia[b] = bodies.is_planar ? moments.z : (moments.x + moments.y + moments.z) / 3;
+    }
+    return inertia;
+}
+
+void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body::Loads& sum) {
+    const auto count = at(bodies.size());
+    sum.clear(count, !loads.pressure.pull.empty());
+    for (std::size_t b = 0; b < count; ++b) {
+        const Vec3 f = loads.pressure.force[b] + loads.viscous.force[b];
+        sum.force[b] = bodies.is_planar ? Vec3{f.x, f.y, 0} : f;
+        sum.torque[b] = loads.pressure.torque[b] + loads.viscous.torque[b];
+    }
+    for (std::size_t b = 0; b < sum.pull.size(); ++b) {
+        sum.pull[b] = loads.pressure.pull[b];
+        sum.pull[b] += loads.viscous.pull[b];
+    }
+}
+
+void add_share(const body::Loads& span, std::int64_t spans, body::Loads& step) {
+    const double share = 1 / static_cast<double>(spans);
+    for (std::size_t b = 0; b < step.size(); ++b) {
+        step.force[b] += share * span.force[b];
+        step.torque[b] += share * span.torque[b];
+    }
+    for (std::size_t b = 0; b < span.pull.size(); ++b) {
+        step.pull[b] += share * span.pull[b];
+    }
+}
+
+double work_on_free(const Prediction& prediction, const body::Loads& loads, double dt) {
+    const body::Motion& motion = prediction.middle;
+    double work = 0;
+    for (std::size_t b = 0; b < loads.size(); ++b) {
+        if (prediction.kinematics.inverse_mass[b] > 0) {
+            work += dt * (dot(loads.force[b], motion.velocity[b]) + dot(loads.torque[b], motion.angular_velocity[b]));
+            if (motion.deforms()) {
+                work += dt * contract(loads.pull[b], motion.stretch_rate[b]);
+            }
+        }
+    }
+    return work;
+}
+
+double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
+                 const body::Loads& loads) {
+    double work = 0;
+    for (std::size_t b = 0; b < loads.size(); ++b) {
+        if (kinematics.inverse_mass[b] > 0) {
+            const Vec3 turn = to_rotation_vector(after.orientation[b] * conjugate(before.orientation[b]));
+            work += dot(loads.force[b], after.position[b] - before.position[b]) + dot(loads.torque[b], turn);
+        }
+    }
+    return work;
+}
+
+void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
+                        const body::Loads& loads, double dt, State& state) {
+    coupling::CouplingState& coupling = state.coupling;
+    for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
+        const auto b = at(i);
+        if (kinematics.inverse_mass[b] == 0) {
+            coupling.acceleration[b] = coupling.angular_acceleration[b] = {};
+            coupling.dry_acceleration[b] = model.gravity.at(state.time + dt);  // should it be released next
+            coupling.dry_angular_acceleration[b] = {};
+            continue;
+        }
+        coupling.acceleration[b] = (state.bodies.velocity[b] - before.velocity[b]) / dt;
+        coupling.angular_acceleration[b] = (angular_velocity(model.bodies, state.bodies, BodyId{i}) -
+                                            angular_velocity(model.bodies, before, BodyId{i})) /
+                                           dt;
+        coupling.dry_acceleration[b] = coupling.acceleration[b] - kinematics.inverse_mass[b] * loads.force[b];
+        coupling.dry_angular_acceleration[b] =
+            coupling.angular_acceleration[b] - kinematics.inverse_inertia[b] * loads.torque[b];
+    }
+}
+
+void book_fluid(std::span<const FluidSpan> spans, double work_given, LedgerState& state, Ledger& ledger) {
+    double work_seen = 0;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        work_seen += spans[k].work_on_free;
+        const bool is_last = k + 1 == spans.size();
+        Ledger earlier;  // the solids are booked once a step, with the last span
+        account_water({spans[k].step, is_last ? work_seen : 0, is_last ? work_given : 0}, state,
+                      is_last ? ledger : earlier);
+        account_passage(spans[k].step.passage, state);
+    }
+}
+
+void reset(const Model& model, coupling::CouplingState& coupling) {
+    const auto count = model.has_fluid() ? at(model.bodies.size()) : 0;
+    coupling.previous_dt = 0;
+    coupling.near_samples.clear();
+    coupling.near_travel = -1;
+    coupling.acceleration.assign(count, {});
+    coupling.angular_acceleration.assign(count, {});
+    coupling.dry_acceleration.assign(count, model.gravity.at(0));
+    coupling.dry_angular_acceleration.assign(count, {});
+}
+
+}  // namespace riprap::sim

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What bodies and a fluid tell each other in a step, whatever their methods: for the sources of this folder only.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/sim/scratch_data.hpp"
+
+namespace riprap::sim {
+
+/// What one span of the fluid brought.
+struct FluidSpan {
+    coupling::FluidStep step;
+    double work_on_free{0};  ///< on free bodies, as the fluid sees it [J]
+};
+
+/// Predicts the motion of all bodies at the beginning and in the middle of a span that begins `since` seconds after the
+/// State, from its velocities and the guessed accelerations.
+void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
+
+/// Returns the accelerations over the last step: the first guess of this one.
+std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);
+
+/// Returns the acceleration of a body under the loads of the fluid plus what else accelerated it in the last step.
+body::Acceleration response(const coupling::CouplingState& coupling, const body::BodyKinematics& kinematics,
+                            const body::Loads& loads, std::size_t b);
+
+/// Returns a moment of inertia of every body, the mean of the principal ones [kg m^2].
+std::vector<double> mean_inertia(const body::BodySet& bodies);
+
+/// Adds pressure and viscosity, within the plane of a planar scene.
+void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body::Loads& sum);
+
+/// Adds the loads of one of `spans` equal spans to their mean over the step: momentum is kept.
+void add_share(const body::Loads& span, std::int64_t spans, body::Loads& step);
+
+/// Returns the work of the loads on free bodies that move as predicted [J].
+double work_on_free(const Prediction& prediction, const body::Loads& loads, double dt);
+
+/// Returns the work that loads held over a step did on free bodies that went from `before` to `after` [J].
+double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
+                 const body::Loads& loads);
+
+/// Notes the mean accelerations over the step that took bodies from `before` to the State: the first guess of the next.
+void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
+                        const body::Loads& loads, double dt, State& state);
+
+/// Books the spans of the fluid.
+/// @param work_given  on free bodies over the step, as the bodies say [J]
+void book_fluid(std::span<const FluidSpan> spans, double work_given, LedgerState& state, Ledger& ledger);
+
+/// Empties what a fresh State keeps for the coupling.
+void reset(const Model& model, coupling::CouplingState& coupling);
+
+}  // namespace riprap::sim

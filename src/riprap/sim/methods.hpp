@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The methods that a case can choose from. One line registers a method; everything above asks these lists.
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <variant>
+
+#include "riprap/core/step.hpp"
+#include "riprap/coupling/no_fluid.hpp"
+#include "riprap/coupling/particle_walls/particle_method.hpp"
+#include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
+
+namespace riprap::sim {
+
+/// A way in which solids move. An object is bound to Model, State and Scratch for one step. Whatever the method, the
+/// bodies of the State say where every point is, x = x_c + R U X, and how it moves; other fields are the method's own.
+template <class M>
+concept SolidMethod = std::default_initializable<typename M::Settings> &&
+    std::default_initializable<typename M::Fields> && std::default_initializable<typename M::Scratch> &&
+    requires(M solids, const M looked_at, const TimeSpan& span, const body::LoadView& loads, solid::Measure measure,
+             solid::SolidReport& report, const typename M::Scratch& scratch) {
+    { looked_at.limit() } -> std::same_as<StepLimit>;
+    { solids.advance(span, loads, measure, report) } -> std::same_as<Outcome>;
+    { M::contact_loads(scratch) } -> std::same_as<const body::Loads&>;
+};
+
+/// A way in which a fluid moves, with the coupling that it needs.
+template <class M>
+concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
+                               coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,
+                               std::int64_t step) {
+    { looked_at.limit() } -> std::same_as<StepLimit>;
+    fluid.tidy(step);
+    fluid.drive(span, corrections);
+    { fluid.begin(span, motion, motion, report) } -> std::same_as<Outcome>;
+    fluid.load(span, motion, loads);
+    { fluid.kick(span, report) } -> std::same_as<Outcome>;
+    { fluid.end(span, report) } -> std::same_as<Outcome>;
+    { looked_at.feedback() } -> std::convertible_to<std::span<const double>>;
+};
+
+/// A list of methods, and what is made of it: settings for the Model, buffers for the Scratch.
+template <class... Methods>
+struct MethodList {
+    using Settings = std::variant<typename Methods::Settings...>;
+    using Fields = std::variant<typename Methods::Fields...>;
+    using Scratch = std::variant<typename Methods::Scratch...>;
+
+    /// Returns the alternative of Fields or Scratch that goes with these settings, made anew where another one stands.
+    template <class Method, class Variant>
+    static auto& matching(const Settings& settings, Variant& variant) {
+        constexpr std::size_t index = index_of<Method, 0, Methods...>();
+        if (variant.index() != settings.index()) {
+            variant.template emplace<index>();
+        }
+        return std::get<index>(variant);
+    }
+
+    /// Calls work.template operator()<Method>(entry) with the entry of a Settings, Fields or Scratch and its method.
+    template <class Variant, class Work>
+    static decltype(auto) visit(const Variant& entries, const Work& work) {
+        return visit_from<0, Variant, Work, Methods...>(entries, work);
+    }
+
+ private:
+    template <class Method, std::size_t index, class First, class... Rest>
+    static constexpr std::size_t index_of() {
+        if constexpr (std::is_same_v<Method, First>) {
+            return index;
+        } else {
+            return index_of<Method, index + 1, Rest...>();
+        }
+    }
+    template <std::size_t index, class Variant, class Work, class First, class... Rest>
+    static decltype(auto) visit_from(const Variant& entries, const Work& work) {
+        if constexpr (sizeof...(Rest) > 0) {
+            if (entries.index() != index) {
+                return visit_from<index + 1, Variant, Work, Rest...>(entries, work);
+            }
+        }
+        return work.template operator()<First>(std::get<index>(entries));
+    }
+};
+
+using Solids = MethodList<  //
+    solid::PolyhedralDem    //
+    >;
+using Fluids = MethodList<    //
+    coupling::NoFluid,        //
+    coupling::ParticleMethod  //
+    >;
+
+namespace detail {
+template <class... Settings>
+struct Choices {
+    using Variant = std::variant<Settings...>;
+    template <class Next>
+    static Choices<Settings..., Next> with(const Next*);
+    template <class... Schemes>
+    static Choices<Settings..., Schemes...> with(const std::variant<Schemes...>*);
+};
+template <class Found>
+Found choices_of(Found);
+template <class Found, class First, class... Rest>
+auto choices_of(Found, const First*, const Rest*... rest) {
+    if constexpr (std::is_same_v<First, std::monostate>) {
+        return choices_of(Found{}, rest...);
+    } else if constexpr (std::is_same_v<First, coupling::ParticleFluid>) {
+        return choices_of(decltype(Found::with(static_cast<const fluid::SchemeSettings*>(nullptr))){}, rest...);
+    } else {
+        return choices_of(decltype(Found::with(static_cast<const First*>(nullptr))){}, rest...);
+    }
+}
+template <class Settings>
+struct ChoicesOf;
+template <class... Settings>
+struct ChoicesOf<std::variant<Settings...>> {
+    using Variant = typename decltype(choices_of(Choices<>{}, static_cast<const Settings*>(nullptr)...))::Variant;
+};
+}  // namespace detail
+
+/// Settings that `fluid.method` chooses from: those of every fluid, and of particles those of every scheme.
+using FluidChoices = detail::ChoicesOf<Fluids::Settings>::Variant;
+
+}  // namespace riprap::sim

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/contact/distance_potential_physics.hpp"
+#include "riprap/core/bytes.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
+
+namespace riprap::solid {
+
+namespace {
+
+/// Sums and extremes over the contacts of one step, in fixed blocks of their order.
+struct ContactSums {
+    double elastic{0}, shear{0}, friction_loss{0};
+    float potential{0}, overlap{0};
+    std::int64_t deepest{-1};
+};
+
+ContactSums sum_contacts(const contact::ContactRows& rows, const contact::ContactHistory& history) {
+    return parallel::reduce(
+        static_cast<std::int64_t>(rows.size()), ContactSums{},
+        [&](std::int64_t i) {
+            const contact::ContactRow& row = rows[at(i)];
+            return ContactSums{
+                row.elastic_energy, history.shear_energy[at(i)], row.friction_loss, row.potential, row.overlap, i};
+        },
+        [](ContactSums a, const ContactSums& b) {
+            a.elastic += b.elastic;
+            a.shear += b.shear;
+            a.friction_loss += b.friction_loss;
+            a.overlap = std::max(a.overlap, b.overlap);
+            // A potential that is not a number counts as the deepest and stays so.
+            if (b.deepest >= 0 && (a.deepest < 0 || (!std::isnan(a.potential) && !(b.potential <= a.potential)))) {
+                a.potential = b.potential;
+                a.deepest = b.deepest;
+            }
+            return a;
+        });
+}
+
+/// Names what makes the step unacceptable, if anything does.
+Outcome judge(const body::BodySet& bodies, const DemSettings& settings, const body::BodyState& state,
+              const KickReport& kick, const ContactSums& contacts, const contact::ContactRows& rows, double time) {
+    if (kick.worst_body >= 0) {
+        const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
+        const Vec3& v = state.velocity[at(kick.worst_body)];
+        const Vec3& x = state.position[at(kick.worst_body)];
+        return {fmt::format(
+            "velocity of {} is ({:.6g}, {:.6g}, {:.6g}) m/s, its spin {:.6g} rad/s, at ({:.6g}, {:.6g}, {:.6g}) m, "
+            "t = {:.9g} s; allowed: finite, sqrt(2 K/m) at most {:.6g} m/s",
+            bodies.name(body), v.x, v.y, v.z, norm(angular_velocity(bodies, state, body)), x.x, x.y, x.z, time,
+            settings.max_speed)};
+    }
+    if (contacts.deepest >= 0 && !(contacts.potential <= settings.max_potential)) {
+        const contact::ContactRow& row = rows[at(contacts.deepest)];
+        const auto name = [&](std::int32_t part) { return bodies.name(bodies.parts[at(part)].body); };
+        return {
+            fmt::format("overlap of {} and {} reaches {:.4g} of an inscribed radius at ({:.6g}, {:.6g}, {:.6g}) m, "
+                        "t = {:.9g} s; allowed: {:.4g}",
+                        name(row.parts.a), name(row.parts.b), contacts.potential, row.point.x, row.point.y, row.point.z,
+                        time, settings.max_potential)};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::size_t PolyhedralDem::Scratch::bytes() const {
+    return pipeline.bytes() + loads.bytes() +
+           bytes_of(kinematics.angular_velocity, kinematics.inverse_inertia, kinematics.inverse_mass);
+}
+
+StepLimit PolyhedralDem::limit() const {
+    if (!scratch_->limit) {
+        const DemTimeStep bound = time_step_bound(scene_->bodies, scene_->shapes, scene_->materials);
+        scratch_->limit = StepLimit{bound.limit, false, bound.reason};
+    }
+    return *scratch_->limit;
+}
+
+Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads, Measure measure,
+                               SolidReport& report) {
+    const body::BodySet& bodies = scene_->bodies;
+    body::BodyState& state = state_.bodies;
+    SolidTimes& times = scratch_->times;
+    contact::ContactPipeline& contacts = scratch_->pipeline;
+    const contact::ContactScene scene{scene_->shapes, scene_->materials, bodies, settings_->grid_factor,
+                                      settings_->skin};
+    const double kick_time = span.middle();
+    const double sliding_time = 0.5 * (state_.previous_dt + span.dt);
+    const bool is_first = state_.previous_dt == 0;
+    const double previous_kick = !is_first ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
+    contact::DistancePotentialPhysics physics{settings_->contact};
+    physics.options.with_energy = report.has_stored = measure == Measure::energy || is_first;
+    {
+        const ScopedTimer timer(times.move_bodies);
+        drift(bodies, state, kick_time, 0.5 * span.dt);
+        update_kinematics(bodies, state, kick_time, scratch_->kinematics);
+    }
+    {
+        const ScopedTimer timer(times.find_pairs);
+        contacts.place_parts(scene, state);
+        report.pairs_rebuilt = contacts.find_pairs();
+    }
+    {
+        const ScopedTimer timer(times.find_contacts);
+        report.friction_loss = contacts.find_contacts(physics, scene, state, scratch_->kinematics, sliding_time,
+                                                      state_.contacts);  // of springs that were lost
+    }
+    {
+        const ScopedTimer timer(times.contact_loads);
+        contacts.gather_loads(scene, state, scratch_->loads);
+    }
+    report.gravity = scene_->gravity.at(kick_time);
+    report.kick_time = kick_time;
+    {
+        const ScopedTimer timer(times.move_bodies);
+        report.kick = kick(bodies, *settings_, scratch_->kinematics, scratch_->loads,
+                           scratch_->point_loads.add(scene_->point_loads, state, kick_time, loads), report.gravity,
+                           {kick_time, previous_kick, span.dt}, state);
+        report.damping_loss = contacts.dashpot_loss(scene, state, scratch_->kinematics, span.dt);
+        drift(bodies, state, span.end(), 0.5 * span.dt);
+    }
+    const ScopedTimer timer(times.measure);
+    const ContactSums sums = sum_contacts(contacts.rows(), state_.contacts);
+    report.elastic = report.has_stored ? sums.elastic : 0;
+    report.shear = sums.shear;
+    report.friction_loss = sums.friction_loss + report.friction_loss;
+    report.dt_bound = contacts.stable_step(scene);
+    report.max_potential = sums.potential;
+    report.max_depth = sums.overlap;
+    report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
+    report.pair_count = contacts.pair_count();
+    state_.previous_dt = span.dt;
+    return judge(bodies, *settings_, state, report.kick, sums, contacts.rows(), kick_time);
+}
+
+}  // namespace riprap::solid

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "riprap/body/gravity.hpp"
+#include "riprap/body/point_loads.hpp"
+#include "riprap/contact/contact_set.hpp"
+#include "riprap/material/material_set.hpp"
+#include "riprap/solid/explicit_dem.hpp"
+
+namespace riprap::solid {
+
+/// What every solid method reads of the scene: Model.
+struct SolidScene {
+    const geometry::ShapeSet& shapes;
+    const material::MaterialSet& materials;
+    const body::BodySet& bodies;
+    const body::Gravity& gravity;
+    std::span<const body::PointLoad> point_loads;
+};
+
+/// What every solid method may change: State. Methods with fields of their own get them besides.
+struct SolidState {
+    body::BodyState& bodies;
+    contact::ContactHistory& contacts;  ///< of methods whose contacts are between parts
+    /// A contact's sliding between two kicks lasts (previous_dt + dt)/2; 0 in the first piece of a run [s]
+    double& previous_dt;
+};
+
+/// Tells how much of the ledger a step works out. The elastic energy of an overlap is a function of the pose and costs
+/// more than its force, so a run asks for it only where a row is written. It changes no bit of the State.
+enum class Measure {
+    energy,  ///< everything
+    flow,    ///< all but the elastic energy and the residual
+};
+
+/// What a solid method brings in one piece of a step.
+struct SolidReport {
+    KickReport kick;          ///< energies, momenta and work of the bodies
+    double kick_time{0};      ///< at which the energies hold [s]
+    Vec3 gravity{};           ///< then [m/s^2]
+    bool has_stored{true};    ///< the stored energies were measured
+    double elastic{0};        ///< stored in overlaps [J]
+    double shear{0};          ///< stored in tangential springs [J]
+    double friction_loss{0};  ///< since the last kick [J]
+    double damping_loss{0};   ///< of contact dashpots in this piece, half of it after the kick [J]
+    double dt_bound{std::numeric_limits<double>::infinity()};  ///< step that the contacts as they are allow [s]
+    double max_potential{0};                                   ///< deepest normalised overlap [-]
+    double max_depth{0};                                       ///< [m]
+    std::int64_t contact_count{0};
+    std::int64_t pair_count{0};  ///< candidates in the pair cache: Scratch, no quantity of a record
+    bool pairs_rebuilt{false};
+};
+
+/// Seconds that a solid method has spent per stage.
+struct SolidTimes {
+    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, measure{0};
+};
+
+}  // namespace riprap::solid
