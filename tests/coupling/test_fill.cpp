@@ -6,6 +6,7 @@
 #include "coupling/tank_scenes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {

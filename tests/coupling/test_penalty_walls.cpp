@@ -3,6 +3,7 @@
 
 #include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::coupling {
 namespace {

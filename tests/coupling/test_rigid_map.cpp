@@ -58,6 +58,30 @@ TEST(RigidMap, the_power_of_loads_on_samples_is_that_of_force_and_torque) {
     EXPECT_NEAR(power, rigid, 1e-12 * scale);
 }
 
+TEST(RigidMap, the_power_on_bodies_that_deform_is_that_of_force_torque_and_pull) {
+    Flying f;
+    f.motion.stretch = {{1.1, 0.9, 1.0, 0.05, -0.02, 0.03}, {0.8, 1.2, 1.1, 0.0, 0.1, -0.05}};
+    f.motion.stretch_rate = {{0.3, -0.7, 0.2, 0.4, -0.1, 0.6}, {-0.5, 0.1, 0.9, 0.2, 0.3, -0.4}};
+    place_samples(f.samples, f.motion, f.particles);
+    double power = 0, scale = 0;
+    f.particles.viscous_force.assign(f.particles.position.size(), {});
+    for (std::size_t i = 0; i < f.particles.position.size(); ++i) {
+        const auto s = static_cast<double>(i);
+        f.particles.pressure_force.push_back({std::sin(s), std::cos(3 * s), std::sin(7 * s + 1)});
+        power += dot(f.particles.pressure_force[i], f.particles.velocity[i]);
+        scale += norm(f.particles.pressure_force[i]) * norm(f.particles.velocity[i]);
+    }
+    FluidLoads loads;
+    gather_loads(f.samples, f.motion, f.particles, loads);
+    double affine = 0;
+    for (std::size_t b = 0; b < 2; ++b) {
+        affine += dot(loads.pressure.force[b], f.motion.velocity[b]) +
+                  dot(loads.pressure.torque[b], f.motion.angular_velocity[b]) +
+                  contract(loads.pressure.pull[b], f.motion.stretch_rate[b]);
+    }
+    EXPECT_NEAR(power, affine, 1e-13 * scale);
+}
+
 TEST(RigidMap, velocity_and_acceleration_are_the_time_derivatives_of_the_place) {
     Flying f;
     const double dt = 1e-4;
@@ -113,14 +137,15 @@ TEST(RigidMap, a_view_of_some_samples_is_placed_and_gathered_as_a_set_of_them_is
     EXPECT_EQ(of_view.volume, of_copy.volume);
     EXPECT_EQ(of_view.is_slippery, of_copy.is_slippery);
     EXPECT_EQ(of_view.is_slippery[1], 1);
-    std::vector<Vec3> push, force, torque, force_of_copy, torque_of_copy;
+    std::vector<Vec3> push;
+    body::Loads loads, loads_of_copy;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         push.push_back({std::sin(static_cast<double>(i)), 1, std::cos(static_cast<double>(i))});
     }
-    gather(view, f.motion, of_view.position, push, force, torque);
-    gather(copied, f.motion, of_copy.position, push, force_of_copy, torque_of_copy);
-    EXPECT_EQ(force, force_of_copy);
-    EXPECT_EQ(torque, torque_of_copy);
+    gather(view, f.motion, of_view.position, push, loads);
+    gather(copied, f.motion, of_copy.position, push, loads_of_copy);
+    EXPECT_EQ(loads.force, loads_of_copy.force);
+    EXPECT_EQ(loads.torque, loads_of_copy.torque);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "io/temporary_folder.hpp"
 #include "io/vtk_reader.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/vtk_data.hpp"

@@ -125,7 +125,7 @@ TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
     basin.add_square(0.3, 800, {0.35, 1.2, 0}, {0, -3, 0});
     basin.add_square(0.3, 1500, {0.653, 1.2, 0}, {0, -3, 0});
     basin.fill({0, 0, 0}, {1, 1, 0}, {5, 5, 0}, 9, {0, 0, 0});
-    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
+    basin.model.particles()->sph().is_plain = true;
     Basin tight = basin;
     tight.model.particles()->has_joint_pressure = false;
     Scratch scratch, other;

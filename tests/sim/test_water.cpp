@@ -25,7 +25,7 @@ Basin collision() {
 
 TEST(Water, what_water_loses_bodies_gain_to_round_off) {
     Basin basin = collision();
-    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
+    basin.model.particles()->sph().is_plain = true;
     Scratch scratch;
     const Vec3 before = basin.total_momentum();
     const double water_before = basin.momentum_scale();
@@ -39,7 +39,7 @@ TEST(Water, what_water_loses_bodies_gain_to_round_off) {
 
 TEST(Water, walls_that_push_take_what_they_give_to_round_off) {
     Basin basin = collision();
-    basin.std::get<fluid::SphSettings>(model.particles()->scheme).is_plain = true;
+    basin.model.particles()->sph().is_plain = true;
     basin.model.particles()->wall = WallTreatment::penalty;
     basin.model.particles()->samples = {};
     Scratch scratch;

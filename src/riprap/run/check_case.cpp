@@ -10,7 +10,6 @@
 #include <random>
 #include <string_view>
 
-#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/run/expects.hpp"
@@ -18,6 +17,7 @@
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
+#include "riprap/sim/time_step.hpp"
 
 namespace riprap::run {
 
@@ -31,7 +31,7 @@ constexpr double ledger_columns = 35;
 constexpr std::int64_t plausible_steps = 1'000'000'000'000;
 
 /// Water as it will be: a lattice at rest is packed into much less than particles that have moved.
-fluid::ParticleState stirred(const fluid::SphSettings& settings, fluid::ParticleState water) {
+fluid::ParticleState stirred(const fluid::ParticleSettings& settings, fluid::ParticleState water) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> share(-1, 1);
     for (std::size_t i = 0; i < water.position.size(); ++i) {
@@ -133,7 +133,7 @@ std::string size_text(double bytes) {
 CaseCheck check_case(const scene::LoadedCase& loaded) {
     const sim::Model& model = loaded.model;
     const ExpectWatch watch(model);
-    const sim::TimeStepBound bound = sim::time_step_bound(model);
+    const sim::TimeStepBound bound = sim::time_step_bound(model, loaded.state);
     CaseCheck check;
     check.title = model.title;
     check.bodies = model.bodies.size();
@@ -174,7 +174,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
                 check.face_gauges.push_back({gauge.name, model.bodies.name(face.body), rotate(turn, face.normal)});
             }
         }
-        const fluid::FluidTimeStep step = choose_fluid_time_step(model.particles()->settings(), loaded.state.fluid);
+        const sim::TimeStepBound step = sim::step_bound(model, loaded.state);
         check.time_step_limit = step.limit;
         check.limited_by = step.reason;
     }

@@ -10,11 +10,11 @@ namespace riprap::validation {
 /// A block that friction cannot hold creeps during this with its springs at their limit, and then starts from rest as
 /// theory has it.
 inline void settle(Trial& trial, int steps = 2000) {
-    trial.model().solid.mass_damping = 0.1 / trial.dt();
+    trial.model().dem()->mass_damping = 0.1 / trial.dt();
     for (int i = 0; i < steps; ++i) {
         trial.step();
     }
-    trial.model().solid.mass_damping = 0;
+    trial.model().dem()->mass_damping = 0;
     const body::BodySet& bodies = trial.model().bodies;
     for (std::int32_t i = 0; i < bodies.size(); ++i) {
         if (body::is_free(bodies, BodyId{i}, trial.time())) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/fluid/open/open_boundary.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/fluid/open/sponge.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 namespace {

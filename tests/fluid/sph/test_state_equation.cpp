@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::fluid {
 namespace {

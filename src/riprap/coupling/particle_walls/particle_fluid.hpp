@@ -36,6 +36,9 @@ struct ParticleFluid {
 
     const fluid::ParticleSettings& settings() const { return fluid::base_of(scheme); }
     fluid::ParticleSettings& settings() { return fluid::base_of(scheme); }
+    /// Settings of SPH, where that is the scheme; for programs that set or read what is its alone.
+    const fluid::SphSettings& sph() const { return std::get<fluid::SphSettings>(scheme); }
+    fluid::SphSettings& sph() { return std::get<fluid::SphSettings>(scheme); }
 };
 
 }  // namespace riprap::coupling

@@ -31,7 +31,7 @@ ContactSums evaluate_contacts(const SphereModel& model, double time, double slid
     return sums;
 }
 
-SphereReport advance(const SphereModel& model, const Vec3& gravity, const ExternalLoads& external,
+SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::LoadView& external,
                      const StepTimes& times, body::BodyState& bodies, SphereState& state, SphereScratch& scratch) {
     SphereReport report;
     const double half = 0.5 * times.dt, middle = times.begin + half;

@@ -26,7 +26,7 @@ struct SphereReport {
 
 /// One step: drift half, contacts at the mid-step poses, kick, drift half (docs/theory/motion.md). `external` holds
 /// over the step.
-SphereReport advance(const SphereModel& model, const Vec3& gravity, const ExternalLoads& external,
+SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::LoadView& external,
                      const StepTimes& times, body::BodyState& bodies, SphereState& state, SphereScratch& scratch);
 
 /// Contact loads at the poses of `bodies` into `scratch.loads`; springs advance by the time since the last evaluation.

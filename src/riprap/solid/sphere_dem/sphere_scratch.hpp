@@ -96,7 +96,7 @@ struct SphereScratch {
     std::vector<std::uint32_t> group_contact, group_contact_scratch;
     std::vector<double> overlap;
     body::BodyKinematics kinematics;
-    contact::BodyLoads loads;
+    body::Loads loads;
     std::int64_t evaluations{-1};  ///< of State that the buffers belong to
     bool is_simple{false};         ///< every body that can move freely is one sphere about its centre of mass
     bool is_prepared{false};

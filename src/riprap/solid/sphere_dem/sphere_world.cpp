@@ -88,7 +88,7 @@ void SphereWorld::build() {
 
 double SphereWorld::step_limit() const { return sphere_dem::step_limit(model(), state, norm(gravity)).limit; }
 
-SphereReport SphereWorld::step(double dt, const ExternalLoads& external) {
+SphereReport SphereWorld::step(double dt, const body::LoadView& external) {
     report =
         advance(model(), gravity, external, {time, dt, previous_dt_ > 0 ? previous_dt_ : dt}, state, contacts, scratch);
     time += dt;

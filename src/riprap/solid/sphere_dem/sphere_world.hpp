@@ -39,7 +39,7 @@ class SphereWorld {
     SphereModel model() const { return {bodies, shapes, spheres, triangles, table, settings}; }
     /// Longest stable step now [s].
     double step_limit() const;
-    SphereReport step(double dt, const ExternalLoads& external = {});
+    SphereReport step(double dt, const body::LoadView& external = {});
     /// Total energy of the last report [J]: kinetic, potential, elastic, and everything that has left.
     double energy_account() const;
 

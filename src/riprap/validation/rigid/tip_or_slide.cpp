@@ -32,7 +32,7 @@ class TiltedBlock {
         trial_.follow_energy(false);
         // Close to tipping the block rocks a hundred times slower than its contact swings: local damping takes the same
         // share of every mode, where mass damping would stop the slow ones from settling at all.
-        trial_.model().solid.local_damping = 0.5;
+        trial_.model().dem()->local_damping = 0.5;
         trial_.run_until(1);
         edge_at_start_ = edge_position();
     }

@@ -47,7 +47,7 @@ class WaterTrial {
     /// For a field of velocity that no case file can say: before run() only.
     sim::State& initial() { return state_; }
     const sim::StepReport& report() const { return report_; }
-    const fluid::SphSettings& sph() const { return loaded_.model.particles()->settings(); }
+    const fluid::SphSettings& sph() const { return loaded_.model.particles()->sph(); }
 
  private:
     void begin();

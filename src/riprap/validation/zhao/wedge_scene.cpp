@@ -90,11 +90,11 @@ WedgeTrial::WedgeTrial(const WedgeSetting& s)
     trial.follow_energy(false);
     sim::Model& model = trial.model();
     const auto settle = [this] {
-        trial.model().solid.mass_damping = 0.1 / trial.dt();
+        trial.model().dem()->mass_damping = 0.1 / trial.dt();
         for (int i = 0; i < settling_steps; ++i) {
             trial.step();
         }
-        trial.model().solid.mass_damping = 0;
+        trial.model().dem()->mass_damping = 0;
     };
     settle();
     model.gravity.value = {0, 0, -gravity};

@@ -5,9 +5,10 @@
 #include <numbers>
 
 #include "riprap/coupling/particle_walls/paddle_absorption.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
-namespace riprap::sim {
+namespace riprap::coupling {
 namespace {
 
 constexpr double g = 9.81, gauge = 0.1;
@@ -112,4 +113,4 @@ TEST(PaddleAbsorption, where_the_gauge_is_dry_the_paddle_stays) {
 }
 
 }  // namespace
-}  // namespace riprap::sim
+}  // namespace riprap::coupling
