@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -112,12 +112,12 @@ TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_nam
 struct Hit {
     double lost, read;
 };
-Hit hit_wall(double speed, WallTreatment treatment) {
+Hit hit_wall(double speed, coupling::WallTreatment treatment) {
     Basin basin;
     basin.add_walls(1);
     basin.fill({0.7, 0.5, 0}, {0.7 + dp, 0.5 + dp, 0}, {1, 1, 0}, 2, {});
     basin.model.particles()->wall = treatment;
-    if (treatment == WallTreatment::penalty) {
+    if (treatment == coupling::WallTreatment::penalty) {
         basin.model.particles()->samples = {};
     }
     basin.model.particles()->sph().artificial_alpha = 0;  // gauges read pressure alone
@@ -143,7 +143,8 @@ Hit hit_wall(double speed, WallTreatment treatment) {
 }
 
 TEST(WallPressure, a_single_particle_that_hits_a_wall_gives_it_the_impulse_it_loses_and_no_more) {
-    for (const WallTreatment treatment : {WallTreatment::boundary_particles, WallTreatment::penalty}) {
+    for (const coupling::WallTreatment treatment :
+         {coupling::WallTreatment::boundary_particles, coupling::WallTreatment::penalty}) {
         for (const double speed : {0.5, 2.0, 10.0}) {  // the last is pressed to the guard of the face
             const Hit hit = hit_wall(speed, treatment);
             ASSERT_GT(hit.lost, 0.9 * 1000 * dp * dp * speed);

@@ -40,7 +40,7 @@ TEST(Water, what_water_loses_bodies_gain_to_round_off) {
 TEST(Water, walls_that_push_take_what_they_give_to_round_off) {
     Basin basin = collision();
     basin.model.particles()->sph().is_plain = true;
-    basin.model.particles()->wall = WallTreatment::penalty;
+    basin.model.particles()->wall = coupling::WallTreatment::penalty;
     basin.model.particles()->samples = {};
     Scratch scratch;
     const Vec3 before = basin.total_momentum();
@@ -54,14 +54,16 @@ TEST(Water, walls_that_push_take_what_they_give_to_round_off) {
 TEST(Water, a_box_floats_at_the_draft_of_its_weight_with_either_kind_of_wall) {
     // Let go at its draft on still water; the wave of the first pressure adjustment is damped by mass damping, which
     // leaves the equilibrium alone.
-    for (const WallTreatment wall : {WallTreatment::boundary_particles, WallTreatment::penalty}) {
+    for (const coupling::WallTreatment wall :
+         {coupling::WallTreatment::boundary_particles, coupling::WallTreatment::penalty}) {
         Basin basin;
         basin.add_square(0.4, 500, {0.6, 0.8, 0});
         basin.fill_pool(1.2, 0.8);
         basin.model.dem()->mass_damping = 3;
         basin.model.particles()->wall = wall;
-        basin.model.particles()->samples =
-            wall == WallTreatment::penalty ? coupling::SampleSet{} : std::move(basin.model.particles()->samples);
+        basin.model.particles()->samples = wall == coupling::WallTreatment::penalty
+                                               ? coupling::SampleSet{}
+                                               : std::move(basin.model.particles()->samples);
         Scratch scratch;
         basin.model.time.end = 3;
         double height = 0;
@@ -75,14 +77,14 @@ TEST(Water, a_box_floats_at_the_draft_of_its_weight_with_either_kind_of_wall) {
         // Archimedes: the box takes the place of half of its area, so its centre lies in the surface.
         const double water = static_cast<double>(basin.state.fluid.size()) * dp * dp;
         const double surface = (water + 0.5 * 0.4 * 0.4) / 1.2;
-        RecordProperty(wall == WallTreatment::penalty ? "penalty" : "boundary",
+        RecordProperty(wall == coupling::WallTreatment::penalty ? "penalty" : "boundary",
                        std::to_string(height / static_cast<double>(count) - surface));
         // Boundary particles: a spacing. Walls that push hold particles anywhere from half a spacing, where they
         // started, to the face: the level may fall by that much all along floor, sides and box.
         const double wetted = 1.2 + 2 * 0.8 + 2 * 0.4;
-        const double allowed = wall == WallTreatment::penalty ? 0.5 * dp * wetted / 1.2 : dp;
+        const double allowed = wall == coupling::WallTreatment::penalty ? 0.5 * dp * wetted / 1.2 : dp;
         EXPECT_NEAR(height / static_cast<double>(count), surface, allowed)
-            << (wall == WallTreatment::penalty ? "penalty" : "boundary particles");
+            << (wall == coupling::WallTreatment::penalty ? "penalty" : "boundary particles");
     }
 }
 
@@ -167,7 +169,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     Basin basin = collision();
     Scratch scratch;
     initialise(basin.model, basin.state);
-    const double limit = choose_fluid_time_step(basin.model.particles()->settings(), basin.state.fluid).limit;
+    const double limit = choose_fluid_time_step(basin.model.particles()->sph(), basin.state.fluid).limit;
     basin.model.time.time_step = 0.95 * limit;
     ASSERT_TRUE(basin.steps(2, scratch).status.ok());
     basin.state.fluid.velocity[0] = {30, 0, 0};  // as fast as sound: the limit is about half as long

@@ -37,7 +37,7 @@ void judge_float(const CaseSetting& setting, CaseReport& report, const std::stri
     report.judge({name + ": water's force on a floating box over its weight", "-", {}, 1.0, {}},
                  trial.mean("box.fluid_force.y", start, end) / weight, Relative{0.02});
     const double centre =
-        trial.model().fluid->filled_volume + 0.28 * 0.1;  // the level with half of the box in it, 1 m wide
+        trial.model().particles()->filled_volume + 0.28 * 0.1;  // the level with half of the box in it, 1 m wide
     report.judge({name + ": height of the box", "m", {}, centre, "draft of half its height"},
                  trial.mean("box.position.y", start, end), Relative{0.02});
 }

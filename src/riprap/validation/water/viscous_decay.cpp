@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "riprap/fluid/sph/state_equation.hpp"
+#include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 
