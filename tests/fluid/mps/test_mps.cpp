@@ -167,8 +167,8 @@ TEST(Mps, a_drop_that_falls_on_a_floor_stays_above_it_and_gives_it_its_momentum)
 TEST(Mps, has_the_same_bits_with_one_two_and_four_threads_and_when_its_scratch_is_lost) {
     const auto hash = [](int threads, bool drops) {
         parallel::set_thread_count(threads);
-        Basin basin = dam_break(40);
-        for (int k = 0; k < 6; ++k) {
+        Basin basin = dam_break(30);
+        for (int k = 0; k < 4; ++k) {
             if (drops) {
                 basin.scratch = MpsScratch();
             }
