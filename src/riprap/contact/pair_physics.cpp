@@ -34,6 +34,12 @@ FoundContact& FoundContacts::add(std::uint64_t feature) {
     return contact;
 }
 
+Vec3 FoundContacts::old_normal() const {
+    const std::size_t row = at(old_begin_);
+    const bool has_old = row < history_->size() && history_->pair[row] == pair_key(parts_);
+    return has_old ? history_->normal[row] : Vec3{};
+}
+
 void FoundContacts::begin_pair(std::int32_t pair, PartPair parts, std::int32_t old_begin) {
     pair_ = pair;
     parts_ = parts;

@@ -57,6 +57,8 @@ class FoundContacts {
 
     /// Goes on to another candidate. @param old_begin  first row of the history that can be of this pair
     void begin_pair(std::int32_t pair, PartPair parts, std::int32_t old_begin);
+    /// Normal of the first contact that this pair had at the last step; zero where it had none.
+    Vec3 old_normal() const;
     /// Brings the contacts of the pair into the order of their features.
     void end_pair();
 

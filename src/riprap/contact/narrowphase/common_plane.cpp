@@ -216,29 +216,38 @@ CommonPlane common_plane_fast(const PlacedHull& a, const PlacedHull& b, const Ve
     return plane;
 }
 
-CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach) {
+CommonPlane common_plane_near(const PlacedHull& a, const PlacedHull& b, const Vec3& before, double reach) {
     if (a.is_half_space() || b.is_half_space()) {
         return plane_of_half_space(a, b);
     }
-    const Vec3 old_normal = feature_normal(a, b, before);
-    const bool has_memory = norm_squared(old_normal) > 0;
-    CommonPlane plane = common_plane_fast(a, b, old_normal);
+    const bool has_memory = norm_squared(before) > 0;
+    CommonPlane plane = common_plane_fast(a, b, before);
     if (plane.gap > reach) {
         return plane;
     }
-    const double size = smaller_size(a, b);
-    const bool is_certain = (has_memory || plane.gap > 0) && do_features_meet(a, b, plane, 1e-9 * size);
+    const bool is_certain = (has_memory || plane.gap > 0) && do_features_meet(a, b, plane, 1e-9 * smaller_size(a, b));
     if (!is_certain) {
         plane = common_plane_exact(a, b);
         plane.is_fallback = true;
     }
-    if (has_memory && before.kind != PlaneKind::faces) {
+    return plane;
+}
+
+CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach) {
+    const bool is_plane = a.is_half_space() || b.is_half_space();
+    const Vec3 old_normal = is_plane ? Vec3{} : feature_normal(a, b, before);
+    CommonPlane plane = common_plane_near(a, b, old_normal, reach);
+    if (is_plane || plane.gap > reach) {
+        return plane;
+    }
+    const double tolerance = 1e-6 * smaller_size(a, b);
+    if (norm_squared(old_normal) > 0 && before.kind != PlaneKind::faces) {
         const double old_gap = plane_gap(a, b, old_normal);
-        if (old_gap > plane.gap - 1e-6 * size) {
+        if (old_gap > plane.gap - tolerance) {
             plane = {old_normal, old_gap, before, plane.is_fallback};
         }
     }
-    share_plane(a, b, 1e-6 * size, plane);
+    share_plane(a, b, tolerance, plane);
     return plane;
 }
 

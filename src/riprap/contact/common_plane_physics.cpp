@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/common_plane_physics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/contact/find_contacts.hpp"
+#include "riprap/contact/law/coulomb.hpp"
+#include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+#include "riprap/contact/stability.hpp"
+
+namespace riprap::contact {
+
+namespace {
+
+/// Corners and normals of one side, in world axes.
+struct Placed {
+    std::vector<Vec3> vertices, normals;
+
+    PlacedHull place(const PairSide& side, const HullTopology& topology) {
+        const geometry::ConvexView& shape = side.shape;
+        vertices.resize(at(shape.vertex_count));
+        normals.resize(at(shape.face_count));
+        for (int v = 0; v < shape.vertex_count; ++v) {
+            vertices[at(v)] = side.frame.origin + side.frame.axes * shape.vertex(v);
+        }
+        for (int f = 0; f < shape.face_count; ++f) {
+            normals[at(f)] = side.frame.axes * shape.normal(f);
+        }
+        const double offset = shape.vertex_count == 0 ? shape.offset[0] + dot(normals[0], side.frame.origin) : 0;
+        return {&topology, vertices, normals, side.frame.origin, offset};
+    }
+};
+
+/// Farthest reach of a side along a world direction.
+double reach_along(const PairSide& side, const Vec3& direction) {
+    const Vec3 local = transpose_times(side.frame.axes, direction);
+    double most = -1e300;
+    for (int v = 0; v < side.shape.vertex_count; ++v) {
+        most = std::max(most, dot(local, side.shape.vertex(v)));
+    }
+    return dot(direction, side.frame.origin) + most;
+}
+
+/// Does the direction that parted the pair before still do so?
+bool is_still_apart(const PairSide& a, const PairSide& b, const SeparatingCache& cache) {
+    const Vec3 n = a.frame.axes * Vec3{cache.x, cache.y, cache.z};
+    return a.shape.vertex_count > 0 && b.shape.vertex_count > 0 && norm_squared(n) > 0 &&
+           -reach_along(b, -n) - reach_along(a, n) > 0;
+}
+
+/// Stiffness over area of both sides in parallel with their fields, as in conventions.md [Pa/m].
+double stiffness_per_area(const PairSide& a, const PairSide& b) {
+    return a.material.normal_stiffness / a.shape.inscribed_radius +
+           b.material.normal_stiffness / b.shape.inscribed_radius;
+}
+
+}  // namespace
+
+std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes) {
+    std::vector<HullTopology> topologies(at(shapes.size()));
+    for (std::int32_t s = 0; s < shapes.size(); ++s) {
+        if (!shapes.is_half_space(ShapeId{s})) {
+            topologies[at(s)] = hull_topology(shapes.polyhedron(ShapeId{s}));
+        }
+    }
+    return topologies;
+}
+
+void CommonPlanePhysics::find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
+    const PairSide &a = pair.a, &b = pair.b;
+    if (is_still_apart(a, b, cache)) {
+        return;
+    }
+    thread_local Placed placed_a, placed_b;
+    const auto topology = [this](const PairSide& side) -> const HullTopology& {
+        return topologies[at(bodies.parts[at(side.part)].shape.value)];
+    };
+    const PlacedHull hull_a = placed_a.place(a, topology(a)), hull_b = placed_b.place(b, topology(b));
+    const CommonPlane plane = common_plane_near(hull_a, hull_b, found.old_normal(), 0);
+    if (plane.gap > 0) {
+        const Vec3 n = transpose_times(a.frame.axes, plane.normal);
+        cache = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+        return;
+    }
+    PlaneContacts points;
+    find_plane_contacts(hull_a, hull_b, plane, contact_tolerance(hull_a, hull_b, plane), points);
+    const double radius = std::min(a.shape.inscribed_radius, b.shape.inscribed_radius), square = radius * radius;
+    for (int k = 0; k < points.count; ++k) {
+        const PlaneContact& point = points.contacts[at(k)];
+        if (point.gap >= 0) {
+            continue;
+        }
+        const double depth = -point.gap, area = law == PlaneLaw::penalty ? square : point.area + 0.01 * square;
+        NormalContact normal{};
+        normal.stiffness = area * stiffness_per_area(a, b);
+        normal.force = -normal.stiffness * depth * points.normal;
+        normal.point = 0.5 * (point.on_a + point.on_b);
+        normal.area = point.area;
+        normal.energy = 0.5 * normal.stiffness * depth * depth;
+        normal.depth = depth;
+        normal.potential = depth / radius;
+        normal.spin_moment = 2.0 / 3 * norm(normal.force) * std::sqrt(point.area / M_PI);
+        const Mobility mobility_a = mobility_at(a, normal.point, points.normal);
+        const Mobility mobility_b = mobility_at(b, normal.point, points.normal);
+        FoundContact& contact = found.add(point.feature);
+        const ShearState before = contact.springs;
+        const LinearContact linear =
+            coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, mobility_a, mobility_b),
+                    contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+        set_stability(linear, mobility_a, mobility_b, contact.row);
+    }
+}
+
+template double ContactPipeline::find_contacts(const CommonPlanePhysics& physics, const ContactScene& scene,
+                                               const body::BodyState& state, const body::BodyKinematics& kinematics,
+                                               double sliding_time, ContactHistory& history);
+
+}  // namespace riprap::contact

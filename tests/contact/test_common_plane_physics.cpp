@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "riprap/contact/common_plane_physics.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::contact {
+namespace {
+
+/// Unit cubes and a half-space under them.
+class CommonPlanePhysicsTest : public ::testing::Test {
+ protected:
+    CommonPlanePhysicsTest() {
+        materials_.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5});
+        mix_pairs(materials_, material::Mixing::mean, material::Mixing::mean);
+        cube_ = shapes_.add_convex(geometry::cube(1), false, nullptr);
+        ground_ = shapes_.add_half_space({0, 0, 1}, -0.5);
+        add({}, ground_, body::Drive::fixed);
+    }
+    void add(const Vec3& place, ShapeId shape, body::Drive drive = body::Drive::free) {
+        body::NewBody block;
+        block.name = "block";
+        block.material = MaterialId{0};
+        block.density = 2000;
+        block.drive = drive;
+        block.pose = {place, {}};
+        block.parts = {{BodyId{}, shape, Pose{}}};
+        add_body(bodies_, state_, shapes_, block);
+    }
+    double find(PlaneLaw law) {
+        topologies_ = hull_topologies(shapes_);
+        body::update_kinematics(bodies_, state_, 0, kinematics_);
+        pipeline_.place_parts(scene_, state_);
+        pipeline_.find_pairs();
+        return pipeline_.find_contacts(CommonPlanePhysics{topologies_, bodies_, law}, scene_, state_, kinematics_, 1e-3,
+                                       history_);
+    }
+    Vec3 force_on(std::int32_t body) {
+        auto loads = gathered();
+        return loads.force[static_cast<std::size_t>(body)];
+    }
+    BodyLoads gathered() {
+        BodyLoads loads;
+        pipeline_.gather_loads(scene_, state_, loads);
+        return loads;
+    }
+
+    geometry::ShapeSet shapes_;
+    material::MaterialSet materials_;
+    body::BodySet bodies_;
+    body::BodyState state_;
+    body::BodyKinematics kinematics_;
+    std::vector<HullTopology> topologies_;
+    ShapeId cube_, ground_;
+    ContactScene scene_{shapes_, materials_, bodies_, 2, 0.1};
+    ContactPipeline pipeline_;
+    ContactHistory history_;
+};
+
+TEST_F(CommonPlanePhysicsTest, a_flat_soft_contact_is_as_stiff_as_its_area_says) {
+    add({0, 0, 0}, cube_);
+    add({0.25, 0, 0.99}, cube_);
+    state_.position[1].z = 10;
+    state_.position[2].z = 10.99;
+    find(PlaneLaw::soft);
+    EXPECT_EQ(pipeline_.rows().size(), 4U);
+    // k = 2 x 1e7/0.5 Pa/m on 0.75 m^2, and a hundredth of r^2 for each of the four points.
+    EXPECT_NEAR(force_on(2).z, 4e7 * (0.75 + 4 * 0.01 * 0.25) * 0.01, 1e-6);
+    EXPECT_NEAR(force_on(1).z, -force_on(2).z, 1e-9);
+}
+
+TEST_F(CommonPlanePhysicsTest, a_cube_stands_on_a_half_space_by_four_corners_without_a_moment) {
+    add({0, 0, -0.01}, cube_);
+    find(PlaneLaw::penalty);
+    EXPECT_EQ(pipeline_.rows().size(), 4U);
+    EXPECT_NEAR(force_on(1).z, 4 * 2e7 * 0.25 * 0.01, 1e-6);
+    EXPECT_NEAR(norm(gathered().torque[1]), 0, 1e-9);
+}
+
+TEST_F(CommonPlanePhysicsTest, a_pair_apart_has_no_contact_and_is_remembered_as_apart) {
+    add({0, 0, 10}, cube_);
+    add({0.1, 0, 11.01}, cube_);
+    find(PlaneLaw::soft);
+    EXPECT_EQ(pipeline_.rows().size(), 0U);
+    state_.position[2].z = 10.99;
+    find(PlaneLaw::soft);
+    EXPECT_EQ(pipeline_.rows().size(), 4U);
+}
+
+}  // namespace
+}  // namespace riprap::contact
