@@ -5,6 +5,7 @@
 
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
+#include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
@@ -151,6 +152,27 @@ std::span<const ValidationCase> all_cases() {
                        mellado::demolisher},
         ValidationCase{"mellado", "friction_strips", "Strips of polypropylene break away", false,
                        mellado::friction_strips},
+        ValidationCase{"grid", "cavity", "Flow in a box whose lid moves (Ghia and others)", false, grid::cavity},
+        ValidationCase{"grid", "poiseuille", "Flow between plates starts under a body force", false, grid::poiseuille},
+        ValidationCase{"grid", "couette", "Flow between plates starts with one of them", false, grid::couette},
+        ValidationCase{"grid", "taylor_green", "A vortex decays: order of convergence", false, grid::taylor_green},
+        ValidationCase{"grid", "slotted_disc", "A slotted disc is carried around (Zalesak)", false, grid::slotted_disc},
+        ValidationCase{"grid", "vortex", "A disc in a vortex that turns back (Rider and Kothe)", false, grid::vortex},
+        ValidationCase{"grid", "still_water", "Water at rest over a step of stones", false, grid::still_water},
+        ValidationCase{"grid", "filter", "Flow through stones loses pressure", false, grid::filter},
+        ValidationCase{"grid", "dupuit", "Flow between two reservoirs through stones (Dupuit)", false, grid::dupuit},
+        ValidationCase{"grid", "porous_dam_break", "Dam break through crushed rock (Lin)", false,
+                       grid::porous_dam_break},
+        ValidationCase{"grid", "dam_break_front", "Front of a dam break on a dry floor", false, grid::dam_break_front},
+        ValidationCase{"grid", "wall_impact", "Pressure of a dam break on a wall (Lobovsky and others)", false,
+                       grid::wall_impact},
+        ValidationCase{"grid", "wall_pressure", "Dam break, pressure low on the far wall (Buchner)", false,
+                       grid::wall_pressure},
+        ValidationCase{"grid", "standing_wave", "Period of a standing wave", false, grid::standing_wave},
+        ValidationCase{"grid", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, grid::sway},
+        ValidationCase{"grid", "rayleigh_taylor", "Heavy fluid over light: growth of a wave", false,
+                       grid::rayleigh_taylor},
+        ValidationCase{"grid", "rising_bubble", "A bubble rises (Hysing and others)", false, grid::rising_bubble},
     };
     return cases;
 }

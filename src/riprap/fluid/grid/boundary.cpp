@@ -18,20 +18,6 @@ Vec3 place_of(const Mesh& mesh, int c, int i, int j, int k) {
     return place;
 }
 
-/// Shear velocity u_tau of the log law u/u_tau = ln(E u_tau y/nu)/kappa for a speed u at the distance y from a wall,
-/// linear profile below y+ = 11.53 [Launder1974].
-double shear_velocity(double speed, double distance, double viscosity) {
-    constexpr double kappa = 0.41, roughness = 9.8;
-    double u_tau = std::sqrt(viscosity * speed / distance);
-    if (u_tau * distance / viscosity < 11.53) {
-        return u_tau;
-    }
-    for (int i = 0; i < 12; ++i) {
-        u_tau = kappa * speed / std::log(std::max(roughness * u_tau * distance / viscosity, 2.8));
-    }
-    return u_tau;
-}
-
 double ghost_beside_wall(const GridSettings& settings, SideKind kind, double wall, double inside, double distance) {
     switch (kind) {
         case SideKind::no_slip:
@@ -77,6 +63,18 @@ void set_normal(const GridSettings& settings, int side, double time, std::vector
 }
 
 }  // namespace
+
+double shear_velocity(double speed, double distance, double viscosity) {
+    constexpr double kappa = 0.41, roughness = 9.8;
+    double u_tau = std::sqrt(viscosity * speed / distance);
+    if (u_tau * distance / viscosity < 11.53) {
+        return u_tau;
+    }
+    for (int i = 0; i < 12; ++i) {
+        u_tau = kappa * speed / std::log(std::max(roughness * u_tau * distance / viscosity, 2.8));
+    }
+    return u_tau;
+}
 
 void mirror_ghosts(const Mesh& mesh, std::vector<double>& field) {
     for (int side = 0; side < 2 * mesh.box.axes; ++side) {

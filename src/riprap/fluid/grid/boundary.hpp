@@ -42,6 +42,10 @@ void for_ghosts(const CellBox& box, int side, const F& f) {
     }
 }
 
+/// Shear velocity u_tau of the log law u/u_tau = ln(E u_tau y/nu)/kappa for a speed u at the distance y from a wall,
+/// linear profile below y+ = 11.53 [Launder1974].
+double shear_velocity(double speed, double distance, double viscosity);
+
 /// Mirrors a cell field into the ghosts: its gradient across every side is zero.
 void mirror_ghosts(const Mesh& mesh, std::vector<double>& field);
 
@@ -51,7 +55,6 @@ void fill_fraction_ghosts(const GridSettings& settings, const std::array<std::ve
 
 /// Sets the velocity on the sides and in the ghosts beyond: zero through walls, given on inflow sides, mirrored or
 /// reversed along walls by whether they slip, without gradient on open sides, whose normal velocity the pressure sets.
-/// @param shear_velocity  ghosts of wall functions are set by find_wall_shear instead and mirrored here
 void fill_velocity_ghosts(const GridSettings& settings, double time, std::array<std::vector<double>, 3>& velocity);
 
 }  // namespace riprap::fluid::grid

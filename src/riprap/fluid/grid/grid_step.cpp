@@ -81,22 +81,27 @@ GridState make_state(const GridSettings& settings, const std::function<double(co
 
 GridState make_state(const GridSettings& settings, const std::function<bool(const Vec3&)>& is_water) {
     const Mesh& mesh = settings.mesh;
-    constexpr int points = 4;
     GridState state = make_state(
         settings, [](const Vec3&) { return 0.0; }, [](const Vec3&) { return Vec3{}; });
+    const int axes = mesh.box.axes;
     for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
         const Vec3 centre = mesh.centre(i, j, k);
         const Vec3 h{mesh.h(0, i), mesh.h(1, j), mesh.h(2, k)};
-        int wet = 0;
-        for (int q = 0; q < points * points * points; ++q) {
-            const std::array<int, 3> p{q % points, q / points % points, q / points / points};
-            Vec3 place = centre;
-            for (int a = 0; a < 3; ++a) {
-                place[a] += ((p[at(a)] + 0.5) / points - 0.5) * h[a];
+        const auto wet_share = [&](int points, double reach) {  // the lattice spans the cell times `reach`
+            const int deep = axes == 3 ? points : 1, all = points * points * deep;
+            int wet = 0;
+            for (int q = 0; q < all; ++q) {
+                const std::array<int, 3> p{q % points, q / points % points, q / points / points};
+                Vec3 place = centre;
+                for (int a = 0; a < axes; ++a) {
+                    place[a] += reach * ((p[at(a)] + 0.5) / points - 0.5) * h[a];
+                }
+                wet += is_water(place) ? 1 : 0;
             }
-            wet += is_water(place) ? 1 : 0;
-        }
-        state.fraction[at(c)] = static_cast<double>(wet) / (points * points * points);
+            return static_cast<double>(wet) / all;
+        };
+        const double coarse = wet_share(5, 1.25);  // corners included
+        state.fraction[at(c)] = coarse > 0 && coarse < 1 ? wet_share(axes == 3 ? 20 : 128, 1) : coarse;
     });
     return state;
 }

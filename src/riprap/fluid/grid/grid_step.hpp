@@ -7,7 +7,8 @@
 
 namespace riprap::fluid::grid {
 
-/// A fluid at rest: water where `is_water` holds at points of a 4 x 4 (x 4) lattice in each cell, air elsewhere.
+/// A fluid at rest: water where `is_water` holds, by points of a lattice in each cell (128 x 128, 20 x 20 x 20 in
+/// space, in cells that one of 5 finds mixed), air elsewhere.
 GridState make_state(const GridSettings& settings, const std::function<bool(const Vec3&)>& is_water);
 /// A state with given water fractions and velocities at face centres, component by component.
 GridState make_state(const GridSettings& settings, const std::function<double(const Vec3&)>& fraction,

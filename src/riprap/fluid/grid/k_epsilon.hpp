@@ -7,7 +7,7 @@
 
 namespace riprap::fluid::grid {
 
-/// k and epsilon of still water, where they are asked for: 1e-8 m^2/s^2 and 1e-8 m^2/s^3 times 1e4 (nu_t 1e-13 m^2/s).
+/// k and epsilon of still water, where they are asked for: 1e-8 m^2/s^2 and 1e-4 m^2/s^3, nu_t = 9e-14 m^2/s.
 void start_turbulence(const GridSettings& settings, GridState& state);
 
 /// Eddy viscosity nu_t = C_mu k^2/epsilon; in the stable variant epsilon is at least what the strain S and rotation W

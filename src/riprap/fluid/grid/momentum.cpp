@@ -61,7 +61,7 @@ struct Transport {
             return start;
         }
         const double inverse = 1 / after;
-        double momentum = before * start, in = 0, upwind = before * start;
+        double momentum = before * start, in = 0, out = 0, upwind = before * start;
         for (int b = 0; b < box.axes; ++b) {
             const std::int64_t t = box.stride[at(b)];
             double low_mass = 0, high_mass = 0;
@@ -69,12 +69,17 @@ struct Transport {
             const double high = momentum_flux(b, i + t, inverse, high_mass);
             momentum += low - high;
             in += std::max(0.0, low_mass) + std::max(0.0, -high_mass);
+            out += std::max(0.0, -low_mass) + std::max(0.0, high_mass);
             upwind += std::max(0.0, low_mass) * u[at(i - t)] + std::max(0.0, -high_mass) * u[at(i + t)];
         }
         // A sliver beside a solid, flushed in the step, takes the mean of what comes in: bounded for any step. So does
         // a velocity cell on an open side, half of which lies outside.
         const bool is_flushed = is_on_rim || (s.open.has_bodies && in > 0.45 * std::min(before, after));
-        return is_flushed ? upwind / (before + in) : momentum * inverse;
+        if (is_flushed) {
+            return upwind / (before + in);
+        }
+        // Where solids move, the mass that stays is that of the fluxes: a uniform flow stays uniform around them.
+        return momentum / (s.open.has_bodies ? before + in - out : after);
     }
 };
 
@@ -117,9 +122,10 @@ double density_of(const GridSettings& settings, double fraction) {
 }
 
 double viscosity_of(const GridSettings& settings, double fraction) {
-    const double water = settings.water.density * settings.water.kinematic_viscosity;
-    const double air = settings.air.density * settings.air.kinematic_viscosity;
-    return settings.has_surface ? air + fraction * (water - air) : water;
+    constexpr double inviscid = 1e-30;  // keeps 1/mu finite
+    const double water = std::max(inviscid, settings.water.density * settings.water.kinematic_viscosity);
+    const double air = std::max(inviscid, settings.air.density * settings.air.kinematic_viscosity);
+    return settings.has_surface ? 1 / (fraction / water + (1 - fraction) / air) : water;
 }
 
 Vec3 body_force(const GridSettings& settings, double time) {

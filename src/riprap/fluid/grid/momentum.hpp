@@ -8,7 +8,7 @@
 namespace riprap::fluid::grid {
 
 double density_of(const GridSettings& settings, double fraction);
-/// Dynamic viscosity of the mixture [Pa s].
+/// Dynamic viscosity of the mixture, the harmonic mean [Pa s].
 double viscosity_of(const GridSettings& settings, double fraction);
 /// Gravity and the acceleration of the frame at a time [m/s^2].
 Vec3 body_force(const GridSettings& settings, double time);

@@ -48,8 +48,10 @@ double viscous_force(const GridSettings& settings, const GridScratch& s, int a, 
             if (is_in_solid(s, a, f) || is_in_solid(s, a, f - t)) {
                 return 0.0;
             }
-            const double mu = 0.25 * (s.viscosity[at(f)] + s.viscosity[at(f - t)] + s.viscosity[at(f - sa)] +
-                                      s.viscosity[at(f - sa - t)]);
+            // on a side, what its ghosts hold: no eddies on a wall
+            const std::int64_t above = upper == 0 ? f - t : f, below = upper == box.cells[at(b)] ? f : f - t;
+            const double mu = 4 / (1 / s.viscosity[at(above)] + 1 / s.viscosity[at(below)] +
+                                   1 / s.viscosity[at(above - sa)] + 1 / s.viscosity[at(below - sa)]);
             return mu * ((u[at(f)] - u[at(f - t)]) / mesh.d(b, upper) + (v[at(f)] - v[at(f - sa)]) / mesh.d(a, p));
         };
         force += (edge_stress(face + t, q + 1) - edge_stress(face, q)) / mesh.h(b, q);

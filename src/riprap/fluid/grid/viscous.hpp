@@ -7,7 +7,9 @@
 namespace riprap::fluid::grid {
 
 /// Force per volume of the stress mu (grad U + grad U^T) on the velocity cell at a face [N/m^3], from
-/// scratch.carrier's ghosts and values and scratch.viscosity. The shear of solids is left to find_wall_drag.
+/// scratch.carrier's ghosts and values and scratch.viscosity. Viscosities at edges are harmonic means: shear along the
+/// surface is the same on both sides of it, and a velocity cell of air is not dragged by all of the water's viscosity.
+/// The shear of solids is left to find_wall_drag.
 double viscous_force(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face,
                      const std::array<int, 3>& place);
 

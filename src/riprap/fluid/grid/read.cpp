@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/grid/read.hpp"
+
+#include <cmath>
+
+#include "riprap/fluid/grid/momentum.hpp"
+
+namespace riprap::fluid::grid {
+
+namespace {
+
+/// Lower of the two nodes around a place along an axis and the share of the upper one. Nodes are cell centres, or faces
+/// for is_face.
+struct Between {
+    int low;
+    double share;
+};
+Between between(const Mesh& mesh, int a, double place, bool is_face) {
+    const int n = mesh.box.cells[at(a)];
+    if (a >= mesh.box.axes) {
+        return {0, 0};
+    }
+    const int cell = mesh.cell_at(a, place);
+    if (is_face) {
+        const double low = mesh.edge[at(a)][at(cell)];
+        return {cell, std::clamp((place - low) / mesh.h(a, cell), 0.0, 1.0)};
+    }
+    const int low = place < mesh.centre(a, cell) ? cell - 1 : cell;
+    if (low < 0 || low + 1 >= n) {
+        return {std::clamp(low, 0, n - 1), 0};
+    }
+    return {low, (place - mesh.centre(a, low)) / mesh.d(a, low + 1)};
+}
+
+double interpolated(const Mesh& mesh, const std::vector<double>& field, const Vec3& place, int face_axis) {
+    std::array<Between, 3> b{};
+    for (int a = 0; a < 3; ++a) {
+        b[at(a)] = between(mesh, a, place[a], a == face_axis);
+    }
+    double sum = 0;
+    for (int q = 0; q < 8; ++q) {
+        const std::array<int, 3> up{q & 1, (q >> 1) & 1, q >> 2};
+        double weight = 1;
+        for (std::size_t a = 0; a < 3; ++a) {
+            weight *= up[a] == 1 ? b[a].share : 1 - b[a].share;
+        }
+        if (weight > 0) {
+            sum += weight * field[at(mesh.box.index(b[0].low + up[0], b[1].low + up[1], b[2].low + up[2]))];
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+double read_pressure(const GridSettings& settings, const GridState& state, const Vec3& place) {
+    const double p = interpolated(settings.mesh, state.pressure, place, -1);
+    if (!settings.has_surface) {
+        return p;
+    }
+    const double fraction = interpolated(settings.mesh, state.fraction, place, -1);
+    return p + density_of(settings, fraction) * dot(body_force(settings, state.time), place);
+}
+
+Vec3 read_velocity(const GridSettings& settings, const GridState& state, const Vec3& place) {
+    Vec3 velocity{};
+    for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        velocity[a] = interpolated(settings.mesh, state.velocity[at(a)], place, a);
+    }
+    return velocity;
+}
+
+double read_level(const GridSettings& settings, const GridState& state, const Vec3& place, int up) {
+    const Mesh& mesh = settings.mesh;
+    std::array<int, 3> cell{};
+    for (int a = 0; a < 3; ++a) {
+        cell[at(a)] = mesh.cell_at(a, place[a]);
+    }
+    double sum = 0;
+    for (int i = 0; i < mesh.box.cells[at(up)]; ++i) {
+        cell[at(up)] = i;
+        sum += state.fraction[at(mesh.box.index(cell[0], cell[1], cell[2]))] * mesh.h(up, i);
+    }
+    return sum;
+}
+
+double read_front(const GridSettings& settings, const GridState& state, const Vec3& place, int axis) {
+    const Mesh& mesh = settings.mesh;
+    std::array<int, 3> cell{};
+    for (int a = 0; a < 3; ++a) {
+        cell[at(a)] = mesh.cell_at(a, place[a]);
+    }
+    const auto fraction = [&](int i) {
+        cell[at(axis)] = i;
+        return state.fraction[at(mesh.box.index(cell[0], cell[1], cell[2]))];
+    };
+    for (int i = mesh.box.cells[at(axis)] - 1; i >= 0; --i) {
+        const double here = fraction(i);
+        if (here >= 0.5) {
+            const double next = i + 1 < mesh.box.cells[at(axis)] ? fraction(i + 1) : here;
+            const double share = here > next ? (here - 0.5) / (here - next) : 0.5;
+            return mesh.centre(axis, i) + share * mesh.d(axis, i + 1);
+        }
+    }
+    return mesh.edge[at(axis)].front();
+}
+
+Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
+    const CellBox& box = settings.mesh.box;
+    return reduce_cells(
+        box, Energy{},
+        [&](std::int64_t c, int i, int j, int k) {
+            const double mass = scratch.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
+            double square = 0;
+            for (int a = 0; a < box.axes; ++a) {
+                const auto& u = state.velocity[at(a)];
+                square += 0.5 * (std::pow(u[at(c)], 2) + std::pow(u[at(c + box.stride[at(a)])], 2));
+            }
+            const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
+            return Energy{0.5 * mass * square / (porosity * porosity),
+                          -mass * dot(settings.gravity, settings.mesh.centre(i, j, k))};
+        },
+        [](Energy a, const Energy& b) {
+            return Energy{a.kinetic + b.kinetic, a.potential + b.potential};
+        });
+}
+
+}  // namespace riprap::fluid::grid

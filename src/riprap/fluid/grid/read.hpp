@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/grid/scratch.hpp"
+#include "riprap/fluid/grid/settings.hpp"
+#include "riprap/fluid/grid/state.hpp"
+
+namespace riprap::fluid::grid {
+
+/// Pressure at a place [Pa]: P between cell centres, linear, plus rho g.x with the density there; that of the nearest
+/// cells where the place lies within half a cell of a side.
+double read_pressure(const GridSettings& settings, const GridState& state, const Vec3& place);
+
+/// Velocity at a place, linear between faces [m/s].
+Vec3 read_velocity(const GridSettings& settings, const GridState& state, const Vec3& place);
+
+/// Height of water in the column of cells along an axis through a place, integral of the fraction [m]; porosity does
+/// not enter.
+double read_level(const GridSettings& settings, const GridState& state, const Vec3& place, int up);
+
+/// Farthest place along an axis that the fraction 1/2 reaches in the row of cells through a place [m].
+double read_front(const GridSettings& settings, const GridState& state, const Vec3& place, int axis);
+
+/// Kinetic energy of water and air [J] and potential energy of their weight above the origin [J].
+struct Energy {
+    double kinetic{0}, potential{0};
+};
+Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
+
+}  // namespace riprap::fluid::grid

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/coupling/cut_cells/cut_bodies.hpp"
+#include "riprap/coupling/cut_cells/cut_loads.hpp"
+#include "riprap/fluid/grid/grid_step.hpp"
+#include "riprap/fluid/grid/surface.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+using namespace fluid::grid;
+
+GridSettings tank(const Vec3& size, const std::array<int, 3>& cells) {
+    GridSettings settings;
+    settings.mesh = Mesh(
+        {uniform_edges(0, size.x, cells[0]), uniform_edges(0, size.y, cells[1]), uniform_edges(0, size.z, cells[2])},
+        cells[2] > 1 ? 3 : 2);
+    return settings;
+}
+
+Quat turned(double angle, const Vec3& axis) {
+    const Vec3 n = normalized(axis);
+    return {std::cos(angle / 2), n.x * std::sin(angle / 2), n.y * std::sin(angle / 2), n.z * std::sin(angle / 2)};
+}
+
+GridBody block(const Vec3& size, const Vec3& centre, const Quat& orientation = {}) {
+    GridBody body;
+    body.parts.push_back(geometry::moved(geometry::box(size), Pose{centre, orientation}));
+    body.centre = centre;
+    return body;
+}
+
+double closed_volume(const Mesh& mesh, const CutBodies& cut) {
+    double sum = 0;
+    for_cells(mesh.box,
+              [&](std::int64_t c, int i, int j, int k) { sum += (1 - cut.open.volume[at(c)]) * mesh.volume(i, j, k); });
+    return sum;
+}
+
+double largest_speed(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
+    double largest = 0;
+    for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
+            largest = std::max(largest, scratch.area[at(a)][at(f)] > 0 ? std::abs(state.velocity[at(a)][at(f)]) : 0);
+        });
+    }
+    return largest;
+}
+
+TEST(CutBodies, volume_of_a_turned_block_is_cut_out_exactly) {
+    const GridSettings settings = tank({1, 1, 1}, {13, 17, 11});
+    const CutBodies cut =
+        cut_bodies(settings.mesh, {block({0.41, 0.33, 0.27}, {0.52, 0.47, 0.51}, turned(0.7, {1, 2, 3}))});
+    EXPECT_NEAR(closed_volume(settings.mesh, cut), 0.41 * 0.33 * 0.27, 1e-12);
+}
+
+TEST(CutBodies, closed_areas_and_facets_of_every_cell_add_up_to_nothing) {
+    const GridSettings settings = tank({1, 1, 1}, {13, 17, 11});
+    const CutBodies cut =
+        cut_bodies(settings.mesh, {block({0.41, 0.33, 0.27}, {0.52, 0.47, 0.51}, turned(0.7, {1, 2, 3}))});
+    const CellBox& box = settings.mesh.box;
+    std::vector<Vec3> sum(at(box.size));
+    for (const CutFacet& facet : cut.facets) {
+        sum[at(facet.cell)] += facet.area;
+    }
+    for_cells(box, [&](std::int64_t c, int i, int j, int k) {
+        for (int a = 0; a < 3; ++a) {
+            const double whole = settings.mesh.face_area(a, i, j, k);
+            const double step = cut.open.area[at(a)][at(c)] - cut.open.area[at(a)][at(c + box.stride[at(a)])];
+            EXPECT_NEAR(step * whole + sum[at(c)][a], 0, 1e-11);
+        }
+    });
+}
+
+TEST(CutBodies, volume_of_a_ball_converges_at_second_order) {
+    std::array<double, 2> errors{};
+    for (const int doubling : {0, 1}) {
+        const int n = 12 << doubling;
+        GridBody ball;
+        ball.spheres.push_back({{0.51, 0.48, 0.5}, 0.3});
+        const GridSettings settings = tank({1, 1, 1}, {n, n, n});
+        const double exact = 4 * M_PI / 3 * 0.027;
+        errors[at(doubling)] = std::abs(closed_volume(settings.mesh, cut_bodies(settings.mesh, {ball})) / exact - 1);
+    }
+    EXPECT_LT(errors[1], 0.3 * errors[0]);
+    EXPECT_LT(errors[1], 5e-3);
+}
+
+TEST(CutCells, still_water_around_a_turned_block_stays_still_and_lifts_it_with_its_weight) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 24, 1});
+    settings.side[3].kind = SideKind::open;
+    const std::vector<GridBody> bodies{block({0.3, 0.2, 0.1}, {0.5, 0.4, 0.05}, turned(0.4, {0, 0, 1}))};
+    const CutBodies cut = cut_bodies(settings.mesh, bodies);
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.75; });
+    GridScratch scratch;
+    for (int i = 0; i < 60; ++i) {
+        set_open_shares(settings, state, scratch, cut.open);
+        advance(settings, state, scratch, stable_step(settings, state, scratch));
+    }
+    EXPECT_LT(largest_speed(settings, state, scratch), 1e-10);
+    const GridLoad load = cut_loads(settings, state, scratch, bodies, cut)[0];
+    const double weight = 1000 * 9.81 * 0.3 * 0.2 * 0.1;
+    EXPECT_NEAR(load.force().y / weight, 1, 1e-9);
+    EXPECT_NEAR(load.force().x / weight, 0, 1e-9);
+    EXPECT_NEAR(load.torque.z / weight, 0, 1e-9);
+}
+
+TEST(CutCells, a_block_that_drifts_with_the_flow_does_not_disturb_it) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    settings.has_surface = false;
+    settings.gravity = {};
+    settings.water.kinematic_viscosity = 1e-3;
+    const Vec3 wind{0.5, 0.2, 0};
+    for (int side = 0; side < 4; ++side) {
+        settings.side[at(side)].kind = SideKind::inflow;
+        settings.side[at(side)].inflow = [wind](const Vec3&, double) { return Inflow{wind, 1}; };
+    }
+    GridState state = make_state(
+        settings, [](const Vec3&) { return 1.0; }, [wind](const Vec3&) { return wind; });
+    GridScratch scratch;
+    Vec3 centre{0.3, 0.4, 0.05};
+    for (int i = 0; i < 30; ++i) {
+        const double dt = 0.02;
+        centre += wind * dt;
+        GridBody body = block({0.23, 0.17, 0.1}, centre, turned(0.3, {0, 0, 1}));
+        body.velocity = wind;
+        set_open_shares(settings, state, scratch, cut_bodies(settings.mesh, {body}).open);
+        advance(settings, state, scratch, dt);
+    }
+    double worst = 0;
+    for_faces(settings.mesh.box, 0, [&](std::int64_t f, int, int, int) {
+        worst = std::max(worst, std::abs(state.velocity[0][at(f)] - wind.x));
+    });
+    EXPECT_LT(worst, 1e-6);
+}
+
+TEST(CutCells, a_block_that_moves_through_the_surface_loses_no_water) {
+    GridSettings settings = tank({1, 1, 0.1}, {24, 24, 1});
+    settings.side[3].kind = SideKind::open;
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.5; });
+    GridScratch scratch;
+    double volume = 0;
+    for (int i = 0; i < 120; ++i) {
+        const double t = state.time, dt = 0.004;
+        GridBody body =
+            block({0.3, 0.2, 0.1}, {0.5, 0.55 + 0.1 * std::cos(5 * (t + dt)), 0.05}, turned(0.3, {0, 0, 1}));
+        body.velocity = {0, -0.5 * std::sin(5 * (t + dt)), 0};
+        set_open_shares(settings, state, scratch, cut_bodies(settings.mesh, {body}).open);
+        if (i == 0) {
+            volume = state.water_volume;
+        }
+        advance(settings, state, scratch, dt);
+        for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+            EXPECT_GE(state.fraction[at(c)], 0);
+            EXPECT_LE(state.fraction[at(c)], 1);
+        });
+    }
+    EXPECT_NEAR(water_volume(settings, state, scratch) / volume, 1, 1e-10);
+    EXPECT_LT(largest_speed(settings, state, scratch), 5);
+}
+
+}  // namespace
+}  // namespace riprap::coupling

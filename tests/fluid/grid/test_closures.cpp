@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fluid/grid/tank.hpp"
+#include "riprap/fluid/grid/surface_tension.hpp"
+
+namespace riprap::fluid::grid {
+namespace {
+
+TEST(PorousClosure, drop_of_pressure_of_crushed_rock_is_that_worked_out_by_hand) {
+    // n = 0.49, D = 15.9 mm, water at 1e-3 Pa s and U = 0.01 m/s, by hand
+    PorousMedium rock{0.49, 0.0159, 50, 2.0, 0.34};
+    const auto drop = [&] {
+        const Resistance r = resistance_of(rock);
+        return r.linear * 1e-3 * 0.01 + r.quadratic * 1000 * 0.01 * 0.01;
+    };
+    EXPECT_NEAR(drop(), 2.2300 + 54.526, 2e-2);
+    rock.closure = PorousClosure::van_gent;
+    EXPECT_NEAR(drop(), 2.2300 / 0.51 + 54.526, 2e-2);
+    rock.closure = PorousClosure::engelund;
+    EXPECT_NEAR(drop(), 2.2300 * 0.49 + 54.526, 2e-2);
+    rock.closure = PorousClosure::ding;
+    rock.keulegan_carpenter = 7.5;
+    EXPECT_NEAR(drop(), 2.2300 + 2 * 54.526, 4e-2);
+}
+
+TEST(Turbulence, without_shear_k_decays_as_the_power_of_time_that_the_model_has) {
+    GridSettings settings = tank({1, 1, 1}, {4, 4, 1});
+    settings.has_surface = false;
+    settings.gravity = {};
+    settings.turbulence = Turbulence::k_epsilon;
+    GridState state = make_state(settings, [](const Vec3&) { return true; });
+    const double k0 = 1e-3, e0 = 1e-3;
+    state.turbulent_energy.assign(state.turbulent_energy.size(), k0);
+    state.dissipation_rate.assign(state.dissipation_rate.size(), e0);
+    GridScratch scratch;
+    for (int i = 0; i < 20000; ++i) {
+        advance(settings, state, scratch, 5e-4);
+    }
+    const double exact = k0 * std::pow(1 + 0.92 * e0 * 10 / k0, -1 / 0.92);
+    EXPECT_NEAR(state.turbulent_energy[at(settings.mesh.box.index(1, 2, 0))] / exact, 1, 1e-3);
+}
+
+TEST(SurfaceTension, curvature_of_a_disc_and_of_a_ball_is_found) {
+    for (const int axes : {2, 3}) {
+        const double radius = 0.3;
+        const int n = axes == 3 ? 24 : 48;
+        GridSettings settings = tank({1, 1, axes == 3 ? 1.0 : 0.1}, {n, n, axes == 3 ? n : 1});
+        settings.surface_tension = 1;
+        const Vec3 centre{0.51, 0.49, axes == 3 ? 0.5 : 0.05};
+        GridState state = make_state(settings, [&](const Vec3& x) { return norm(x - centre) < radius; });
+        GridScratch scratch;
+        prepare(settings, state, scratch);
+        reconstruct_surface(settings.mesh, state.fraction, scratch.plane);
+        find_curvature(settings, state, scratch);
+        double sum = 0, count = 0;
+        for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+            if (scratch.curvature[at(c)] != 0) {
+                sum += std::pow(scratch.curvature[at(c)] * radius / (axes - 1) - 1, 2);
+                count += 1;
+            }
+        });
+        EXPECT_LT(std::sqrt(sum / count), axes == 3 ? 0.1 : 0.01) << axes;
+    }
+}
+
+TEST(SurfaceTension, a_drop_at_rest_has_laplaces_pressure_and_weak_currents) {
+    GridSettings settings = tank({1, 1, 0.1}, {32, 32, 1});
+    settings.gravity = {};
+    settings.water = {1000, 1e-3};
+    settings.air = {1, 1e-3};
+    settings.surface_tension = 1;
+    const double radius = 0.25;
+    GridState state = make_state(settings, [&](const Vec3& x) { return std::hypot(x.x - 0.5, x.y - 0.5) < radius; });
+    GridScratch scratch;
+    for (int i = 0; i < 100; ++i) {
+        advance(settings, state, scratch, stable_step(settings, state, scratch));
+    }
+    const CellBox& box = settings.mesh.box;
+    const double jump = state.pressure[at(box.index(16, 16, 0))] - state.pressure[at(box.index(0, 0, 0))];
+    EXPECT_NEAR(jump * radius, 1, 0.01);
+    EXPECT_LT(largest_speed(settings, state) * settings.water.density * 1e-3, 5e-3);  // capillary number
+}
+
+}  // namespace
+}  // namespace riprap::fluid::grid
