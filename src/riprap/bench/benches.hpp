@@ -32,6 +32,9 @@ void linear_pcg(const Setting& setting, std::vector<Result>& results);
 void spheres_10k(const Setting& setting, std::vector<Result>& results);
 void spheres_100k(const Setting& setting, std::vector<Result>& results);
 
+// grid.cpp
+void grid_dambreak(const Setting& setting, std::vector<Result>& results);
+
 // broadphase.cpp
 void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 

@@ -22,6 +22,7 @@ std::span<const Bench> all_benches() {
         Bench{"spheres.10k", "10 000 spheres at rest in a box, Hertz and Mindlin with history", false, spheres_10k},
         Bench{"spheres.100k", "100 000 spheres at rest in a box, Hertz and Mindlin with history", false, spheres_100k},
         Bench{"broadphase.slope", "Search for candidate pairs against the number of bodies", false, broadphase_slope},
+        Bench{"grid.dambreak", "Water and air on a grid, dam break over an obstacle", false, grid_dambreak},
         Bench{"sph.h1732", "Water by SPH, smoothing length of 1.732 spacings", false, sph_h1732},
         Bench{"sph.h12", "Water by SPH, smoothing length of 1.2 spacings", false, sph_h12},
         Bench{"dda.implicit_3400", "Implicit 3D-DDA: a wall of 3400 blocks", false, dda_implicit_3400},

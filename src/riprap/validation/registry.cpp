@@ -173,6 +173,18 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"grid", "rayleigh_taylor", "Heavy fluid over light: growth of a wave", false,
                        grid::rayleigh_taylor},
         ValidationCase{"grid", "rising_bubble", "A bubble rises (Hysing and others)", false, grid::rising_bubble},
+        ValidationCase{"grid", "solitary_wave", "Solitary waves up to 0.6 of the depth travel", false,
+                       grid::solitary_wave},
+        ValidationCase{"grid", "regular_waves", "Regular waves come in, travel and go out", false, grid::regular_waves},
+        ValidationCase{"grid", "run_up", "A solitary wave runs up a slope (Synolakis)", false, grid::run_up},
+        ValidationCase{"grid", "oscillating_cylinder", "A cylinder swings in viscous fluid: noise of its force", false,
+                       grid::oscillating_cylinder},
+        ValidationCase{"grid", "moving_square", "A square starts in a closed box (SPHERIC 6)", false,
+                       grid::moving_square},
+        ValidationCase{"grid", "settling_cylinder", "A cylinder falls in a channel (Glowinski and others)", false,
+                       grid::settling_cylinder},
+        ValidationCase{"grid", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", true,
+                       grid::dam_break_obstacle},
     };
     return cases;
 }

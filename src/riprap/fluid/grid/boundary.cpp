@@ -33,7 +33,23 @@ double ghost_beside_wall(const GridSettings& settings, SideKind kind, double wal
     }
 }
 
-void set_normal(const GridSettings& settings, int side, double time, std::vector<double>& u) {
+/// Water in the column of cells beside a side less that of what comes in [m].
+double level_excess(const GridSettings& settings, int side, std::array<int, 3> cell, double time,
+                    const std::vector<double>& fraction) {
+    const Mesh& mesh = settings.mesh;
+    const Side& s = settings.side[at(side)];
+    const int up = s.absorber.up;
+    double sum = 0;
+    for (int i = 0; i < mesh.box.cells[at(up)]; ++i) {
+        cell[at(up)] = i;
+        const double wanted = s.inflow(place_of(mesh, -1, cell[0], cell[1], cell[2]), time).fraction;
+        sum += (fraction[at(mesh.box.index(cell[0], cell[1], cell[2]))] - wanted) * mesh.h(up, i);
+    }
+    return sum;
+}
+
+void set_normal(const GridSettings& settings, int side, double time, const std::vector<double>& fraction,
+                std::vector<double>& u) {
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     const int a = side / 2, n = box.cells[at(a)];
@@ -52,6 +68,12 @@ void set_normal(const GridSettings& settings, int side, double time, std::vector
             u[at(face)] = 0;
         } else if (s.kind == SideKind::inflow) {
             u[at(face)] = s.inflow(place_of(mesh, a, place[0], place[1], place[2]), time).velocity[a];
+            if (s.absorber.is_on) {
+                place[at(a)] = is_high ? n - 1 : 0;
+                const double excess = level_excess(settings, side, place, time, fraction);
+                const double speed = std::sqrt(norm(settings.gravity) / s.absorber.depth) * excess;
+                u[at(face)] += (is_high ? 1 : -1) * speed * fraction[at(is_high ? face - stride : face)];
+            }
         }
         // beyond the side: odd about a wall, without gradient elsewhere
         const double beyond = is_wall(s.kind) ? 2 * u[at(face)] - u[at(inner)] : u[at(face)];
@@ -108,14 +130,15 @@ void fill_fraction_ghosts(const GridSettings& settings, const std::array<std::ve
     }
 }
 
-void fill_velocity_ghosts(const GridSettings& settings, double time, std::array<std::vector<double>, 3>& velocity) {
+void fill_velocity_ghosts(const GridSettings& settings, double time, const std::vector<double>& fraction,
+                          std::array<std::vector<double>, 3>& velocity) {
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     for (int side = 0; side < 2 * box.axes; ++side) {
         const Side& s = settings.side[at(side)];
         const int a = side / 2;
         const double distance = 0.5 * mesh.h(a, side % 2 == 1 ? box.cells[at(a)] - 1 : 0);
-        set_normal(settings, side, time, velocity[at(a)]);
+        set_normal(settings, side, time, fraction, velocity[at(a)]);
         for (int c = 0; c < box.axes; ++c) {
             if (c == a) {
                 continue;

@@ -55,6 +55,8 @@ void fill_fraction_ghosts(const GridSettings& settings, const std::array<std::ve
 
 /// Sets the velocity on the sides and in the ghosts beyond: zero through walls, given on inflow sides, mirrored or
 /// reversed along walls by whether they slip, without gradient on open sides, whose normal velocity the pressure sets.
-void fill_velocity_ghosts(const GridSettings& settings, double time, std::array<std::vector<double>, 3>& velocity);
+/// @param fraction  of water, whose level beside a side an absorber compares [-]
+void fill_velocity_ghosts(const GridSettings& settings, double time, const std::vector<double>& fraction,
+                          std::array<std::vector<double>, 3>& velocity);
 
 }  // namespace riprap::fluid::grid

@@ -132,7 +132,7 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
         find_eddy_viscosity(settings, state, s);
     }
     s.is_ready = true;
-    fill_velocity_ghosts(settings, state.time, state.velocity);
+    fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
     if (state.step == 0) {
         state.water_volume = water_volume(settings, state, s);
     }
@@ -204,7 +204,7 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
 void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     prepare(settings, state, s);
     s.start_fraction = state.fraction;
-    fill_velocity_ghosts(settings, state.time, state.velocity);
+    fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
     s.carrier = state.velocity;
     fill_fraction_ghosts(settings, s.carrier, state.time, s.start_fraction);
     move_water(settings, state, s, dt);
@@ -215,12 +215,13 @@ void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, 
     if (s.open.has_bodies) {
         find_wall_drag(settings, s);
     }
-    fill_velocity_ghosts(settings, state.time + dt, state.velocity);  // what sides give at the end of the step
+    fill_velocity_ghosts(settings, state.time + dt, state.fraction,
+                         state.velocity);  // what sides give at the end of the step
     predict_velocity(settings, state, s, s.start_velocity, settings.outer_corrections > 1, dt);
 }
 
 void end_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
-    fill_velocity_ghosts(settings, state.time + dt, state.velocity);
+    fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
     if (settings.turbulence != Turbulence::laminar) {
         advance_turbulence(settings, state, s, dt);
     }
@@ -238,13 +239,13 @@ GridReport advance(const GridSettings& settings, GridState& state, GridScratch& 
     linear::SolveReport report = project_velocity(settings, state, s, dt);
     for (int pass = 1; pass < settings.outer_corrections; ++pass) {
         // transport and stresses once more, with the velocity of the middle of the step
-        fill_velocity_ghosts(settings, state.time + dt, state.velocity);
+        fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
         for (int a = 0; a < settings.mesh.box.axes; ++a) {
             for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
                 s.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
             }
         }
-        fill_velocity_ghosts(settings, state.time + 0.5 * dt, s.carrier);
+        fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.carrier);
         state.fraction = s.start_fraction;
         state.water_volume = volume_before;
         move_water(settings, state, s, dt);

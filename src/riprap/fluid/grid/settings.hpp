@@ -31,12 +31,21 @@ struct Inflow {
     double fraction{1};  ///< of water [-]
 };
 
+/// Lets long waves out through an inflow side: the normal velocity of wet cells gets sqrt(g/d) times what the surface
+/// beside it stands above that of the water which comes in.
+struct Absorber {
+    bool is_on{false};
+    int up{1};
+    double depth{1};  ///< of still water at the side [m]
+};
+
 struct Side {
     SideKind kind{SideKind::slip};
     Vec3 velocity{};          ///< of a wall, along itself [m/s]
     double open_fraction{0};  ///< water fraction of what comes in through an open side [-]
     double pressure{0};       ///< on an open side [Pa]
     std::function<Inflow(const Vec3& place, double time)> inflow{};
+    Absorber absorber{};
 };
 
 enum class VofScheme : std::uint8_t {
@@ -62,6 +71,11 @@ struct PorousZone {
     std::function<bool(const Vec3& place)> holds;  ///< is asked at cell centres
 };
 
+/// Takes momentum out of what moves through a zone, so that waves die away: du/dt = -rate u.
+struct Sponge {
+    std::function<double(const Vec3& place)> rate;  ///< 0 outside [1/s]
+};
+
 enum class Turbulence : std::uint8_t {
     laminar,
     k_epsilon,         ///< standard, with density in the operators and a buoyancy sink
@@ -79,6 +93,7 @@ struct GridSettings {
     double surface_tension{0};         ///< sigma [N/m]
     std::array<Side, 6> side{};        ///< low and high side of x, y, z
     std::vector<PorousZone> porous{};  ///< the last that holds a place counts
+    std::vector<Sponge> sponges{};
     Turbulence turbulence{Turbulence::laminar};
     VofScheme vof{VofScheme::plic};
     double compression{1};      ///< C_alpha of the compressive scheme [-]

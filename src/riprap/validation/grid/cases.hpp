@@ -26,4 +26,12 @@ void sway(const CaseSetting& setting, CaseReport& report);
 void rayleigh_taylor(const CaseSetting& setting, CaseReport& report);
 void rising_bubble(const CaseSetting& setting, CaseReport& report);
 
+void solitary_wave(const CaseSetting& setting, CaseReport& report);
+void regular_waves(const CaseSetting& setting, CaseReport& report);
+void run_up(const CaseSetting& setting, CaseReport& report);
+void oscillating_cylinder(const CaseSetting& setting, CaseReport& report);
+void moving_square(const CaseSetting& setting, CaseReport& report);
+void settling_cylinder(const CaseSetting& setting, CaseReport& report);
+void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
+
 }  // namespace riprap::validation::grid

@@ -134,8 +134,8 @@ void wall_impact(const CaseSetting& setting, CaseReport& report) {
 }
 
 void wall_pressure(const CaseSetting& setting, CaseReport& report) {
-    // [Buchner2002]: column 2 H long, H high, tank 5.366 H long, pressure 0.2 H above the floor as transcribed. The disc of
-    // the experiment, 0.09 m across and 0.16 m above the floor by its drawing, is reported.
+    // [Buchner2002]: column 2 H long, H high, tank 5.366 H long, pressure 0.2 H above the floor as transcribed. The
+    // disc of the experiment, 0.09 m across and 0.16 m above the floor by its drawing, is reported.
     const double depth = 0.6, unit = std::sqrt(depth / 9.81), scale = 1000 * 9.81 * depth;
     GridTrial trial = column_in_tank(1.2, depth, 3.22, 1.8, depth / (setting.is_full ? 80 : 40), {1000, 1e-6});
     trial.add("disc", [scale](const GridTrial& t) {

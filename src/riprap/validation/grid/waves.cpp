@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waves that come in through a side, travel, run up and go out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "riprap/coupling/cut_cells/cut_bodies.hpp"
+#include "riprap/fluid/grid/wave_side.hpp"
+#include "riprap/validation/grid/cases.hpp"
+#include "riprap/validation/grid/grid_trial.hpp"
+#include "riprap/wave/linear_wave.hpp"
+#include "riprap/wave/wave_analysis.hpp"
+
+namespace riprap::validation::grid {
+
+namespace {
+
+GridTrial::Gauge level_at(double x, double depth) {
+    return [=](const GridTrial& t) { return read_level(t.settings(), t.state(), {x, 0, 0}, 1) - depth; };
+}
+
+/// Highest level of a record and its time.
+struct Crest {
+    double level{-1e9}, time{0};
+};
+Crest crest_of(const GridTrial& trial, const std::string& name) {
+    Crest crest;
+    for (std::size_t i = 0; i < trial.time().size(); ++i) {
+        if (trial.column(name)[i] > crest.level) {
+            crest = {trial.column(name)[i], trial.time()[i]};
+        }
+    }
+    return crest;
+}
+
+}  // namespace
+
+void solitary_wave(const CaseSetting& setting, CaseReport& report) {
+    // Depth 0.5 m; heights of 0.2 and 0.6 depths by the solution of all orders; 30 depths of flume.
+    const double d = 0.5;
+    for (const double ratio : {0.2, 0.6}) {
+        const int per_depth = setting.is_full ? 40 : 20;
+        GridSettings settings =
+            make_tank({}, {30 * d, 2.2 * d, 0.1}, {30 * per_depth / 2, static_cast<int>(2.2 * per_depth), 1});
+        settings.side[3].kind = SideKind::open;
+        const wave::SteadyWave wave = wave::solitary_wave(ratio * d, d, 9.81);
+        const double start = 10 * d / wave.celerity;
+        settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, start), false);
+        GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < d; }));
+        trial.add("near", level_at(5 * d, d));
+        trial.add("far", level_at(15 * d, d));
+        trial.run(start + 22 * d / wave.celerity);
+        const Crest near = crest_of(trial, "near"), far = crest_of(trial, "far");
+        const std::string name = fmt::format("H/d = {}, {} cells per depth", ratio, per_depth);
+        report.judge({name + ": height 5 depths from the inlet over H", "-", {}, 1.0, {}}, near.level / (ratio * d),
+                     Relative{0.05});
+        report.judge_below({name + ": loss of height over ten depths", "-", {}, 0.0, {}}, 1 - far.level / near.level,
+                           0.02);
+        report.judge({name + ": celerity", "m/s", {}, wave.celerity, {}}, 10 * d / (far.time - near.time),
+                     Relative{0.01});
+        trial.report_books(report);
+    }
+}
+
+void regular_waves(const CaseSetting& setting, CaseReport& report) {
+    // Shallow waves, kd = 0.3: within the range of the absorber. H = 0.02 m in 0.3 m, six wave lengths.
+    const double d = 0.3, height = 0.02, period = 2 * M_PI / std::sqrt(9.81 * (0.3 / d) * std::tanh(0.3));
+    const wave::SteadyWave wave = wave::regular_wave(height, period, d, 9.81);
+    const double length = wave.length(), h = height / (setting.is_full ? 20 : 8);
+    std::vector<double> y{0};
+    while (y.back() < d - 3 * height) {
+        y.push_back(std::min(d - 3 * height, y.back() + 4 * h));
+    }
+    while (y.back() < d + 3 * height - 1e-9) {
+        y.push_back(y.back() + h);
+    }
+    GridSettings settings;
+    const double end = 4 * length;
+    settings.mesh = Mesh({uniform_edges(0, end, static_cast<int>(end / (4 * h))), y, {0, 0.1}}, 2);
+    settings.side[3].kind = SideKind::open;
+    settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, 0.25 * period), true);
+    settings.side[1] = absorbing_side(settings.mesh, 1, 1, 0, d);
+    GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < d; }));
+    const std::array<double, 3> places{2 * length, 2.2 * length, 2.4 * length};
+    for (const double x : places) {
+        trial.add(fmt::format("{}", x), level_at(x, d));
+    }
+    trial.add("near", level_at(0.5 * length, d));
+    trial.run(12 * period);
+    std::vector<std::complex<double>> amplitudes;
+    std::vector<double> late_time;
+    const auto first = static_cast<std::size_t>(std::lower_bound(trial.time().begin(), trial.time().end(), 8 * period) -
+                                                trial.time().begin());
+    late_time.assign(trial.time().begin() + static_cast<std::ptrdiff_t>(first), trial.time().end());
+    const double omega = 2 * M_PI / period;
+    const auto amplitude = [&](const std::string& name) {
+        const auto& column = trial.column(name);
+        return wave::harmonic(
+            late_time, std::vector<double>(column.begin() + static_cast<std::ptrdiff_t>(first), column.end()), omega);
+    };
+    for (const double x : places) {
+        amplitudes.push_back(amplitude(fmt::format("{}", x)));
+    }
+    const wave::Separation parts = wave::separate_reflection(places, amplitudes, wave.wave_number);
+    report.judge({"incident amplitude two lengths from the inlet over H/2", "-", {}, 1.0, {}},
+                 2 * parts.incident / height, Relative{0.05});
+    report.judge_below({"reflection by the absorbing side, kd = 0.3", "-", {}, 0.0, {}}, parts.reflection, 0.03);
+    trial.report_books(report);
+}
+
+void run_up(const CaseSetting& setting, CaseReport& report) {
+    // [Synolakis1987]: a solitary wave of H/d = 0.0185 on a slope of 1:19.85; R/d = 2.831 sqrt(cot b) (H/d)^1.25.
+    const double d = 0.3, ratio = 0.0185, cot = 19.85, toe = 8 * d,
+                 exact = 2.831 * std::sqrt(cot) * std::pow(ratio, 1.25);
+    const double h = d / (setting.is_full ? 60 : 40), top = 1.2 * d, end = toe + cot * top;
+    GridSettings settings =
+        make_tank({}, {end, top, 0.1}, {static_cast<int>(end / (4 * h)), static_cast<int>(std::lround(top / h)), 1});
+    settings.side[3].kind = SideKind::open;
+    const wave::SteadyWave wave = wave::solitary_wave(ratio * d, d, 9.81);
+    const double start = 16 * d / wave.celerity;
+    settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, start), false);
+    coupling::GridBody slope;
+    slope.parts.push_back({{{toe, -1, -1},
+                            {end + 1, -1, -1},
+                            {end + 1, (end + 1 - toe) / cot, -1},
+                            {toe, 0, -1},
+                            {toe, -1, 1},
+                            {end + 1, -1, 1},
+                            {end + 1, (end + 1 - toe) / cot, 1},
+                            {toe, 0, 1}},
+                           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+                           {}});
+    GridState state = make_state(settings, [=](const Vec3& x) { return x.y < d; });
+    GridTrial trial(settings, state);
+    const coupling::CutBodies cut = coupling::cut_bodies(settings.mesh, {slope});
+    set_open_shares(settings, trial.state(), trial.scratch(), cut.open);
+    trial.add("reach", [=](const GridTrial& t) {  // highest place on the slope that is wet
+        double reach = 0;
+        const Mesh& mesh = t.settings().mesh;
+        for (int i = mesh.box.cells[0] - 1; i >= 0; --i) {
+            const double x = mesh.centre(0, i), bed = std::max(0.0, (x - toe) / cot);
+            const int j = mesh.cell_at(1, bed);
+            double depth = 0;
+            for (int k = j; k < mesh.box.cells[1]; ++k) {
+                const auto c = at(mesh.box.index(i, k, 0));
+                depth += t.state().fraction[c] * t.scratch().open.volume[c] * mesh.h(1, k);
+            }
+            if (depth > 0.1 * h) {
+                reach = bed + depth;
+                break;
+            }
+        }
+        return reach - d;
+    });
+    trial.run(start + 60 * d / wave.celerity);
+    report.judge({"run-up over the depth", "-", {}, exact, {}}, crest_of(trial, "reach").level / d, Relative{0.08});
+    trial.report_books(report);
+}
+
+}  // namespace riprap::validation::grid
