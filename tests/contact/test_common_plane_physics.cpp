@@ -39,8 +39,8 @@ class CommonPlanePhysicsTest : public ::testing::Test {
         auto loads = gathered();
         return loads.force[static_cast<std::size_t>(body)];
     }
-    BodyLoads gathered() {
-        BodyLoads loads;
+    body::Loads gathered() {
+        body::Loads loads;
         pipeline_.gather_loads(scene_, state_, loads);
         return loads;
     }
