@@ -29,6 +29,7 @@ std::span<const Bench> all_benches() {
         Bench{"dda.explicit", "Explicit 3D-DDA: walls of 1000 and 8000 blocks", false, dda_explicit},
         Bench{"linear.product", "Block-sparse matrix times vector, against the bandwidth", false, linear_product},
         Bench{"linear.pcg", "Conjugate gradients by preconditioner", false, linear_pcg},
+        Bench{"dda.planar", "Step of a wall of bricks by planar DDA", false, dda_planar},
     };
     return benches;
 }

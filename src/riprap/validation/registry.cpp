@@ -4,9 +4,11 @@
 #include <array>
 
 #include "riprap/validation/dda/cases_3d.hpp"
+#include "riprap/validation/dda/planar_cases.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/mellado/cases.hpp"
+#include "riprap/validation/ding/planar_cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
@@ -185,6 +187,49 @@ std::span<const ValidationCase> all_cases() {
                        grid::settling_cylinder},
         ValidationCase{"grid", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", true,
                        grid::dam_break_obstacle},
+        ValidationCase{"dda", "planar_rotation", "A deformable block turns 100 times", false, dda::planar_rotation},
+        ValidationCase{"dda", "planar_pendulum", "A square pinned at a corner swings", false, dda::planar_pendulum},
+        ValidationCase{"dda", "planar_incline", "A block on an incline slides, holds, stops", false,
+                       dda::planar_incline},
+        ValidationCase{"dda", "planar_tip_or_slide", "A block on a slope raised slowly tips or slides", false,
+                       dda::planar_tip_or_slide},
+        ValidationCase{"dda", "planar_shaken_block", "A block pushed sideways ever harder tips or slides", false,
+                       dda::planar_shaken_block},
+        ValidationCase{"dda", "planar_stacks", "Stacked blocks carry their weight; bricks lean out", false,
+                       dda::planar_stacks},
+        ValidationCase{"dda", "planar_dragged_block", "A block on a plank pulled on ice", false,
+                       dda::planar_dragged_block},
+        ValidationCase{"dda", "planar_rocking", "A block rocks from one corner to the other (Housner)", false,
+                       dda::planar_rocking},
+        ValidationCase{"dda", "planar_toppling", "Sixteen columns on a stepped base (Goodman and Bray)", false,
+                       dda::planar_toppling},
+        ValidationCase{"dda", "planar_plane_failure", "A bonded block on a joint with water pressure", false,
+                       dda::planar_plane_failure},
+        ValidationCase{"dda", "planar_arch", "A semicircular arch stands or falls", false, dda::planar_arch},
+        ValidationCase{"dda", "planar_keystone", "A roof block wedged between two that are pushed together", false,
+                       dda::planar_keystone},
+        ValidationCase{"dda", "planar_column", "An elastic column under its weight", false, dda::planar_column},
+        ValidationCase{"dda", "planar_bar_impact", "An elastic bar hits a wall", false, dda::planar_bar_impact},
+        ValidationCase{"dda", "planar_cantilever", "A cantilever of bonded triangles bends and swings", true,
+                       dda::planar_cantilever},
+        ValidationCase{"dda", "planar_disc", "A disc of bonded triangles pressed across its diameter", true,
+                       dda::planar_disc},
+        ValidationCase{"ding", "planar_free_fall", "A block falls on a base, four contact stiffnesses", false,
+                       ding::planar_free_fall},
+        ValidationCase{"ding", "planar_shaken_stack", "Seven blocks on a shaking table", false,
+                       ding::planar_shaken_stack},
+        ValidationCase{"ding", "planar_air_cannon", "Ice from an air cannon hits ballast", true,
+                       ding::planar_air_cannon},
+        ValidationCase{"ding", "planar_cross_section", "Ice falls on ballast beside a rail", true,
+                       ding::planar_cross_section},
+        ValidationCase{"ding", "planar_train_speed", "Ice from a moving train hits ballast", true,
+                       ding::planar_train_speed},
+        ValidationCase{"ding", "planar_incident_angle", "Ice hits ballast at four angles", true,
+                       ding::planar_incident_angle},
+        ValidationCase{"ding", "planar_ice_shape", "A circle, a triangle and a square of ice hit ballast", true,
+                       ding::planar_ice_shape},
+        ValidationCase{"ding", "planar_arch", "Seven voussoirs without friction sink", false, ding::planar_arch},
+        ValidationCase{"ding", "planar_dam", "The top of a dam slides as the water rises", false, ding::planar_dam},
     };
     return cases;
 }

@@ -48,6 +48,12 @@ struct Scene {
             low < count && state.contact_corner[at(low)] == corner && state.contact_edge[at(low)] == edge;
         return is_there ? low : -1;
     }
+    /// An open contact is not looked for deeper than this: behind it lies the other side of a block [m].
+    double depth(std::int32_t corner, std::int32_t edge) const {
+        const double narrow =
+            std::min(model.width[at(model.corner_block[at(corner)])], model.width[at(model.corner_block[at(edge)])]);
+        return std::min(reach, 0.5 * narrow);
+    }
     bool is_closed(std::int32_t corner, std::int32_t edge) const {
         const std::int64_t old = remembered(corner, edge);
         return old >= 0 && state.contact_mode[at(old)] != static_cast<std::uint8_t>(Mode::open);
@@ -73,7 +79,7 @@ constexpr double foot_slack = 1e-3;
 void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, ContactSearch& search) {
     const GapAndFoot g = gap_and_foot(scene, corner, edge);
     const bool is_closed = scene.is_closed(corner, edge);
-    if (g.gap > scene.reach || (g.gap < -scene.reach && !is_closed) || g.foot < -foot_slack ||
+    if (g.gap > scene.reach || (g.gap < -scene.depth(corner, edge) && !is_closed) || g.foot < -foot_slack ||
         g.foot > 1 + foot_slack) {
         return;
     }
@@ -131,7 +137,10 @@ void find_at_corners(const Scene& scene, std::int32_t v, std::int32_t w, Contact
     if (!choose_entrance(scene, v, w, entrance)) {
         return;
     }
-    search.wanted.push_back(key_of(entrance.first, entrance.second));
+    const double gap = gap_and_foot(scene, entrance.first, entrance.second).gap;
+    if (gap >= -scene.depth(entrance.first, entrance.second) || scene.is_closed(entrance.first, entrance.second)) {
+        search.wanted.push_back(key_of(entrance.first, entrance.second));
+    }
     const std::pair<std::int32_t, std::int32_t> all[] = {{v, w}, {v, scene.before(w)}, {w, v}, {w, scene.before(v)}};
     for (const auto& other : all) {
         if (other != entrance) {

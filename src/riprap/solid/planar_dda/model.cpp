@@ -37,7 +37,7 @@ geometry::Outcome<std::int32_t> Builder::add_block(std::span<const Vec2> corners
     const geometry::PolygonMoments moments = geometry::moments_of(polygon);
     const auto first = static_cast<std::int32_t>(model.corner.size());
     const auto count = static_cast<std::int32_t>(polygon.size());
-    double radius = 0;
+    double perimeter = 0;
     for (std::int32_t k = 0; k < count; ++k) {
         const std::int32_t next = (k + 1) % count, before = (k + count - 1) % count;
         model.corner.push_back(polygon[at(k)] - moments.centroid);
@@ -46,7 +46,7 @@ geometry::Outcome<std::int32_t> Builder::add_block(std::span<const Vec2> corners
         model.corner_before.push_back(first + before);
         const double turn = cross(polygon[at(k)] - polygon[at(before)], polygon[at(next)] - polygon[at(k)]);
         model.is_convex.push_back(turn > 0 ? 1 : 0);
-        radius = std::max(radius, norm(model.corner.back()));
+        perimeter += norm(polygon[at(next)] - polygon[at(k)]);
     }
     model.corner_begin.push_back(first + count);
     model.material.push_back(material);
@@ -56,7 +56,7 @@ geometry::Outcome<std::int32_t> Builder::add_block(std::span<const Vec2> corners
     model.moment_xx.push_back(moments.xx / moments.area);
     model.moment_yy.push_back(moments.yy / moments.area);
     model.moment_xy.push_back(moments.xy / moments.area);
-    model.radius.push_back(radius);
+    model.width.push_back(2 * moments.area / perimeter);
     State& state = *state_;
     state.x.push_back(moments.centroid.x);
     state.y.push_back(moments.centroid.y);

@@ -78,7 +78,8 @@ struct Model {
     std::vector<double> mass;                             ///< [kg]
     std::vector<double> area;                             ///< of the reference shape [m^2]
     std::vector<double> moment_xx, moment_yy, moment_xy;  ///< second moments over the area, reference shape [m^2]
-    std::vector<double> radius;                           ///< of the circle about the centroid [m]
+    std::vector<double> width;  ///< twice the area over the perimeter: half the side of a square, about the thickness
+                                ///< of a slab [m]
 
     std::vector<FixedPoint> fixed_points;
     std::vector<Bolt> bolts;

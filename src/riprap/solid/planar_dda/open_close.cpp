@@ -41,8 +41,9 @@ void lock_at_touch(Contact& contact, Trial& trial) {
     contact.lock = contact.foot - trial.slip_start / contact.edge_length;
 }
 
-void count_change(Changes& changes, std::size_t k) {
+void count_change(Changes& changes, Trial& trial, std::size_t k) {
     ++changes.opened_or_closed;
+    changes.returned += ++trial.flips > 1 ? 1 : 0;
     changes.worst = static_cast<std::int32_t>(k);
 }
 
@@ -103,7 +104,7 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
                 trial.normal = normal;
                 trial.mode = Mode::locked;
                 update_shear(contact, trial, changes);
-                count_change(changes, k);
+                count_change(changes, trial, k);
             }
             continue;
         }
@@ -111,7 +112,7 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
         if (!trial.is_bonded && normal < -contact.joint.normal_stiffness * settings.open_tolerance) {
             trial.mode = Mode::open;
             trial.normal = trial.friction = trial.multiplier = 0;
-            count_change(changes, k);
+            count_change(changes, trial, k);
             continue;
         }
         changes.largest_normal = std::max(changes.largest_normal, std::abs(normal));

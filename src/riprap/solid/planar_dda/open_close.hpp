@@ -11,6 +11,7 @@ void begin_trials(Scratch& scratch);
 /// What one iteration changed.
 struct Changes {
     int opened_or_closed{0};
+    int returned{0};  ///< of these, contacts that had opened or closed before in this step
     int locked_or_slid{0};
     double friction{0};        ///< largest change of a friction force [N]
     double largest_normal{0};  ///< [N]

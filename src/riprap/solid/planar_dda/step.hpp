@@ -38,6 +38,7 @@ struct Trial {
     Mode mode{Mode::open};
     bool is_bonded{false};
     bool has_broken{false};  ///< in this step
+    int flips{0};            ///< how often it has opened or closed in this step
     double multiplier{0};    ///< [N]
     double gap_before{0};    ///< from which the dashpot counts [m]
     double gap{0}, slip{0};  ///< after the last solution [m]

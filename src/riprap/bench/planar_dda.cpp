@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "riprap/bench/benches.hpp"
+#include "riprap/bench/measure.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/solid/planar_dda/state.hpp"
+#include "riprap/solid/planar_dda/step.hpp"
+
+namespace riprap::bench {
+
+namespace {
+
+using namespace solid::planar_dda;
+
+/// A wall of bricks in bond on a fixed base.
+struct Wall {
+    Model model;
+    State state;
+    Settings settings;
+    Scratch scratch;
+    StepReport report;
+
+    Wall(int columns, int rows) {
+        model.materials.push_back({2500, 1e10, 0.2});
+        model.set_joint(0, 0, {.normal_stiffness = 1e9, .shear_stiffness = 4e8, .friction = 0.6, .damping_ratio = 0.2});
+        settings = settings_for(0.5 * columns);
+        Builder builder(model, state);
+        const auto add = [&builder](double x, double y, double width, double height, bool is_fixed) {
+            const std::vector<Vec2> corners{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+            if (!builder.add_block(corners, 0, is_fixed)) {
+                throw InternalError("a brick of the bench is refused");
+            }
+        };
+        add(-1, -1, columns + 2, 1, true);
+        for (int row = 0; row < rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                add(column + 0.5 * (row % 2), 0.5 * row, 1, 0.5, false);
+            }
+        }
+    }
+    void step() {
+        const Outcome outcome = advance(model, settings, {1e-3, {0, -9.81}, {}, {}}, state, scratch, report);
+        if (!outcome.ok()) {
+            throw InternalError("the bench of planar DDA: " + outcome.problem);
+        }
+    }
+};
+
+}  // namespace
+
+void dda_planar(const Setting& setting, std::vector<Result>& results) {
+    for (const int threads : setting.thread_counts) {
+        const ThreadScope scope(threads);
+        for (const auto& [columns, rows] : {std::pair{10, 10}, std::pair{40, 15}}) {
+            Wall wall(columns, rows);
+            for (int k = 0; k < 50; ++k) {
+                wall.step();
+            }
+            std::vector<Vec2> corners;
+            const Timing step = time_calls([&wall] { wall.step(); });
+            const Timing search = time_calls([&wall, &corners] {
+                place_corners(wall.model, wall.state, corners);
+                find_contacts(wall.model, wall.state, wall.settings, corners, wall.scratch.search,
+                              wall.scratch.contacts);
+            });
+            const int count = columns * rows;
+            results.push_back({"dda.planar", threads, 1e6 * step.median / count, "us/block",
+                               fmt::format("a step of {} bricks with {} closed contacts, {} solutions; {:.0f} % of it "
+                                           "finds contacts; {}",
+                                           count, wall.report.closed_contacts, wall.report.iterations,
+                                           100 * search.median / step.median, spread(step))});
+        }
+    }
+}
+
+}  // namespace riprap::bench

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/ding/planar_ballast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/core/index.hpp"
+#include "riprap/geometry/random_bits.hpp"
+
+namespace riprap::validation::ding {
+
+using geometry::Vec2;
+using solid::planar_dda::Joint;
+
+namespace {
+
+constexpr double smallest = 0.0315, largest = 0.063;  // sieve sizes [m]
+constexpr double across = 0.0825;                     // thickness of the plane model, pi/4 of 105 mm [m]
+constexpr double gravity = 9.81;
+
+/// Spring of 1e7 N/m with a dashpot for a restitution of 0.4: xi = -ln e/sqrt(pi^2 + ln^2 e).
+Joint ballast_joint() {
+    const double l = std::log(0.4);
+    return {.normal_stiffness = 1e7,
+            .shear_stiffness = 4e6,
+            .friction = 1,
+            .damping_ratio = -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l)};
+}
+
+class Draw {
+ public:
+    explicit Draw(std::uint64_t seed) : seed_(seed) {}
+    double operator()() { return geometry::unit_interval(geometry::mix_bits(seed_, count_++)); }
+
+ private:
+    std::uint64_t seed_, count_{0};
+};
+
+/// Corners on an ellipse at uneven angles: convex.
+std::vector<Vec2> stone(Draw& draw, const Vec2& center) {
+    const double size = smallest * std::pow(largest / smallest, draw());
+    const double flatness = 0.7 + 0.3 * draw(), turn = 2 * std::numbers::pi * draw();
+    const int count = 5 + static_cast<int>(3.999 * draw());
+    std::vector<Vec2> corners;
+    for (int k = 0; k < count; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.35 * (2 * draw() - 1)) / count;
+        const Vec2 p{0.5 * size * std::cos(angle), 0.5 * size * flatness * std::sin(angle)};
+        corners.push_back(
+            center + Vec2{std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y});
+    }
+    return corners;
+}
+
+double surface_of(const PlanarTrial& trial, std::int32_t first, double length) {
+    // the highest corner in each strip 60 mm wide of the middle half
+    const int strips = static_cast<int>(0.5 * length / 0.06);
+    std::vector<double> top(at(strips), 0.0);
+    for (std::size_t k = at(trial.model.corner_begin[at(first)]); k < trial.model.corner.size(); ++k) {
+        const Vec2 p = place_of(trial.state, trial.model.corner_block[k], trial.model.corner[k]);
+        const int strip = static_cast<int>(std::floor((p.x + 0.25 * length) / 0.06));
+        if (strip >= 0 && strip < strips) {
+            top[at(strip)] = std::max(top[at(strip)], p.y);
+        }
+    }
+    double sum = 0;
+    for (const double height : top) {
+        sum += height;
+    }
+    return sum / strips;
+}
+
+}  // namespace
+
+std::int32_t BallastBed::stone_at(const Vec2& point) const {
+    std::int32_t nearest = first_stone;
+    for (std::int32_t b = first_stone; b < first_stone + stone_count; ++b) {
+        if (norm(trial.center(b) - point) < norm(trial.center(nearest) - point)) {
+            nearest = b;
+        }
+    }
+    return nearest;
+}
+
+BallastBed make_bed(double length, double thickness, std::uint64_t seed) {
+    BallastBed bed{PlanarTrial({2600, 5e10, 0.2}, ballast_joint())};
+    PlanarTrial& trial = bed.trial;
+    trial.model.thickness = across;
+    trial.settings = solid::planar_dda::settings_for(length, 0.0015);
+    bed.ice_material = trial.add_material({934, 1e10, 0.06}, ballast_joint());
+    trial.add_box({-0.5 * length - 0.3, -0.2}, {length + 0.6, 0.2}, true);
+    trial.add_box({-0.5 * length - 0.2, 0}, {0.2, 3 * thickness}, true);
+    trial.add_box({0.5 * length, 0}, {0.2, 3 * thickness}, true);
+    bed.first_stone = trial.model.block_count();
+    Draw draw(seed);
+    const double cell = 1.02 * largest;
+    const int columns = static_cast<int>(length / cell);
+    double area = 0;
+    for (int row = 0; area < 0.8 * length * thickness; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const double x = -0.5 * length + (column + 0.5) * length / columns;
+            trial.add(stone(draw, {x, (row + 0.5) * cell}));
+            area += trial.model.area.back();
+        }
+    }
+    bed.stone_count = trial.model.block_count() - bed.first_stone;
+    // falls without friction and with damped velocities, which packs it; then friction holds it
+    Joint smooth = ballast_joint();
+    smooth.friction = 0.1;
+    trial.model.set_joint(0, 0, smooth);
+    trial.settings.dynamic_factor = 0.98;
+    trial.dt = 5e-4;
+    trial.run(0.5);
+    trial.model.set_joint(0, 0, ballast_joint());
+    trial.settings.dynamic_factor = 0.9;
+    trial.run(0.1);
+    trial.settings.dynamic_factor = 1;
+    trial.time = 0;
+    std::fill(trial.state.rates.begin(), trial.state.rates.end(), 0.0);
+    bed.surface = surface_of(trial, bed.first_stone, length);
+    bed.porosity = 1 - area / (length * bed.surface);
+    for (std::int32_t b = bed.first_stone; b < trial.model.block_count(); ++b) {
+        bed.start.push_back(trial.center(b));
+    }
+    return bed;
+}
+
+namespace {
+
+/// Watches one strike.
+struct Watch {
+    const BallastBed& bed;
+    PlanarTrial& trial;
+    std::int32_t ice, marked;
+    Strike result;
+    Vec2 touch{};
+    std::vector<double> rise;
+    std::vector<std::vector<Vec2>> paths;  ///< of every stone: time and height while it flies
+
+    void look() {
+        if (result.impact_time == 0) {
+            for (std::int32_t b = bed.first_stone; b < bed.first_stone + bed.stone_count; ++b) {
+                if (trial.do_touch(ice, b)) {
+                    result.impact_time = trial.time;
+                    touch = trial.center(ice);
+                }
+            }
+        }
+        for (std::int32_t k = 0; k < bed.stone_count; ++k) {
+            const Vec2 moved = trial.center(bed.first_stone + k) - bed.start[at(k)];
+            rise[at(k)] = std::max(rise[at(k)], moved.y);
+            if (bed.first_stone + k == marked) {
+                result.marked.x = std::max(result.marked.x, std::abs(moved.x));
+                result.marked.y = std::max(result.marked.y, moved.y);
+            }
+            if (trial.center(bed.first_stone + k).y > bed.surface + 0.08) {
+                paths[at(k)].push_back({trial.time, trial.center(bed.first_stone + k).y});
+            }
+        }
+        if (result.impact_time > 0) {
+            result.ice_way = std::max(result.ice_way, norm(trial.center(ice) - touch));
+            result.ice_bounce = std::max(result.ice_bounce, trial.center(ice).y - touch.y);
+        }
+    }
+
+    /// 1 - R^2 of the longest flight against the parabola of gravity through its ends.
+    double misfit() const {
+        const auto longest = std::max_element(paths.begin(), paths.end(),
+                                              [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        if (longest == paths.end() || longest->size() < 20) {
+            return std::nan("");
+        }
+        const Vec2 a = longest->front(), b = longest->back();
+        const double span = b.x - a.x, speed = (b.y - a.y) / span + 0.5 * gravity * span;
+        double mean = 0, off = 0, all = 0;
+        for (const Vec2& p : *longest) {
+            mean += p.y / static_cast<double>(longest->size());
+        }
+        for (const Vec2& p : *longest) {
+            const double t = p.x - a.x, exact = a.y + speed * t - 0.5 * gravity * t * t;
+            off += (p.y - exact) * (p.y - exact);
+            all += (p.y - mean) * (p.y - mean);
+        }
+        return off / all;
+    }
+};
+
+}  // namespace
+
+Strike strike(const BallastBed& bed, const Shot& shot) {
+    PlanarTrial trial = bed.trial;
+    const double reach = shot.corners > 0 ? shot.size.x : 0.5 * shot.size.y;
+    const double lowest = shot.is_flat ? reach * std::cos(std::numbers::pi / std::max(3, shot.corners)) : reach;
+    const Vec2 center{shot.place, bed.surface + shot.height + lowest};
+    const std::int32_t ice = shot.corners > 0
+                                 ? trial.add_regular(center, shot.size.x, shot.corners, shot.is_flat, bed.ice_material)
+                                 : trial.add_box(center - 0.5 * shot.size, shot.size, false, bed.ice_material);
+    trial.set_velocity(ice, shot.velocity);
+    Watch watch{bed, trial, ice, bed.stone_at({shot.place, bed.surface - 0.03}), {}, {}, {}, {}};
+    watch.rise.assign(at(bed.stone_count), 0);
+    watch.paths.resize(at(bed.stone_count));
+    trial.dt = shot.height > 0.2 ? 1e-3 : 1e-4;
+    double end = 2;
+    while (trial.time < end) {
+        const bool is_near = trial.center(ice).y - lowest < bed.surface + 0.08;
+        trial.dt = is_near || watch.result.impact_time > 0 ? 1e-4 : trial.dt;
+        trial.step();
+        watch.look();
+        if (watch.result.impact_time > 0) {
+            end = std::min(end, watch.result.impact_time + shot.after);
+        }
+        if (shot.rail >= 0 && trial.do_touch(ice, shot.rail)) {
+            watch.result.has_hit_rail = true;
+        }
+    }
+    for (const double rise : watch.rise) {
+        watch.result.flying += rise > 0.047 ? 1 : 0;
+        watch.result.above_330 += rise > 0.33 ? 1 : 0;
+        watch.result.highest = std::max(watch.result.highest, rise);
+    }
+    watch.result.ice = trial.center(ice) - center;
+    watch.result.parabola = watch.misfit();
+    watch.result.ledger = trial.ledger_error();
+    return watch.result;
+}
+
+}  // namespace riprap::validation::ding

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "riprap/validation/dda/planar_trial.hpp"
+#include "riprap/validation/registry.hpp"
+
+namespace riprap::validation::ding {
+
+/// A bed of crushed stone between two walls, at rest under its weight [Ding2021, section 5.4]: convex polygons of 5 to
+/// 8 corners, sizes between 31.5 and 63 mm evenly in their logarithm. y = 0 is the floor.
+struct BallastBed {
+    PlanarTrial trial;
+    std::int32_t first_stone{0}, stone_count{0};
+    std::int32_t ice_material{0};
+    double surface{0};                    ///< mean height of the highest stones in the middle [m]
+    double porosity{0};                   ///< below the surface [-]
+    std::vector<geometry::Vec2> start{};  ///< of the stones [m]
+
+    /// The stone nearest to a point.
+    std::int32_t stone_at(const geometry::Vec2& point) const;
+};
+
+/// Stones of one packing. Sizes, shapes and places follow from the seed alone.
+BallastBed make_bed(double length, double thickness, std::uint64_t seed);
+
+/// What one block of ice does to a bed.
+struct Strike {
+    double impact_time{0};    ///< of the first touch [s]
+    int flying{0};            ///< stones whose centre rose by more than 47 mm, a mean size
+    int above_330{0};         ///< stones whose centre rose by more than 330 mm
+    double highest{0};        ///< rise of a stone [m]
+    geometry::Vec2 marked{};  ///< largest displacement of the marked stone along x and y [m]
+    geometry::Vec2 ice{};     ///< displacement of the ice at the end [m]
+    double ice_way{0};        ///< largest distance of the ice from where it touched [m]
+    double ice_bounce{0};     ///< rise of the ice above the surface after the touch [m]
+    double parabola{0};       ///< 1 - R^2 of the flight of the highest stone against a parabola
+    bool has_hit_rail{false};
+    double ledger{0};
+};
+
+/// How the ice comes.
+struct Shot {
+    geometry::Vec2 velocity{};
+    double height{0.6};               ///< of its lowest point above the surface [m]
+    double place{0};                  ///< x of its centre [m]
+    int corners{32};                  ///< of a regular polygon; 0 = the rectangle of `size`
+    bool is_flat{false};              ///< it comes with an edge first, not with a corner
+    geometry::Vec2 size{0.05, 0.05};  ///< radius of the polygon, or both sides [m]
+    double after{0.3};                ///< time computed from the touch [s]
+    std::int32_t rail{-1};
+};
+
+/// Throws ice on a copy of the bed.
+Strike strike(const BallastBed& bed, const Shot& shot);
+
+}  // namespace riprap::validation::ding

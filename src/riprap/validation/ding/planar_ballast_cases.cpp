@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/core/index.hpp"
+#include "riprap/validation/ding/planar_ballast.hpp"
+#include "riprap/validation/ding/planar_cases.hpp"
+
+namespace riprap::validation::ding {
+
+using geometry::Vec2;
+
+namespace {
+
+constexpr double kmh = 1 / 3.6;
+
+/// Packings of a case: one, or five in the long version.
+std::vector<BallastBed> beds_of(const CaseSetting& setting, double length, double thickness) {
+    std::vector<BallastBed> beds;
+    for (std::uint64_t seed = 1; seed <= (setting.is_full ? 5u : 1u); ++seed) {
+        beds.push_back(make_bed(length, setting.is_full ? 0.35 : thickness, seed));
+    }
+    return beds;
+}
+
+/// Mean over the packings.
+struct Mean {
+    double flying{0}, above_330{0}, highest{0}, marked_x{0}, marked_y{0}, ice_way{0}, ice_bounce{0}, rail{0};
+    double impact_time{0}, parabola{0}, ledger{0};
+};
+Mean mean_of(const std::vector<BallastBed>& beds, const Shot& shot) {
+    Mean mean;
+    const double share = 1.0 / static_cast<double>(beds.size());
+    for (const BallastBed& bed : beds) {
+        const Strike one = strike(bed, shot);
+        mean.flying += share * one.flying;
+        mean.above_330 += share * one.above_330;
+        mean.highest += share * one.highest;
+        mean.marked_x += share * one.marked.x;
+        mean.marked_y += share * one.marked.y;
+        mean.ice_way += share * one.ice_way;
+        mean.ice_bounce += share * one.ice_bounce;
+        mean.impact_time += share * one.impact_time;
+        mean.rail += share * (one.has_hit_rail ? 1 : 0);
+        mean.parabola = std::max(mean.parabola, one.parabola);
+        mean.ledger = std::max(mean.ledger, one.ledger);
+    }
+    return mean;
+}
+
+void judge_yes(CaseReport& report, const std::string& what, const char* paper, bool is_so) {
+    report.judge({what + " (1 = yes)", "-", paper, 1.0, {}}, is_so ? 1 : 0, 1, 1);
+}
+
+void report_bed(CaseReport& report, const std::vector<BallastBed>& beds) {
+    report.state({"stones in the bed", "-", {}}, beds.front().stone_count);
+    report.state({"porosity of the bed", "-", "the paper says: completely compacted"}, beds.front().porosity);
+}
+
+void report_ledger(CaseReport& report, double ledger) {
+    report.judge_below(
+        {"energy that the ledger misses, over its turnover, worst run", "-", {}, 0.0, {}, Kind::bookkeeping}, ledger,
+        0.01);
+}
+
+}  // namespace
+
+void planar_air_cannon(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    report_bed(report, beds);
+    Plot plot;
+    plot.title = "Stones thrown higher than 330 mm by ice from an air cannon";
+    plot.x.label = "speed [km/h]";
+    plot.y.label = "stones [-]";
+    std::vector<double> heavy;
+    double worst = 0;
+    bool is_heavier_more = true, is_rising = true;
+    for (const double length : {0.6, 0.3}) {
+        Curve curve{fmt::format("{:.2f} kg", 934 * length * 0.105 * 0.0825), {}, {}, CurveStyle::markers, -1};
+        double before = 0;
+        for (const double speed : {20.0, 40.0, 80.0, 120.0}) {
+            const Mean mean = mean_of(beds, {.velocity = {speed * kmh * std::cos(15 * std::numbers::pi / 180),
+                                                          -speed * kmh * std::sin(15 * std::numbers::pi / 180)},
+                                             .height = 0.01,
+                                             .place = -0.25,
+                                             .corners = 0,
+                                             .size = {length, 0.105},
+                                             .after = 0.3});
+            report.state({fmt::format("{} mm of ice at {} km/h, 15 degrees: stones above 330 mm", 1e3 * length, speed),
+                          "-", "the paper's figure is lost"},
+                         mean.above_330);
+            if (speed < 30) {
+                report.judge(
+                    {fmt::format("{} mm of ice at 20 km/h: stones above 330 mm", 1e3 * length), "-", {}, 0.0, {}},
+                    mean.above_330, 0, 0);
+            }
+            is_rising = is_rising && mean.above_330 >= before;
+            before = mean.above_330;
+            if (length > 0.5) {
+                heavy.push_back(mean.above_330);
+            } else {
+                is_heavier_more = is_heavier_more && heavy[curve.x.size()] >= mean.above_330;
+            }
+            worst = std::max(worst, mean.ledger);
+            curve.x.push_back(speed);
+            curve.y.push_back(mean.above_330);
+        }
+        plot.curves.push_back(curve);
+    }
+    judge_yes(report, "the number does not fall with speed", "increases with speed", is_rising);
+    judge_yes(report, "heavier ice throws at least as many", "increases with mass", is_heavier_more);
+    report_ledger(report, worst);
+    write_plot(setting, "planar_air_cannon", plot);
+}
+
+void planar_cross_section(const CaseSetting& setting, CaseReport& report) {
+    std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    report_bed(report, beds);
+    std::int32_t rail = -1;
+    for (BallastBed& bed : beds) {  // a rail on the bed, 184 mm high
+        rail = bed.trial.add_box({0.35, bed.surface + 0.02}, {0.15, 0.184}, true);
+    }
+    double flying = -1, highest = -1, worst = 0, way = -1;
+    bool flying_rises = true, height_rises = true, way_rises = true;
+    for (const double speed : {0.0, 5.0, 10.0}) {
+        const Mean mean =
+            mean_of(beds, {.velocity = {0, -speed}, .height = 0.6, .place = 0.1, .after = 0.4, .rail = rail});
+        const double exact = (-speed + std::sqrt(speed * speed + 2 * 9.81 * 0.6)) / 9.81;
+        const std::string name = fmt::format("{} m/s: ", speed);
+        report.judge({name + "time of the impact", "s", speed == 5 ? Published{"0.11"} : Published{}, exact,
+                      "free fall over 600 mm to the mean surface, which is rough by a stone"},
+                     mean.impact_time, Relative{0.02});
+        flying_rises = flying_rises && mean.flying > flying;
+        height_rises = height_rises && mean.highest > highest;
+        way_rises = way_rises && mean.ice_way > way;
+        flying = mean.flying;
+        highest = mean.highest;
+        way = mean.ice_way;
+        worst = std::max(worst, mean.ledger);
+        report.state({name + "stones that rise by more than 47 mm", "-", {}}, mean.flying);
+        report.state({name + "largest rise of a stone", "m", {}}, mean.highest);
+        report.state({name + "largest way of the ice", "m", {}}, mean.ice_way);
+        if (std::isfinite(mean.parabola) && mean.parabola > 0) {
+            report.judge_below(
+                {name + "1 - R^2 of the longest flight of a stone against its parabola", "-", "parabolic", 0.0, {}},
+                mean.parabola, 1e-3);
+        }
+        if (speed != 5) {
+            report.judge({name + "share of packings in which the ice hits the rail",
+                          "-",
+                          speed > 5 ? "hits" : "does not",
+                          {},
+                          {}},
+                         mean.rail, speed > 5 ? 0.8 : 0, speed > 5 ? 1 : 0);
+        }
+    }
+    judge_yes(report, "number of flying stones rises with speed", "increases", flying_rises);
+    judge_yes(report, "height of the stones rises with speed", "increases", height_rises);
+    judge_yes(report, "way of the ice rises with speed", "increases", way_rises);
+    report_ledger(report, worst);
+}
+
+void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<BallastBed> beds = beds_of(setting, setting.is_full ? 3 : 1.5, 0.2);
+    report_bed(report, beds);
+    std::vector<double> speeds, flying, highest, marked, marked_height;
+    double worst = 0;
+    for (const double speed : {100.0, 200.0, 300.0, 400.0}) {
+        const Mean mean =
+            mean_of(beds, {.velocity = {speed * kmh, -3.5}, .height = 0.002, .place = -0.45, .after = 0.35});
+        speeds.push_back(speed);
+        flying.push_back(mean.flying);
+        highest.push_back(mean.highest);
+        marked.push_back(std::hypot(mean.marked_x, mean.marked_y));
+        marked_height.push_back(mean.marked_y);
+        worst = std::max(worst, mean.ledger);
+        report.state({fmt::format("{} km/h: stones that rise by more than 47 mm", speed), "-", {}}, mean.flying);
+        report.state({fmt::format("{} km/h: largest rise of a stone", speed), "m", {}}, mean.highest);
+        report.state({fmt::format("{} km/h: largest displacement of the marked stone", speed), "m", {}}, marked.back());
+    }
+    judge_yes(report, "number of flying stones does not fall with speed", "increases",
+              std::is_sorted(flying.begin(), flying.end()));
+    judge_yes(report, "height of the stones does not fall with speed", "increases",
+              std::is_sorted(highest.begin(), highest.end()));
+    report.judge({"displacement of the marked stone at 400 over 100 km/h", "-", "about 4", 4.0, {}},
+                 marked[3] / marked[0], 3, 5);
+    report.judge({"rise of the marked stone at 400 km/h", "m", "above 0.33 from 300", {}, {}}, marked_height[3], 0.33,
+                 10);
+    report.judge({"rise of the marked stone at 200 km/h", "m", "below 0.33", {}, {}}, marked_height[1], 0, 0.33);
+    report_ledger(report, worst);
+    Plot plot;
+    plot.title = "Ice along the track: largest rise of a stone";
+    plot.x.label = "speed [km/h]";
+    plot.y.label = "rise [m]";
+    plot.curves = {{"all stones", speeds, highest, CurveStyle::markers, -1},
+                   {"marked stone", speeds, marked_height, CurveStyle::markers, -1}};
+    write_plot(setting, "planar_train_speed", plot);
+}
+
+void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    report_bed(report, beds);
+    std::vector<Mean> means;
+    double worst = 0;
+    for (const double angle : {0.0, 30.0, 60.0, 90.0}) {
+        const double a = angle * std::numbers::pi / 180;
+        means.push_back(mean_of(beds, {.velocity = {20 * std::cos(a), -20 * std::sin(a)},
+                                       .height = 0.002,
+                                       .place = angle < 10 ? -0.4 : -0.1,
+                                       .after = 0.3}));
+        worst = std::max(worst, means.back().ledger);
+        report.state({fmt::format("{} degrees: stones that rise by more than 47 mm", angle), "-", {}},
+                     means.back().flying);
+        report.state({fmt::format("{} degrees: displacement of the marked stone", angle), "m", {}},
+                     std::hypot(means.back().marked_x, means.back().marked_y));
+    }
+    const auto marked = [&means](std::size_t k) { return std::hypot(means[k].marked_x, means[k].marked_y); };
+    report.judge({"0 degrees: flying stones", "-", "two move above the surface", {}, {}}, means[0].flying, 0, 3);
+    report.judge({"0 degrees: rise of the marked stone", "m", 0.011, {}, {}}, means[0].marked_y, 0, 0.02);
+    report.judge({"90 degrees: marked stone, sideways over up", "-", "straight up", {}, {}},
+                 means[3].marked_x / means[3].marked_y, 0, 0.3);
+    judge_yes(report, "marked stone goes farther at 30 and 60 degrees than at 0", "largest at 30 and 60",
+              std::min(marked(1), marked(2)) > marked(0));
+    judge_yes(report, "way of the ice is largest at 0 degrees", "largest at 0",
+              means[0].ice_way > std::max({means[1].ice_way, means[2].ice_way, means[3].ice_way}));
+    report_ledger(report, worst);
+}
+
+void planar_ice_shape(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    report_bed(report, beds);
+    const Mean circle = mean_of(beds, {.velocity = {0, -10}, .after = 0.35});
+    const Mean triangle =
+        mean_of(beds, {.velocity = {0, -10}, .corners = 3, .size = {0.1 / std::sqrt(3.0), 0}, .after = 0.35});
+    const Mean square = mean_of(
+        beds, {.velocity = {0, -10}, .corners = 4, .is_flat = true, .size = {0.1 / std::sqrt(2.0), 0}, .after = 0.35});
+    const auto state = [&report](const char* name, const Mean& mean) {
+        report.state({fmt::format("{}: stones that rise by more than 47 mm", name), "-", {}}, mean.flying);
+        report.state({fmt::format("{}: largest rise of a stone", name), "m", {}}, mean.highest);
+        report.state({fmt::format("{}: rise of the ice after the touch", name), "m", {}}, mean.ice_bounce);
+    };
+    state("circle", circle);
+    state("triangle, tip down", triangle);
+    state("square, flat", square);
+    judge_yes(report, "the triangle throws most stones", "most",
+              triangle.flying >= std::max(circle.flying, square.flying));
+    judge_yes(report, "the triangle throws highest", "greatest",
+              triangle.highest > std::max(circle.highest, square.highest));
+    judge_yes(report, "the square bounces highest", "highest",
+              square.ice_bounce > std::max(circle.ice_bounce, triangle.ice_bounce));
+    judge_yes(report, "way of the ice: triangle least, square most", "least, most",
+              triangle.ice_way < circle.ice_way && circle.ice_way < square.ice_way);
+    judge_yes(report, "way of the marked stone: triangle, circle, square", "triangle > circle > square",
+              triangle.marked_y > circle.marked_y && circle.marked_y > square.marked_y);
+    report_ledger(report, std::max({circle.ledger, triangle.ledger, square.ledger}));
+}
+
+}  // namespace riprap::validation::ding

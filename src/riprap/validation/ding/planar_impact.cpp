@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/core/index.hpp"
+#include "riprap/validation/dda/planar_trial.hpp"
+#include "riprap/validation/ding/planar_cases.hpp"
+
+namespace riprap::validation::ding {
+
+using geometry::Vec2;
+
+namespace {
+
+struct Fall {
+    double fall_error{0};  ///< largest |V - g t| before the impact [m/s]
+    double rebound{0};     ///< speed when the contact opens [m/s]
+    double overlap{0};     ///< [m]
+    double error{0};       ///< L2 error of V over 1.0 to 1.9 s, over 10 m/s [-]
+    double free_error{0};  ///< the same from the end of the contact on [-]
+    double ledger{0};
+    Curve curve;
+};
+
+/// A square of 1 m falls 5 m on a base with four fixed points [Ding2021, section 3.3.1].
+Fall drop(double stiffness, double dt) {
+    PlanarTrial trial({2500, 5e10, 0.25}, {.normal_stiffness = stiffness, .shear_stiffness = stiffness / 2.5});
+    trial.settings = solid::planar_dda::settings_for(5, 0.002);
+    const std::int32_t base = trial.add_box({-5, -1}, {10, 1});
+    for (const Vec2& point : {Vec2{-4, -0.9}, Vec2{-4, -0.1}, Vec2{4, -0.9}, Vec2{4, -0.1}}) {
+        trial.builder().fix_point(base, point, 100 * stiffness);
+    }
+    const std::int32_t block = trial.add_box({-0.5, 5}, {1, 1});
+    trial.gravity = {0, -10};
+    // the base hangs in its fixed points from the start
+    trial.dt = dt;
+    Fall fall;
+    double square = 0, free_square = 0;
+    int count = 0, free_count = 0;
+    bool has_hit = false;
+    const double radius = 0.5;
+    trial.run(1.9, [&] {
+        const double v = trial.velocity(block).y, t = trial.time;
+        has_hit = has_hit || trial.do_touch(base, block);
+        if (!has_hit) {
+            fall.fall_error = std::max(fall.fall_error, std::abs(v + 10 * t));
+        }
+        fall.overlap = std::max(fall.overlap, radius - (trial.center(block).y - trial.center(base).y - 0.5));
+        if (has_hit && fall.rebound == 0 && v > 0 && !trial.do_touch(base, block)) {
+            fall.rebound = v;
+        }
+        if (t >= 1) {
+            const double exact = 10 - 10 * (t - 1);
+            square += (v - exact) * (v - exact);
+            ++count;
+            if (fall.rebound > 0) {
+                free_square += (v - exact) * (v - exact);
+                ++free_count;
+            }
+        }
+        fall.curve.x.push_back(t);
+        fall.curve.y.push_back(v);
+    });
+    fall.error = std::sqrt(square / count) / 10;
+    fall.free_error = std::sqrt(free_square / std::max(1, free_count)) / 10;
+    fall.ledger = trial.ledger_error();
+    return fall;
+}
+
+}  // namespace
+
+void planar_free_fall(const CaseSetting& setting, CaseReport& report) {
+    const double dt = 2e-5;
+    Plot plot;
+    plot.title = "A block falls 5 m on a base: speed for four contact stiffnesses";
+    plot.x.label = "time [s]";
+    plot.y.label = "speed upwards [m/s]";
+    for (const double k : {1e6, 1e7, 1e8, 1e9}) {
+        Fall fall = drop(k, dt);
+        const double omega = std::sqrt(2 * k / 2500);
+        const std::string name = fmt::format("k = {:.0e} N/m: ", k);
+        report.judge_below({name + "largest error of the speed while it falls", "m/s", {}, 0.0, {}}, fall.fall_error,
+                           1e-9);
+        report.judge({name + "restitution", "-", k == 1e9 ? Published{"fits best"} : Published{},
+                      std::exp(-std::numbers::pi * omega * dt / 4), "exp(-pi omega dt/4)"},
+                     fall.rebound / 10, Absolute{0.02});
+        report.judge({name + "deepest overlap", "m", {}, 10 * std::sqrt(2500 / (2 * k)), {}}, fall.overlap,
+                     Relative{0.05});
+        report.judge_below(
+            {name + "energy that the ledger misses, over its turnover", "-", {}, 0.0, {}, Kind::bookkeeping},
+            fall.ledger, 1e-6);
+        if (k == 1e9) {
+            report.judge({"k = 1e9 N/m: speed of the rebound", "m/s", {}, 10.0, {}}, fall.rebound, 9.7, 10);
+            report.judge_below(
+                {"k = 1e9 N/m: L2 error of the speed from the end of the contact to 1.9 s", "-", {}, 0.0, {}},
+                fall.free_error, 0.03);
+            // against a rebound in no time, a spring of pi/omega = 3.5 ms misses sqrt(1.5 pi/(0.9 omega)) by itself
+            report.judge({"k = 1e9 N/m: L2 error from 1.0 to 1.9 s, the contact included",
+                          "-",
+                          {},
+                          std::sqrt(1.5 * std::numbers::pi / (0.9 * omega)),
+                          "of the time that a spring needs"},
+                         fall.error, Relative{0.05});
+        }
+        fall.curve.label = name;
+        plot.curves.push_back(fall.curve);
+    }
+    Curve theory{"theory", {0, 1, 1, 1.9}, {0, -10, 10, 1}, CurveStyle::dashed, -1};
+    plot.curves.push_back(theory);
+    write_plot(setting, "planar_free_fall", plot);
+}
+
+namespace {
+
+struct Shaken {
+    double acceleration{0};  ///< amplitude at which the stack first lifts off [m/s^2]
+    double slip{0};          ///< of the lowest block until then [m]
+    double base_error{0};    ///< of the way of the table, over its amplitude [-]
+};
+
+/// Seven blocks on a table that shakes with an amplitude that grows slowly [Ding2021, section 3.3.2].
+Shaken shake(double frequency, double from, double to, double seconds) {
+    const double side = 0.048;
+    PlanarTrial trial({2028, 5e10, 0.25}, {.normal_stiffness = 1e7,
+                                           .shear_stiffness = 4e6,
+                                           .friction = std::tan(34 * std::numbers::pi / 180),
+                                           .damping_ratio = 0.2});
+    trial.model.thickness = 0.029;
+    trial.settings = solid::planar_dda::settings_for(0.34, 0.005);
+    const std::int32_t base = trial.add_box({-0.3, -0.05}, {0.6, 0.05}, true);
+    const std::int32_t lowest = base + 1;
+    for (int k = 0; k < 7; ++k) {
+        trial.add_box({-0.5 * side, k * side}, {side, side});
+    }
+    trial.settle(0.01, 400);
+    trial.dt = 1e-3;
+    const double omega = 2 * std::numbers::pi * frequency;
+    const auto amplitude = [&](double t) { return from + (to - from) * t / seconds; };
+    // velocity of the table: its acceleration is amplitude(t) sin(omega t) but for the slow growth
+    trial.base_velocity = [&](double t) { return Vec2{-amplitude(t) / omega * std::cos(omega * t), 0}; };
+    trial.state.rates[6 * at(base)] = -from / omega;
+    for (int k = 0; k < 7; ++k) {
+        trial.set_velocity(lowest + k, {-from / omega, 0});
+    }
+    const std::int32_t left = trial.model.corner_begin[at(lowest)], right = left + 1;
+    const auto height = [&](std::int32_t corner) {
+        return place_of(trial.state, lowest, trial.model.corner[at(corner)]).y;
+    };
+    const double left0 = height(left), right0 = height(right);
+    const double offset = trial.center(lowest).x - trial.center(base).x;
+    Shaken result;
+    double x0 = trial.center(base).x, integral = 0;
+    while (trial.time < seconds) {
+        integral += trial.dt * trial.base_velocity(trial.time + 0.5 * trial.dt).x;
+        trial.step();
+        result.base_error = std::max(
+            result.base_error, std::abs(trial.center(base).x - x0 - integral) * omega * omega / amplitude(trial.time));
+        result.slip = std::max(result.slip, std::abs(trial.center(lowest).x - trial.center(base).x - offset));
+        if (std::max(height(left) - left0, height(right) - right0) > 1e-4) {
+            result.acceleration = amplitude(trial.time);
+            return result;
+        }
+    }
+    result.acceleration = std::nan("");
+    return result;
+}
+
+}  // namespace
+
+void planar_shaken_stack(const CaseSetting& setting, CaseReport& report) {
+    const double limit = 9.81 / 7;
+    Curve curve{"7 blocks, DDA", {}, {}, CurveStyle::markers, -1};
+    for (const double frequency : {0.25, 1.0, 2.0, 4.0, 6.0}) {
+        const double seconds = frequency < 0.5 ? 80 : setting.is_full ? 60 : 20;
+        const Shaken shaken = shake(frequency, 0.9 * limit, (frequency < 0.5 ? 1.2 : 1.5) * limit, seconds);
+        const std::string name = fmt::format("{} Hz: ", frequency);
+        const Reference reference{name + "amplitude at which the stack lifts off by 0.1 mm",
+                                  "m/s^2",
+                                  {},
+                                  limit,
+                                  "g b/H of the whole stack; the paper prints no frequencies"};
+        if (frequency < 0.5) {
+            report.judge(reference, shaken.acceleration, Relative{0.05});
+        } else {
+            report.state(
+                {reference.quantity, reference.unit, "above g b/H, as 0.1 mm need more than the instant of the peak"},
+                shaken.acceleration);
+        }
+        report.judge_below({name + "slip of the lowest block before", "m", {}, 0.0, "it slides from 6.6 m/s^2"},
+                           shaken.slip, 1e-4);
+        report.judge_below({name + "error of the table's way over its amplitude", "-", {}, 0.0, {}}, shaken.base_error,
+                           0.01);
+        curve.x.push_back(frequency);
+        curve.y.push_back(shaken.acceleration);
+    }
+    Plot plot;
+    plot.title = "Seven blocks on a shaking table: acceleration that lifts them";
+    plot.x.label = "frequency [Hz]";
+    plot.y.label = "amplitude [m/s^2]";
+    plot.curves = {curve, {"g b/H", {1, 6}, {limit, limit}, CurveStyle::dashed, -1}};
+    write_plot(setting, "planar_shaken_stack", plot);
+}
+
+}  // namespace riprap::validation::ding
