@@ -7,6 +7,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/planar_dda/pieces.hpp"
 #include "solid/planar_dda/blocks.hpp"
 
 namespace riprap::solid::planar_dda {
@@ -208,6 +209,41 @@ TEST(PlanarDda, AStepThatIsRefusedLeavesTheStateAsItWas) {
     EXPECT_LT(outcome.shorten, 1);
     EXPECT_EQ(hash_fields(blocks.state), before);
     EXPECT_NE(outcome.problem.find("moves by 490"), std::string::npos) << outcome.problem;
+}
+
+TEST(PlanarDda, AFrontThatClosesAStackBlockByBlockIsNoFailure) {
+    // Blocks that fall together have no motion against each other: their contacts close one a round, from below.
+    Blocks blocks({.normal_stiffness = 1e10, .shear_stiffness = 4e9});
+    blocks.settings = settings_for(10);
+    blocks.add_box({-0.5, -1}, {1, 1}, true);
+    for (int k = 0; k < 20; ++k) {
+        blocks.add_box({-0.5, double(k)}, {1, 1});
+    }
+    ASSERT_TRUE(blocks.step(1e-3, {0, -g}).ok());
+    EXPECT_GE(blocks.report.iterations, 20);
+    EXPECT_EQ(blocks.report.closed_contacts, 40);
+}
+
+TEST(PlanarDda, TheFarSideOfAThinBlockIsNotTouched) {
+    Blocks blocks({.normal_stiffness = 1e8, .shear_stiffness = 4e7, .damping_ratio = 0.3});
+    blocks.settings.displacement_limit = 2;  // looks 5 m far
+    blocks.add_box({-2, -1}, {60, 1}, true);
+    blocks.add_box({0, 0}, {1, 0.5});
+    ASSERT_TRUE(blocks.run(300, 1e-3, {0, -g}));
+    EXPECT_EQ(blocks.state.contact_corner.size(), 2u);
+    EXPECT_NEAR(blocks.state.y[1], 0.25, 1e-3);
+}
+
+TEST(PlanarDda, AStepTooLongIsTakenInPieces) {
+    Blocks blocks;
+    blocks.add_box({0, 0}, {1, 1});
+    blocks.state.rates[1] = -10;
+    int pieces = 0;
+    const Outcome outcome = advance_in_pieces(blocks.model, blocks.settings, {0.1, {0, -g}, {}, {}}, blocks.state,
+                                              blocks.scratch, blocks.report, pieces);
+    EXPECT_TRUE(outcome.ok()) << outcome.problem;
+    EXPECT_GE(pieces, 7) << "1 m, at most three times 0.05 m a piece";
+    EXPECT_NEAR(blocks.state.y[0], 0.5 - 1 - 0.5 * g * 0.01, 1e-12) << "pieces change nothing in free fall";
 }
 
 TEST(PlanarDda, SameBitsAtAnyThreadCountAndWithoutItsBuffers) {
