@@ -9,6 +9,7 @@
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/ding/planar_cases.hpp"
+#include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
