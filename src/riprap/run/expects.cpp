@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -20,7 +19,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0,       missing, missing,
                                       missing, missing,  missing,   missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
-constexpr std::array<std::string_view, 7> reduces{"last", "min", "max", "extreme", "mean", "at", "when"};
 
 /// The value at a moment between the last look and this one, where x went from x0 to x1 and passed `level`.
 double between(const RunningFigures& f, double value, double x0, double x1, double level) {
@@ -141,9 +139,9 @@ std::string_view to_string(Verdict verdict) {
 ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(model.expects.size(), nothing_seen) {
     std::vector<Diagnostic> problems;
     for (const sim::Expect& expect : model.expects) {
-        if (std::find(reduces.begin(), reduces.end(), expect.reduce) == reduces.end()) {
+        if (std::find(sim::reduces.begin(), sim::reduces.end(), expect.reduce) == sim::reduces.end()) {
             problems.push_back(problem_of(expect, "reduce = '" + expect.reduce + "' is unknown",
-                                          fmt::format("one of {}", fmt::join(reduces, ", "))));
+                                          fmt::format("one of {}", fmt::join(sim::reduces, ", "))));
         }
         const auto find = [&](const std::string& quantity) {
             const std::optional<sim::Column> column = sim::find_column(model, quantity);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
@@ -47,11 +49,14 @@ struct OutputSettings {
     std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 
+/// How the values of an expected answer become one number.
+inline constexpr std::array<std::string_view, 7> reduces{"last", "min", "max", "extreme", "mean", "at", "when"};
+
 /// An expected answer: a case is also a test.
 struct Expect {
     std::string name;
     std::string quantity;        ///< probe column or ledger/summary quantity
-    std::string reduce{"last"};  ///< last, min, max, extreme, mean, at, when
+    std::string reduce{"last"};  ///< one of reduces
     double at{0};                ///< time for reduce = at [s]
     double value{0};
     double low{0}, high{0};  ///< accepted band

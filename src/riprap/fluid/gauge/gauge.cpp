@@ -161,6 +161,8 @@ double volume(const Gauge& gauge, const ParticleSettings& settings, const Partic
 
 }  // namespace
 
+std::span<const GaugeInfo> gauge_kinds() { return infos; }
+
 const GaugeInfo& info_of(GaugeKind kind) { return infos[static_cast<std::size_t>(kind)]; }
 
 const GaugeInfo* find_gauge_kind(std::string_view name) {

@@ -49,6 +49,7 @@ struct GaugeInfo {
     std::string_view name, unit;
     int components;
 };
+std::span<const GaugeInfo> gauge_kinds();
 const GaugeInfo& info_of(GaugeKind kind);
 /// nullptr when there is no such kind.
 const GaugeInfo* find_gauge_kind(std::string_view name);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/keys/words.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
 namespace riprap::scene {
@@ -16,11 +16,6 @@ using material::Mixing;
 using material::PairProperties;
 
 namespace {
-
-constexpr std::array mixing_names{
-    std::pair{std::string_view("minimum"), Mixing::minimum}, std::pair{std::string_view("maximum"), Mixing::maximum},
-    std::pair{std::string_view("mean"), Mixing::mean}, std::pair{std::string_view("geometric"), Mixing::geometric},
-    std::pair{std::string_view("harmonic"), Mixing::harmonic}};
 
 /// The values that a material and a pair of materials share. Keys that are not given leave `to` alone.
 template <class Target>
@@ -43,12 +38,8 @@ void read_surface(const Value& table, Target& to) {
 
 /// The mixing rule that the case gives. Where the materials in use differ in `value` the case must give one.
 Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, double Material::*value) {
-    if (const Value* rule = contact.find(key)) {
-        for (const auto& [name, mixing] : mixing_names) {
-            if (name == rule->text) {
-                return mixing;
-            }
-        }
+    if (contact.find(key) != nullptr) {
+        return get_word(contact, key, mixing_rules());
     }
     const Material* first = nullptr;
     for (const std::int32_t id : build.used_materials) {

@@ -12,24 +12,17 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/placed_part.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
 namespace {
 
-/// "x" to "z" and "-x" to "-z".
-struct Way {
-    int axis;
-    bool is_towards_high;
-};
-
-Way way_of(const std::string& text) { return {text.back() - 'x', text.size() == 1}; }
-
 void build_sponge(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid) {
     fluid::Sponge sponge;
     sponge.low = get_vector(table, "low");
     sponge.high = get_vector(table, "high");
-    const Way way = way_of(get_text(table, "towards"));
+    const Way way = get_word(table, "towards", ways());
     sponge.axis = way.axis;
     sponge.is_towards_high = way.is_towards_high;
     sponge.velocity = get_vector(table, "velocity");
@@ -74,7 +67,7 @@ bool read_opening(CaseBuild& build, const Value& table, const fluid::Domain& dom
     opening.name = get_text(table, "name");
     opening.low = get_vector(table, "low");
     opening.high = get_vector(table, "high");
-    const Way way = way_of(get_text(table, "towards"));
+    const Way way = get_word(table, "towards", ways());
     opening.axis = way.axis;
     opening.way = way.is_towards_high ? 1 : -1;
     for (int axis = 0; axis < domain.dimension; ++axis) {

@@ -245,22 +245,14 @@ void build_settings(CaseBuild& build) {
     model.time.end = get_number(root, "end");
     const Value& step = get(root, "time_step");
     model.time.time_step = step.is_text() ? 0 : step.as_number();
-    model.time.factor = get_number(root, "time_step_factor");
-    model.time.force_time_step = get_boolean(root, "force_time_step");
-    model.time.max_steps = get_integer(root, "max_steps");
+    read_keys(root, time_keys(), model.time);
 
     model.solid = SolidMethods::read(get(root, "solid"), build.problems);
 }
 
 void build_output(CaseBuild& build) {
     const Value& output = get(build.root, "output");
-    sim::OutputSettings& settings = build.model.output;
-    settings.interval = get_number(output, "interval");
-    settings.probe_interval = get_number(output, "probe_interval");
-    settings.checkpoint_interval = get_number(output, "checkpoint_interval");
-    settings.ledger_tolerance = get_number(output, "ledger_tolerance");
-    settings.vtk = get_boolean(output, "vtk");
-    settings.contacts = get_boolean(output, "contacts");
+    read_keys(output, output_keys(), build.model.output);
     for (const Value& probe : get(output, "probe").items) {
         build.records.insert(name_of_probe(probe));
     }

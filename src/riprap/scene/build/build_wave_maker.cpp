@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/keys/words.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::scene {
@@ -19,6 +20,8 @@ constexpr double steepest = 0.142;
 
 /// k d beyond which the transfer function of a paddle is lost in round-off, or in numbers too large.
 constexpr double least_kd = 1e-4, most_kd = 300;
+
+WaveKind wave_of(const Value& table) { return get_word(table, "wave", wave_kinds()); }
 
 /// Whether a regular wave of the period of `table` can be made at all. A problem, and false, where not.
 bool check_length(CaseBuild& build, const Value& period, const wave::LinearWave& wave) {
@@ -39,7 +42,7 @@ void check_height(CaseBuild& build, const Value& table, double g) {
     double highest = breaking_share * depth;
     std::string limit = fmt::format("less than {:.4g} m, {} of the depth", highest, breaking_share);
     std::string length;
-    if (const Value* period = table.find("period"); get_text(table, "wave") != "solitary" && period != nullptr) {
+    if (const Value* period = table.find("period"); wave_of(table) != WaveKind::solitary && period != nullptr) {
         const wave::LinearWave wave = wave::linear_wave(height, period->as_number(), depth, g);
         if (!check_length(build, *period, wave)) {
             return;
@@ -66,7 +69,7 @@ std::optional<wave::LinearWave> regular_wave(CaseBuild& build, const Value& tabl
         wave::linear_wave(get_number(table, "height"), period->as_number(), get_number(table, "depth"), g);
     const double ursell_limit = 8 * std::numbers::pi * std::numbers::pi / 3;
     const double ursell = wave.height * wave.length() * wave.length() / std::pow(wave.depth, 3);
-    if (get_text(table, "wave") == "second_order" && ursell >= ursell_limit) {
+    if (wave_of(table) == WaveKind::second_order && ursell >= ursell_limit) {
         build.problem(
             table.place,
             fmt::format("H L^2/d^3 = {:.4g} is beyond second-order theory: its crests would be double", ursell),
@@ -78,7 +81,7 @@ std::optional<wave::LinearWave> regular_wave(CaseBuild& build, const Value& tabl
 
 body::HarmonicMotion regular_motion(const Value& table, const wave::LinearWave& wave, wave::Paddle paddle,
                                     const Vec3& up) {
-    const wave::RegularStroke stroke = wave::regular_stroke(wave, paddle, get_text(table, "wave") == "second_order");
+    const wave::RegularStroke stroke = wave::regular_stroke(wave, paddle, wave_of(table) == WaveKind::second_order);
     body::HarmonicMotion motion;
     motion.amplitude = {stroke.first, stroke.second};
     motion.angular_frequency = wave.angular_frequency;
@@ -104,21 +107,22 @@ body::SplineMotion solitary_motion(const Value& table, const wave::SolitaryWave&
 }
 
 bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle, double g) {
-    const std::string& kind = get_text(table, "wave");
+    const WaveKind kind = wave_of(table);
     const std::size_t before = build.problems.size();
     if (g == 0) {
         build.problem(table.place, "a wave maker without gravity", "gravity that is not zero");
     }
-    if (kind != "none" && table.find("height") == nullptr) {
+    if (kind != WaveKind::none && table.find("height") == nullptr) {
         build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
-    } else if (kind != "none" && g > 0) {
+    } else if (kind != WaveKind::none && g > 0) {
         check_height(build, table, g);
     }
-    if (kind == "none" && table.find("absorb") == nullptr) {
+    if (kind == WaveKind::none && table.find("absorb") == nullptr) {
         build.problem(table.place, "a paddle that neither makes nor absorbs waves", "'absorb', or another wave");
     }
-    if (paddle == wave::Paddle::flap && kind != "regular") {
-        build.problem(table.place, fmt::format("a flap cannot make a '{}' wave here", kind), "paddle = \"piston\"");
+    if (paddle == wave::Paddle::flap && kind != WaveKind::regular) {
+        build.problem(table.place, fmt::format("a flap cannot make a '{}' wave here", get_text(table, "wave")),
+                      "paddle = \"piston\"");
     }
     if (paddle == wave::Paddle::flap && table.find("absorb") != nullptr) {
         build.problem(table.place, "a flap cannot absorb waves here", "paddle = \"piston\"");
@@ -138,15 +142,15 @@ bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle,
 std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table) {
     const Vec3 gravity = build.model.gravity.value;
     const double g = norm(gravity);
-    const auto paddle = get_text(table, "paddle") == "flap" ? wave::Paddle::flap : wave::Paddle::piston;
+    const auto paddle = get_word(table, "paddle", paddles());
     if (!check_wave_maker(build, table, paddle, g)) {
         return std::nullopt;
     }
-    const std::string& kind = get_text(table, "wave");
+    const WaveKind kind = wave_of(table);
     body::PrescribedMotion motion;
-    if (kind == "solitary") {
+    if (kind == WaveKind::solitary) {
         motion.law = solitary_motion(table, {get_number(table, "height"), get_number(table, "depth"), g});
-    } else if (kind == "none") {
+    } else if (kind == WaveKind::none) {
         motion.law = body::LinearMotion{};
     } else if (const auto wave = regular_wave(build, table, g)) {
         motion.law = regular_motion(table, *wave, paddle, -1 / g * gravity);
@@ -158,21 +162,21 @@ std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const 
 
 PaddleWave paddle_wave(const CaseBuild& build, const Value& table) {
     PaddleWave result;
-    result.kind = get_text(table, "wave");
+    result.kind = wave_of(table);
     result.depth = get_number(table, "depth");
-    if (result.kind == "none") {
+    if (result.kind == WaveKind::none) {
         return result;
     }
     const double g = norm(build.model.gravity.value);
     result.height = get_number(table, "height");
-    if (result.kind == "solitary") {
+    if (result.kind == WaveKind::solitary) {
         const wave::SolitaryWave wave{result.height, result.depth, g};
         result.celerity = wave.celerity();
         result.stroke = wave.volume() / wave.depth;
         return result;
     }
     const wave::LinearWave wave = wave::linear_wave(result.height, get_number(table, "period"), result.depth, g);
-    const auto paddle = get_text(table, "paddle") == "flap" ? wave::Paddle::flap : wave::Paddle::piston;
+    const auto paddle = get_word(table, "paddle", paddles());
     result.period = get_number(table, "period");
     result.length = wave.length();
     result.celerity = wave.celerity();
@@ -186,20 +190,20 @@ std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& bui
         return std::nullopt;
     }
     const double g = norm(build.model.gravity.value), depth = get_number(table, "depth");
-    const std::string& kind = get_text(table, "wave");
+    const WaveKind kind = wave_of(table);
     coupling::PaddleAbsorption absorption;
     absorption.direction = normalized(get_vector(table, "direction"));
     absorption.foot = to_vector(*absorb);
     absorption.up = -1 / g * build.model.gravity.value;
     absorption.gravity = g;
     absorption.depth = depth;
-    if (kind == "solitary") {
+    if (kind == WaveKind::solitary) {
         absorption.solitary = wave::SolitaryWave{get_number(table, "height"), depth, g};
         // The crest leaves the paddle at half its time, when it has gone half its stroke from its place at rest.
         const wave::MotionSeries series = wave::solitary_motion(*absorption.solitary);
         absorption.solitary_crest =
             0.5 * series.time.back() - 0.5 * series.value.back() / absorption.solitary->celerity();
-    } else if (kind != "none") {
+    } else if (kind != WaveKind::none) {
         absorption.regular = wave::linear_wave(get_number(table, "height"), get_number(table, "period"), depth, g);
         absorption.phase = get_number(table, "phase");
         absorption.ramp = get_number_or(table, "ramp", 2 * get_number(table, "period"));

@@ -7,14 +7,13 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
 using geometry::Polyhedron;
 
 namespace {
-double metres_per_unit(const std::string& unit) { return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0; }
-
 void move_to_center_of_mass(std::vector<Polyhedron>& pieces) {
     Vec3 moment{};
     double volume = 0;
@@ -36,7 +35,7 @@ std::optional<Polyhedron> ShapeLibrary::make_hull(const Value& table) {
         if (!rows) {
             return std::nullopt;
         }
-        const double unit = metres_per_unit(get_text(table, "units"));
+        const double unit = get_word(table, "units", length_units());
         for (const std::vector<double>& row : *rows) {
             points.push_back(unit * Vec3{row[0], row[1], row[2]});
         }
@@ -79,7 +78,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& t
     if (!bytes) {
         return std::nullopt;
     }
-    const double scale = metres_per_unit(get_text(table, "units")) * get_number(table, "scale");
+    const double scale = get_word(table, "units", length_units()) * get_number(table, "scale");
     geometry::Surface surface;
     try {
         surface = is_stl ? geometry::read_stl(*bytes, path.text, scale) : geometry::read_obj(*bytes, path.text, scale);

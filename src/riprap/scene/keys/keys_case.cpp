@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: the top of the file, gravity, materials, contact, solid.
+#include <algorithm>
+
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
 using namespace form;
 
-const Table& case_table() {
-    static const Table table{
+KeyList<sim::TimeSettings> time_keys() {
+    using S = sim::TimeSettings;
+    return {key::number(&S::factor, "time_step_factor", dimension::plain, above(0, 1),
+                        "Share of the stability limit 2/omega_max that \"auto\" uses."),
+            key::boolean(&S::force_time_step, "force_time_step", "Accept a time_step above the stability limit."),
+            key::integer(&S::max_steps, "max_steps", -1, 1e15, "Stop after so many steps; -1 = no limit.")};
+}
+
+namespace {
+
+Table rows_of_case() {
+    return {
         "case",
         "(top of the file)",
         "What the experiment is, how long it lasts and how time advances.",
@@ -31,12 +44,6 @@ const Table& case_table() {
           "halved for a while after a step that was refused. A number is refused above the limit unless "
           "force_time_step is set.",
           Value::of("auto")},
-         {"time_step_factor",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the stability limit 2/omega_max that \"auto\" uses.",
-          Value::of(0.15)},
-         {"force_time_step", {boolean()}, "Accept a time_step above the stability limit.", Value::of(false)},
-         {"max_steps", {integer(-1, 1e15)}, "Stop after so many steps; -1 = no limit.", Value::of(-1)},
          {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
          {"material", {named_tables(material_table, limits::materials)}, "Materials by name.", {}, true},
          {"contact", {form::table(contact_table)}, "How two materials meet.", Value::table()},
@@ -47,6 +54,18 @@ const Table& case_table() {
          {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
          {"output", {form::table(output_table)}, "What is written, and how often.", Value::table()},
          {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};
+}
+
+}  // namespace
+
+const Table& case_table() {
+    static const Table table = [] {
+        Table made = rows_of_case();
+        const std::vector<Key> time = rows_of(time_keys());
+        const auto after = [](const Key& key) { return key.name == "seed"; };
+        made.keys.insert(std::find_if(made.keys.begin(), made.keys.end(), after), time.begin(), time.end());
+        return made;
+    }();
     return table;
 }
 
@@ -144,17 +163,16 @@ const Table& material_table() {
 }
 
 const Table& contact_table() {
-    static const std::vector<std::string_view> rules{"minimum", "maximum", "mean", "geometric", "harmonic"};
     static const Table table{
         "contact",
         "[contact]",
         "How the values of two materials become those of a contact. Codes differ silently here, so the rules must be "
         "given where materials differ. Stiffness ratio and damping use the mean.",
         {{"friction_mixing",
-          {choice(rules)},
+          {choice(mixing_rules())},
           "Rule for the friction coefficient; required when materials differ in friction.",
           {}},
-         {"cohesion_mixing", {choice(rules)}, "Rule for cohesion; required when materials differ in it.", {}},
+         {"cohesion_mixing", {choice(mixing_rules())}, "Rule for cohesion; required when materials differ in it.", {}},
          {"max_initial_overlap",
           {number(dimension::plain, positive())},
           "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",

@@ -3,6 +3,7 @@
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
@@ -54,7 +55,7 @@ const Table& fluid_region_table() {
     return table;
 }
 
-const Form way = choice({"x", "-x", "y", "-y", "z", "-z"});
+const Form way = choice(ways());
 
 const Table& fluid_sponge_table() {
     static const Table table{

@@ -2,6 +2,7 @@
 // Rows of the key table: prescribed motions, paddles among them.
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
@@ -74,9 +75,9 @@ const Table& wave_maker_table() {
         "A paddle that makes waves in water of constant depth: the stroke follows from wave theory "
         "(docs/theory/waves.md). "
         "Up is against gravity.",
-        {{"paddle", {choice({"piston", "flap"})}, "An upright plate, or one hinged at the bed.", Value::of("piston")},
+        {{"paddle", {choice(paddles())}, "An upright plate, or one hinged at the bed.", Value::of("piston")},
          {"wave",
-          {choice({"regular", "second_order", "solitary", "none"})},
+          {choice(wave_kinds())},
           "A sine; a sine whose free second harmonic is cancelled (piston only); one solitary wave (piston only); "
           "none, "
           "for a paddle that only absorbs.",

@@ -2,7 +2,7 @@
 // Rows of the key table: output, probes, expected answers.
 #include <algorithm>
 
-#include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/methods.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
@@ -17,6 +17,14 @@ std::vector<std::string_view> quantity_names() {
         if (std::find(names.begin(), names.end(), quantity.name) == names.end()) {
             names.push_back(quantity.name);
         }
+    }
+    return names;
+}
+
+std::vector<std::string_view> gauge_kinds() {
+    std::vector<std::string_view> names;
+    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
+        names.push_back(info.name);
     }
     return names;
 }
@@ -39,7 +47,7 @@ const Table& gauge_table() {
         "An instrument in the water: columns of probes.csv, and a name for [[expect]]. A dry place reads 0.",
         {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
          {"kind",
-          {choice({"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"})},
+          {choice(gauge_kinds())},
           "pressure, velocity: at a point in the water. wall_pressure: on the face of a body nearest to the point, a "
           "spacing away at most: force over area in the last step, as a transducer in it reads it; it stays with the "
           "body, reads 0 while covered and nothing before the first step. level: height of the water column above a "
@@ -65,29 +73,27 @@ const Table& gauge_table() {
 
 }  // namespace
 
+KeyList<sim::OutputSettings> output_keys() {
+    using S = sim::OutputSettings;
+    return {key::number(&S::interval, "interval", dimension::time, non_negative(), "Between frames; 0 = end/100."),
+            key::number(&S::probe_interval, "probe_interval", dimension::time, non_negative(),
+                        "Between rows of probes.csv and ledger.csv; 0 = end/1000."),
+            key::number(&S::checkpoint_interval, "checkpoint_interval", dimension::time, positive(),
+                        "Wall-clock time between checkpoints."),
+            key::number(&S::ledger_tolerance, "ledger_tolerance", dimension::plain, above(0, 1),
+                        "Share of the energy turned over that the energy ledger may fail to close by; looked at with "
+                        "every row of ledger.csv. More ends the run."),
+            key::boolean(&S::vtk, "vtk", "Write frames for ParaView."),
+            key::boolean(&S::contacts, "contacts", "Write contact points and forces with each frame.")};
+}
+
 const Table& output_table() {
-    static const Table table{
-        "output",
-        "[output]",
-        "What is written and watched, and how often.",
-        {{"interval", {number(dimension::time, non_negative())}, "Between frames; 0 = end/100.", Value::of(0.0)},
-         {"probe_interval",
-          {number(dimension::time, non_negative())},
-          "Between rows of probes.csv and ledger.csv; 0 = end/1000.",
-          Value::of(0.0)},
-         {"checkpoint_interval",
-          {number(dimension::time, positive())},
-          "Wall-clock time between checkpoints.",
-          Value::of(60.0)},
-         {"ledger_tolerance",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of the energy turned over that the energy ledger may fail to close by; looked at with every row of "
-          "ledger.csv. More ends the run.",
-          Value::of(0.05)},
-         {"vtk", {boolean()}, "Write frames for ParaView.", Value::of(true)},
-         {"contacts", {boolean()}, "Write contact points and forces with each frame.", Value::of(true)},
-         {"probe", {table_list(probe_table)}, "Time histories.", Value::array()},
-         {"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()}}};
+    static const Table table = [] {
+        std::vector<Key> keys = rows_of(output_keys());
+        keys.push_back({"probe", {table_list(probe_table)}, "Time histories.", Value::array()});
+        keys.push_back({"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()});
+        return Table{"output", "[output]", "What is written and watched, and how often.", keys};
+    }();
     return table;
 }
 
@@ -105,7 +111,7 @@ const Table& expect_table() {
           {},
           true},
          {"reduce",
-          {choice({"last", "min", "max", "extreme", "mean", "at", "when"})},
+          {choice({sim::reduces.begin(), sim::reduces.end()})},
           "How the column becomes one number. extreme: the lowest or the highest, whichever is farther from zero, "
           "with its sign.",
           Value::of("last")},

@@ -2,6 +2,7 @@
 // Rows of the key table: shapes and how they are turned.
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
@@ -31,7 +32,7 @@ const Table& hull_table() {
         "Convex hull of points.",
         {{"points", {list(vector(dimension::length), 4, limits::shape_vertices)}, "The points.", {}},
          {"file", {path()}, "CSV file with a header line and one point x, y, z per row.", {}},
-         {"units", {choice({"m", "cm", "mm"})}, "Unit of the numbers in the file.", Value::of("m")}},
+         {"units", {choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")}},
         {{GroupRule::exactly_one, {"points", "file"}}}};
     return table;
 }
@@ -55,7 +56,7 @@ const Table& surface_table() {
         "coplanar triangles are merged. A body that is not convex is given as several closed convex shells in the file "
         "(docs/howto/surfaces.md).",
         {{"file", {path()}, "STL (ASCII or binary) or OBJ file in the folder of the case.", {}, true},
-         {"units", {choice({"m", "cm", "mm"})}, "Unit of the numbers in the file; STL carries none.", {}, true},
+         {"units", {choice(length_units())}, "Unit of the numbers in the file; STL carries none.", {}, true},
          {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
          {"repair",
           {boolean()},

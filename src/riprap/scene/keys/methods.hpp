@@ -60,8 +60,10 @@ struct MethodList<std::variant<S...>> {
 using SolidMethods = MethodList<sim::Solids::Settings>;
 using FluidMethods = MethodList<sim::FluidChoices>;
 
-/// Keys of the model of the water that are of no method alone.
+// Keys that fill parts of the Model and are of no method alone.
 KeyList<coupling::ParticleFluid> fluid_model_keys();
+KeyList<sim::OutputSettings> output_keys();
+KeyList<sim::TimeSettings> time_keys();
 
 /// Adds the key "method" and the keys of all methods to a table. Methods share a row where it is the same for them.
 /// @param question    help of "method"

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/keys/words.hpp"
+
+namespace riprap::scene {
+
+const Words<Way>& ways() {
+    static const Words<Way> words{{"x", {0, true}},   {"-x", {0, false}}, {"y", {1, true}},
+                                  {"-y", {1, false}}, {"z", {2, true}},   {"-z", {2, false}}};
+    return words;
+}
+
+const Words<double>& length_units() {
+    static const Words<double> words{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}};
+    return words;
+}
+
+const Words<material::Mixing>& mixing_rules() {
+    using material::Mixing;
+    static const Words<Mixing> words{{"minimum", Mixing::minimum},
+                                     {"maximum", Mixing::maximum},
+                                     {"mean", Mixing::mean},
+                                     {"geometric", Mixing::geometric},
+                                     {"harmonic", Mixing::harmonic}};
+    return words;
+}
+
+const Words<wave::Paddle>& paddles() {
+    static const Words<wave::Paddle> words{{"piston", wave::Paddle::piston}, {"flap", wave::Paddle::flap}};
+    return words;
+}
+
+const Words<WaveKind>& wave_kinds() {
+    static const Words<WaveKind> words{{"regular", WaveKind::regular},
+                                       {"second_order", WaveKind::second_order},
+                                       {"solitary", WaveKind::solitary},
+                                       {"none", WaveKind::none}};
+    return words;
+}
+
+}  // namespace riprap::scene
