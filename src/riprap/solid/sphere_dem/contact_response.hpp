@@ -59,10 +59,10 @@ template <class T>
     const Vec3T<T> sliding = motion.velocity - motion.normal * closing;
     const T zero(0.0);
     const T elastic = normal.elastic * motion.weight, damping = normal.damping * motion.damping_weight;
-    // The dashpot acts on the speed in the middle of the kick, v - F dt/(2 m*), F of all contacts of the pair of
-    // bodies: of second order, and its work is what the kick does to a pair by itself.
+    // The dashpot acts on the speed that it leaves in the middle of the kick, v - F_d dt/(2 m*), F_d of all contacts of
+    // the pair of bodies. Elastic forces are left out: at rest others balance them.
     const T half = T(0.5) * motion.dt * motion.count / motion.mass;
-    const T middle = (closing - half * elastic) / (T(1.0) + half * damping);
+    const T middle = closing / (T(1.0) + half * damping);
     T total = elastic + damping * middle;
     if (!settings.allows_pull) {
         total = contact::larger(total, zero);

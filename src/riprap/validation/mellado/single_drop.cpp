@@ -123,7 +123,7 @@ void single_drop(const CaseSetting& setting, CaseReport& report) {
     report.judge({"restitution at a fiftieth of the impact over that at a thousandth", "-", {}, 1.0, {}},
                  e_coarse / e_fine, Absolute{0.005});
     Drop own = make_drop(0.14, 2.0);
-    const std::vector<Hit> with_own = hits_of(own, 5e-6, 5, nullptr);
+    const std::vector<Hit> with_own = hits_of(own, 1e-6, 5, nullptr);
     constexpr std::array forces{5361.0, 3234.0, 1951.0, 1176.0, 709.0};
     for (std::size_t k = 0; k < 5; ++k) {
         report.judge({fmt::format("contact ratio 0.14, hit {}: largest force", k + 1), "N", {}, forces[k], {}},
