@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/sphere_dem/lanes.hpp"
+#include "riprap/solid/sphere_dem/place.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -49,7 +50,7 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
             slots.a.push_back(pair.a);
             slots.b.push_back(pair.b);
             ++slots.begin[at(pair.a) + 1];
-        } else if (pair.a < spheres) {
+        } else if (pair.a < spheres && !stands_for_spheres(model, pair.b - spheres)) {
             scratch.wall_pairs.push_back({pair.a, pair.b - spheres});
         }
     }

@@ -40,8 +40,9 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
             body = model.spheres.body[k];
         } else if (k < spheres + parts) {
             const body::Part& part = bodies.parts[k - spheres];
-            placed.radius[k] = model.shapes.view(part.shape).circumradius;
             body = part.body.value;
+            // A part that its spheres stand for is met by nothing: a point that no search dwells on.
+            placed.radius[k] = model.spheres.count_of(body) > 0 ? 0 : model.shapes.view(part.shape).circumradius;
         } else {
             const std::size_t t = k - spheres - parts;
             const Vec3 middle = centroid(model.triangles, t);

@@ -19,4 +19,9 @@ inline std::int32_t wall_body(const SphereModel& model, std::int32_t wall) {
                         : model.triangles.body[static_cast<std::size_t>(wall - parts)];
 }
 
+/// Is the wall a part of a body that meets others by its spheres?
+inline bool stands_for_spheres(const SphereModel& model, std::int32_t wall) {
+    return wall < model.bodies.part_count() && model.spheres.count_of(wall_body(model, wall)) > 0;
+}
+
 }  // namespace riprap::solid::sphere_dem

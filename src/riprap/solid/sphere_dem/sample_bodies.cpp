@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/sphere_dem/sample_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/body/multisphere.hpp"
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+namespace {
+
+bool may_move(const body::BodySet& bodies, std::size_t body) {
+    return bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body]);
+}
+
+/// Extent of a shape along its axes [m].
+Vec3 extent(const geometry::Polyhedron& shape) {
+    Vec3 low = shape.vertices[0], high = low;
+    for (const Vec3& v : shape.vertices) {
+        low = min(low, v);
+        high = max(high, v);
+    }
+    return high - low;
+}
+
+/// A box along the axes about its centre has eight vertices, each in a corner of its extent.
+bool is_box(const geometry::Polyhedron& shape, const Vec3& size) {
+    const double tolerance = 1e-9 * norm(size);
+    const auto in_corner = [&](const Vec3& v) {
+        return std::abs(std::abs(v.x) - 0.5 * size.x) < tolerance &&
+               std::abs(std::abs(v.y) - 0.5 * size.y) < tolerance && std::abs(std::abs(v.z) - 0.5 * size.z) < tolerance;
+    };
+    return shape.vertices.size() == 8 && std::ranges::all_of(shape.vertices, in_corner);
+}
+
+/// Samples of a part, in its own frame.
+std::vector<body::ShapeSphere> sample_part(const geometry::Polyhedron& shape, double radius, bool is_planar) {
+    Vec3 size = extent(shape);
+    const bool is_a_box = is_box(shape, size);
+    if (is_planar) {
+        size.z = 2 * radius;
+    }
+    const double r = std::min({radius, 0.5 * size.x, 0.5 * size.y, 0.5 * size.z});
+    if (!is_a_box) {
+        const auto filled = body::fill_surface(shape, 2 * r);
+        return filled ? filled.value().spheres : std::vector<body::ShapeSphere>{};
+    }
+    std::vector<body::ShapeSphere> samples = body::box_shell(size, r).value().spheres;
+    if (is_planar) {
+        std::erase_if(samples, [&](const body::ShapeSphere& s) {
+            return std::abs(s.centre.x) + r < 0.5 * size.x * (1 - 1e-9) &&
+                   std::abs(s.centre.y) + r < 0.5 * size.y * (1 - 1e-9);
+        });
+    }
+    for (body::ShapeSphere& s : samples) {
+        s.face_normal = {};  // of use with `faces` alone, which case files do not offer
+    }
+    return samples;
+}
+
+double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                         const SphereDemSettings& settings) {
+    if (settings.sphere_radius) {
+        return *settings.sphere_radius;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const body::Part& part : bodies.parts) {
+        if (may_move(bodies, at(part.body.value))) {
+            least = std::min(least, shapes.view(part.shape).inscribed_radius);
+        }
+    }
+    return least / 3;
+}
+
+/// Radius of the sphere or disc of a body's volume.
+double radius_of_volume(const body::BodySet& bodies, const material::MaterialSet& materials, std::size_t body) {
+    const double volume = bodies.mass[body] / materials[bodies.material[body]].density;
+    return bodies.is_planar ? std::sqrt(volume / M_PI) : std::cbrt(0.75 * volume / M_PI);
+}
+
+}  // namespace
+
+SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                        const material::MaterialSet& materials, const SphereDemSettings& settings) {
+    SphereSet spheres;
+    const double radius = radius_of_samples(bodies, shapes, settings);
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (!may_move(bodies, at(b))) {
+            continue;
+        }
+        if (settings.sampling == SphereSampling::one) {
+            spheres.add(BodyId{b}, radius_of_volume(bodies, materials, at(b)));
+            continue;
+        }
+        for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
+            const body::Part& part = bodies.parts[at(p)];
+            for (const body::ShapeSphere& s : sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar)) {
+                Vec3 centre = to_world(part.local, s.centre);
+                centre.z = bodies.is_planar ? 0 : centre.z;
+                spheres.add(BodyId{b}, s.radius, centre);
+            }
+        }
+    }
+    spheres.finish(bodies.size());
+    return spheres;
+}
+
+contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings) {
+    contact::ContactMaterial one;
+    one.youngs_modulus = settings.youngs_modulus;
+    one.poisson_ratio = settings.poisson_ratio;
+    one.restitution = settings.restitution;
+    one.rolling_friction = settings.rolling_friction;
+    const std::vector<contact::ContactMaterial> all(at(materials.size()), one);
+    contact::ContactTable table(all, settings.laws.normal, {}, settings.laws.allows_pull);
+    for (std::int32_t a = 0; a < materials.size(); ++a) {
+        for (std::int32_t b = a; b < materials.size(); ++b) {
+            contact::ContactPair pair = table.pair(MaterialId{a}, MaterialId{b});
+            pair.static_friction = pair.kinetic_friction = materials.pair(MaterialId{a}, MaterialId{b}).friction;
+            table.set_pair(MaterialId{a}, MaterialId{b}, pair);
+        }
+    }
+    return table;
+}
+
+}  // namespace riprap::solid::sphere_dem

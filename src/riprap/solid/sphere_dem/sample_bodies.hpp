@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/material/material_set.hpp"
+#include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+/// Spheres for every body that can move freely; other bodies keep their faces. Boxes are sampled flush with their
+/// faces, other convex parts on a lattice inside them, which leaves up to a radius of their edges out. Planar bodies
+/// are sampled around their section.
+SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                        const material::MaterialSet& materials, const SphereDemSettings& settings);
+
+/// Pairs of all materials of a scene: elastic constants of the settings, friction of the scene's own pairs.
+contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings);
+
+}  // namespace riprap::solid::sphere_dem

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/core/step.hpp"
+#include "riprap/solid/solid_scene.hpp"
+#include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+#include "riprap/solid/sphere_dem/sphere_scratch.hpp"
+#include "riprap/solid/sphere_dem/sphere_state.hpp"
+
+namespace riprap::solid {
+
+/// Bodies that meet by spheres and, where they cannot move, by their faces; moved by drift, kick and drift, bound to
+/// Model, State and Scratch for one step: SolidMethod (docs/theory/spheres.md).
+class SphereDem {
+ public:
+    using Settings = SphereDemSettings;
+    using Fields = sphere_dem::SphereState;
+    struct Scratch {
+        sphere_dem::SphereSet spheres;  ///< a function of Model; made when they are first asked for
+        sphere_dem::TriangleSet triangles;
+        contact::ContactTable table;
+        sphere_dem::SphereScratch buffers;
+        body::PointLoadSum point_loads;
+        bool is_built{false};
+        std::size_t bytes() const;
+    };
+
+    SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+              Scratch& scratch);
+
+    /// Returns a 7.5th of the shortest impact: with the default share of 0.15, an impact takes 50 steps.
+    StepLimit limit() const;
+    /// Moves the bodies over a piece of a step under loads that are held over it.
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+
+    /// Sum of the contact forces and of their moments on every body in the last piece.
+    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
+
+ private:
+    sphere_dem::SphereModel model() const;
+
+    const SolidScene* scene_;
+    const Settings* settings_;
+    SolidState state_;
+    Fields* fields_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::solid

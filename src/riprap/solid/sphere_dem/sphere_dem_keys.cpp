@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/core/key.hpp"
+#include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+
+namespace riprap::solid {
+
+using namespace key;
+
+namespace {
+
+KeyList<sphere_dem::SphereSettings> law_keys() {
+    using S = sphere_dem::SphereSettings;
+    using contact::NormalLaw, contact::RollingLaw, contact::Sharing, contact::TangentialLaw;
+    return {
+        choice(&S::normal, "normal_law", {{"hertz", NormalLaw::hertz}, {"linear", NormalLaw::linear}},
+               "Normal spring of a contact: Hertz, or linear."),
+        choice(&S::tangential, "tangential_law", {{"mindlin", TangentialLaw::mindlin}, {"tanh", TangentialLaw::tanh}},
+               "Friction: a spring with history, or regularised without history."),
+        choice(&S::rolling, "rolling",
+               {{"none", RollingLaw::none}, {"constant", RollingLaw::constant}, {"spring", RollingLaw::spring}},
+               "Resistance against rolling: none, a constant couple, or an elastic-plastic spring."),
+        choice(&S::sharing, "sharing",
+               {{"dashpots", Sharing::dashpots},
+                {"sum", Sharing::sum},
+                {"divide", Sharing::divide},
+                {"closest", Sharing::closest}},
+               "Simultaneous contacts of one pair of bodies: dashpots by 1/sqrt(N), all in full, all by 1/N, or the "
+               "deepest alone."),
+        boolean(&S::allows_pull, "allows_pull", "The dashpot may pull at the end of an impact."),
+        number(&S::friction_speed, "friction_speed", dimension::velocity, positive(),
+               "Speed scale of the tanh friction."),
+        number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
+               "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
+        number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),
+               "Damping force per mass and velocity."),
+        number(&S::max_overlap, "max_overlap", dimension::plain, above(0, 2),
+               "An overlap deeper than this share of the smaller radius ends the run."),
+        number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster body ends the run.")};
+}
+
+}  // namespace
+
+MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
+    using S = SphereDemSettings;
+    const KeyList<S> own{
+        choice(&S::sampling, "spheres", {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}},
+               "Spheres that stand for a free body: samples of its surface, or one of its volume."),
+        number_or_auto(&S::sphere_radius, "sphere_radius", dimension::length, positive(),
+                       "Radius of the samples. \"auto\": a third of the least inscribed radius."),
+        number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),
+        number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies."),
+        number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
+        number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
+               "Largest rolling couple over radius and normal force.")};
+    return {.help = "explicit discrete elements, bodies of spheres", .keys = own + within(&S::laws, law_keys())};
+}
+
+}  // namespace riprap::solid

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "riprap/solid/sphere_dem/sphere_model.hpp"
+
+namespace riprap {
+template <class S>
+struct MethodKeys;  // core/key.hpp
+}
+
+namespace riprap::solid {
+
+/// Spheres that stand for a body that can move freely.
+enum class SphereSampling {
+    surface,  ///< its surface, flush with the faces of boxes
+    one,      ///< one sphere (planar: disc) of its volume about its centre of mass
+};
+
+/// Explicit DEM of bodies that meet by spheres.
+struct SphereDemSettings {
+    static constexpr std::string_view method_name = "sphere_dem";
+    static MethodKeys<SphereDemSettings> keys();
+
+    sphere_dem::SphereSettings laws;
+    SphereSampling sampling{SphereSampling::surface};
+    std::optional<double> sphere_radius;  ///< of samples [m]; empty = a third of the least inscribed radius
+    double youngs_modulus{1e7};           ///< of all bodies [Pa]
+    double poisson_ratio{0.3};            ///< [-]
+    double restitution{0.5};              ///< [-]
+    double rolling_friction{0};           ///< [-]
+};
+
+}  // namespace riprap::solid
