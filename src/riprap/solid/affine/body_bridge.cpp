@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/affine/body_bridge.hpp"
+
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+
+namespace riprap::solid::affine {
+
+namespace {
+
+Sym3 to_sym(const Mat3& m) {
+    return {m(0, 0), m(1, 1), m(2, 2), 0.5 * (m(0, 1) + m(1, 0)), 0.5 * (m(0, 2) + m(2, 0)), 0.5 * (m(1, 2) + m(2, 1))};
+}
+Mat3 to_mat(const Sym3& s) { return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}}; }
+
+/// U = sqrt(F^T F) and its inverse.
+std::pair<Mat3, Mat3> stretch_of(const Mat3& f) {
+    const SymmetricEigen eigen = symmetric_eigen(transpose(f) * f);
+    const Vec3 root{std::sqrt(eigen.values.x), std::sqrt(eigen.values.y), std::sqrt(eigen.values.z)};
+    const auto back = [&](const Vec3& values) { return eigen.axes * Mat3::diagonal(values) * transpose(eigen.axes); };
+    return {back(root), back({1 / root.x, 1 / root.y, 1 / root.z})};
+}
+
+Surface surface_of(const material::PairProperties& pair, const Elasticity& elasticity) {
+    const double shear =
+        pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * elasticity.contact_stiffness;
+    return {elasticity.contact_stiffness, shear, false, pair.friction, pair.cohesion, 0, pair.damping_ratio};
+}
+
+std::int32_t shape_of_body(const SolidScene& scene, const body::Part& part, BlockSystem& system) {
+    if (scene.shapes.is_half_space(part.shape)) {
+        const geometry::ConvexView view = scene.shapes.view(part.shape);
+        const Vec3 normal = rotate(part.local.orientation, view.normal(0));
+        return add_half_space(system, normal, view.offset[0] + dot(normal, part.local.position));
+    }
+    return add_shape(system, geometry::moved(scene.shapes.polyhedron(part.shape), part.local));
+}
+
+}  // namespace
+
+std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system) {
+    system = {};
+    for (int m = 0; m < scene.materials.size(); ++m) {
+        system.materials.push_back(
+            {scene.materials[MaterialId{m}].density, elasticity.youngs_modulus, elasticity.poisson_ratio});
+    }
+    for (int a = 0; a < scene.materials.size(); ++a) {
+        for (int b = 0; b < scene.materials.size(); ++b) {
+            system.surfaces.push_back(surface_of(scene.materials.pair(MaterialId{a}, MaterialId{b}), elasticity));
+        }
+    }
+    const body::BodySet& bodies = scene.bodies;
+    BlockState unused;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (bodies.part_begin[at(b) + 1] - bodies.part_begin[at(b)] != 1) {
+            return bodies.name(BodyId{b}) + " has several parts; a deformable block is one convex polyhedron";
+        }
+        NewBlock block;
+        block.shape = shape_of_body(scene, bodies.parts[at(bodies.part_begin[at(b)])], system);
+        block.material = bodies.material[at(b)].value;
+        add_block(system, unused, block);
+    }
+    return {};
+}
+
+void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks) {
+    blocks = {};
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        const auto i = at(b);
+        const Mat3 turn = to_matrix(bodies.orientation[i]);
+        const Mat3 f = bodies.deforms() ? turn * to_mat(bodies.stretch[i]) : turn;
+        Mat3 gradient =
+            set.principal_moments[i].x > 0 ? cross_matrix(body::angular_velocity(set, bodies, BodyId{b})) : Mat3{};
+        gradient = bodies.deforms() ? gradient + to_mat(bodies.stretch_rate[i]) : gradient;
+        blocks.position.push_back(bodies.position[i]);
+        blocks.velocity.push_back(bodies.velocity[i]);
+        const Mat3 zero{};
+        blocks.deformation.insert(blocks.deformation.end(), f.row, f.row + 3);
+        blocks.velocity_gradient.insert(blocks.velocity_gradient.end(), gradient.row, gradient.row + 3);
+        blocks.stress.insert(blocks.stress.end(), zero.row, zero.row + 3);
+    }
+}
+
+void drive_blocks(const SolidScene& scene, const TimeSpan& span, BlockSystem& system, BlockState& blocks) {
+    for (std::int32_t b = 0; b < system.size(); ++b) {
+        const auto i = at(b);
+        const BodyId id{b};
+        system.is_fixed[i] = is_free(scene.bodies, id, span.time) ? 0 : 1;
+        if (system.is_fixed[i] == 0) {
+            continue;
+        }
+        blocks.velocity[i] = {};
+        set_rows(blocks.velocity_gradient, i, Mat3{});
+        if (scene.bodies.drive[i] == body::Drive::driven) {
+            const Pose here = driven_state(scene.bodies, id, span.time).pose;
+            const Pose there = driven_state(scene.bodies, id, span.end()).pose;
+            const Vec3 turn = to_rotation_vector(there.orientation * conjugate(here.orientation));
+            blocks.velocity[i] = (there.position - here.position) / span.dt;
+            set_rows(blocks.velocity_gradient, i, cross_matrix(turn / span.dt));
+        }
+    }
+}
+
+void write_bodies(const BlockSystem& system, const BlockState& blocks, body::BodyState& bodies) {
+    const auto count = at(system.size());
+    bodies.stretch.resize(count);
+    bodies.stretch_rate.resize(count);
+    parallel::for_each_uneven(system.size(), 64, [&](std::int64_t b) {
+        const auto i = at(b);
+        const Mat3 f = rows_at(blocks.deformation, i), gradient = rows_at(blocks.velocity_gradient, i);
+        const auto [stretch, shrink] = stretch_of(f);
+        bodies.position[i] = blocks.position[i];
+        bodies.velocity[i] = blocks.velocity[i];
+        bodies.orientation[i] = normalized(from_matrix(f * shrink));
+        bodies.stretch[i] = to_sym(stretch);
+        bodies.stretch_rate[i] = to_sym(symmetric_part(gradient));
+        bodies.angular_momentum[i] = affine::angular_momentum(f * system.inertia[i] * transpose(f), gradient);
+    });
+}
+
+}  // namespace riprap::solid::affine

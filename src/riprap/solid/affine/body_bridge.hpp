@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "riprap/core/step.hpp"
+#include "riprap/solid/affine/blocks.hpp"
+#include "riprap/solid/solid_scene.hpp"
+
+// Between the bodies of a scene and the blocks of a DDA: one body, one block, in the same order.
+
+namespace riprap::solid::affine {
+
+/// What a DDA wants to know of rock beside the materials of the scene; one value for all blocks.
+struct Elasticity {
+    double youngs_modulus{5e9};     ///< E [Pa]
+    double poisson_ratio{0.25};     ///< nu [-]
+    double contact_stiffness{1e8};  ///< k_n of a contact point [N/m]; k_s by the shear ratio of the pair
+};
+
+/// Blocks for the bodies of a scene: shapes in the axes of the body, densities, pair properties.
+/// @returns what a block cannot be made of: a body of several parts; empty = done
+std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system);
+
+/// Poses, velocities and stretches of the bodies as x = x_c + F X, F = R U.
+void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks);
+
+/// Says which blocks loads move now, and gives the others the velocity that takes them to their place at span.end().
+void drive_blocks(const SolidScene& scene, const TimeSpan& span, BlockSystem& system, BlockState& blocks);
+
+/// Writes poses, velocities, angular momenta, stretches U (body axes) and rates of stretching D (world axes) of F = R
+/// U.
+void write_bodies(const BlockSystem& system, const BlockState& blocks, body::BodyState& bodies);
+
+}  // namespace riprap::solid::affine

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/explicit_dda/explicit_dda.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/bytes.hpp"
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid {
+
+using namespace key;
+
+MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
+    using Engine = explicit_dda::Settings;
+    using affine::Elasticity;
+    const KeyList<Engine> engine_keys{
+        choice(&Engine::form, "form",
+               {{"pseudo_rigid", explicit_dda::Form::pseudo_rigid},
+                {"twelve_unknowns", explicit_dda::Form::twelve_unknowns}},
+               "Equations of a block: finite strain, or the small strain per step of the papers."),
+        number(&Engine::mass_damping, "mass_damping", dimension::frequency, non_negative(),
+               "Damping force per mass and velocity.")};
+    const KeyList<Elasticity> elastic_keys{
+        number(&Elasticity::youngs_modulus, "youngs_modulus", dimension::pressure, positive(),
+               "Young's modulus of all blocks."),
+        number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
+               "Poisson's ratio of all blocks."),
+        number(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness, positive(),
+               "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential one.")};
+    return {.help = "explicit discontinuous deformation analysis, deformable convex blocks",
+            .keys = within(&ExplicitDdaSettings::engine, engine_keys) +
+                    within(&ExplicitDdaSettings::elasticity, elastic_keys)};
+}
+
+std::size_t ExplicitDda::Scratch::bytes() const {
+    return loads.bytes() +
+           bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.contacts, engine.forces);
+}
+
+ExplicitDda::ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+                         Scratch& scratch)
+    : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
+    if (scratch.system.size() != scene.bodies.size()) {
+        scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
+    }
+    if (fields.blocks.size() != scene.bodies.size()) {
+        read_bodies(state.bodies, scene.bodies, fields.blocks);
+    }
+}
+
+StepLimit ExplicitDda::limit() const {
+    if (!scratch_->problem.empty()) {
+        return {};
+    }
+    for (std::int32_t b = 0; b < scratch_->system.size(); ++b) {
+        scratch_->system.is_fixed[at(b)] = is_free(scene_->bodies, BodyId{b}, 0) ? 0 : 1;
+    }
+    return {explicit_dda::stable_step(scratch_->system, fields_->blocks), false,
+            "strain modes and contact points of the blocks"};
+}
+
+namespace {
+
+/// Impulses of gravity, given loads and supports in a piece, work of what is driven, and the fastest block. Positions
+/// and velocities of the kick are those of mid-step.
+void book_outside(const affine::BlockSystem& system, const affine::BlockState& blocks, const body::LoadView& given,
+                  const body::Loads& contacts, double dt, KickReport& kick) {
+    for (std::size_t b = 0; b < system.mass.size(); ++b) {
+        const Vec3 middle = blocks.position[b] - (0.5 * dt) * blocks.velocity[b];
+        if (system.is_fixed[b] != 0) {
+            const Vec3 spin = affine::spin_of(affine::rows_at(blocks.velocity_gradient, b));
+            kick.impulse -= dt * contacts.force[b];
+            kick.angular_impulse -= dt * (cross(middle, contacts.force[b]) + contacts.torque[b]);
+            kick.work_driven -= dt * (dot(contacts.force[b], blocks.velocity[b]) + dot(contacts.torque[b], spin));
+            continue;
+        }
+        const Vec3 outside = system.mass[b] * system.gravity + (given.empty() ? Vec3{} : given.force[b]);
+        kick.impulse += dt * outside;
+        kick.angular_impulse += dt * (cross(middle, outside) + (given.empty() ? Vec3{} : given.torque[b]));
+        kick.mass_moment += system.mass[b] * middle;
+        kick.max_speed = std::max(kick.max_speed, norm(blocks.velocity[b]));
+    }
+}
+
+}  // namespace
+
+Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
+    if (!scratch_->problem.empty()) {
+        return {scratch_->problem, 0};
+    }
+    affine::BlockSystem& system = scratch_->system;
+    const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
+    scratch_->pull.clear();
+    for (const Sym3& p : loads.pull) {
+        scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
+    }
+    system.gravity = scene_->gravity.at(span.middle());
+    drive_blocks(*scene_, span, system, fields_->blocks);
+    explicit_dda::StepReport step;
+    const affine::Outcome outcome =
+        explicit_dda::advance(system, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull}, *fields_,
+                              scratch_->engine, step);
+    if (!outcome.ok()) {
+        return {outcome.problem, outcome.shorten};
+    }
+    scratch_->loads.clear(at(system.size()));
+    for (std::int32_t b = 0; b < system.size(); ++b) {
+        scratch_->loads.force[at(b)] = scratch_->engine.loads[at(b)].force;
+        scratch_->loads.torque[at(b)] = 2.0 * affine::spin_of(scratch_->engine.loads[at(b)].dipole);
+    }
+    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    write_bodies(system, fields_->blocks, state_.bodies);
+    report.gravity = system.gravity;
+    report.kick_time = span.middle();
+    report.kick.mass = step.sums.mass;
+    report.kick.kinetic = step.sums.kinetic;
+    report.kick.potential = step.sums.potential;
+    report.kick.momentum = step.sums.momentum;
+    report.kick.angular_momentum = step.sums.angular_momentum;
+    report.kick.damping_loss = step.damping_loss;
+    report.kick.external_work = step.external_work;
+    report.elastic = step.strain + step.contact;
+    report.friction_loss = step.friction_loss + step.lost_energy;
+    report.damping_loss = step.dashpot_loss;
+    report.dt_bound = step.stable_step;
+    report.max_depth = step.deepest;
+    report.contact_count = step.contact_count;
+    report.pair_count = scratch_->engine.finder.pair_count();
+    state_.previous_dt = span.dt;
+    return {};
+}
+
+}  // namespace riprap::solid

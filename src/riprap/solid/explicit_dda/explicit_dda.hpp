@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "riprap/core/key.hpp"
+#include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/explicit_dda/advance.hpp"
+
+namespace riprap::solid {
+
+/// Keys of `solid.method = "explicit_dda"`.
+struct ExplicitDdaSettings {
+    static constexpr std::string_view method_name = "explicit_dda";
+    static MethodKeys<ExplicitDdaSettings> keys();
+    explicit_dda::Settings engine;
+    affine::Elasticity elasticity;
+};
+
+/// Deformable convex blocks moved by explicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
+class ExplicitDda {
+ public:
+    using Settings = ExplicitDdaSettings;
+    using Fields = explicit_dda::State;
+    struct Scratch {
+        affine::BlockSystem system;
+        std::string problem;  ///< what blocks cannot be made of
+        explicit_dda::Scratch engine;
+        std::vector<Mat3> pull;
+        body::Loads loads;  ///< of contacts, in the last piece
+        body::PointLoadSum point_loads;
+        std::size_t bytes() const;
+    };
+    static constexpr bool takes_back = true;
+
+    ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+                Scratch& scratch);
+
+    /// Returns the step that strain modes and eight contact points a block allow (explicit_dda::stable_step).
+    StepLimit limit() const;
+    /// Moves the blocks over a piece of a step under loads that are held over it.
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    /// Sum of the contact forces and of their moments on every body in the last piece.
+    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+
+ private:
+    const SolidScene* scene_;
+    const Settings* settings_;
+    SolidState state_;
+    Fields* fields_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::solid
