@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/implicit_dda/implicit_dda.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/bytes.hpp"
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid {
+
+using namespace key;
+
+MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
+    using S = ImplicitDdaSettings;
+    using Engine = implicit_dda::Settings;
+    using affine::Elasticity;
+    using implicit_dda::Solver;
+    const KeyList<implicit_dda::SolveSettings> solve_keys{
+        choice(&implicit_dda::SolveSettings::solver, "solver",
+               {{"pcg_jacobi", Solver::pcg_jacobi}, {"pcg_cholesky", Solver::pcg_cholesky}, {"sor", Solver::sor}},
+               "Solver of the equations: conjugate gradients by preconditioner, or over-relaxation.")};
+    const KeyList<Engine> engine_keys{
+        number(&Engine::max_displacement, "max_displacement", dimension::plain, above(0, 1),
+               "A step that moves a corner farther than this share of the smallest block is cut.")};
+    const KeyList<Elasticity> elastic_keys{
+        number(&Elasticity::youngs_modulus, "youngs_modulus", dimension::pressure, positive(),
+               "Young's modulus of all blocks."),
+        number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
+               "Poisson's ratio of all blocks."),
+        number(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness, positive(),
+               "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential one.")};
+    return {.help = "implicit discontinuous deformation analysis, deformable convex blocks",
+            .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys) +
+                    within(&S::elasticity, elastic_keys) +
+                    KeyList<S>{number(&S::step, "step", dimension::time, positive(),
+                                      "Time step; shorter where contacts do not settle.")}};
+}
+
+std::size_t ImplicitDda::Scratch::bytes() const {
+    return loads.bytes() + engine.equations.matrix.bytes() + engine.equations.pcg.bytes() +
+           bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.found, engine.contacts,
+                    engine.equations.right, engine.equations.solution, engine.equations.diagonal);
+}
+
+ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+                         Scratch& scratch)
+    : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
+    if (scratch.system.size() != scene.bodies.size()) {
+        scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
+    }
+    if (fields.blocks.size() != scene.bodies.size()) {
+        read_bodies(state.bodies, scene.bodies, fields.blocks);
+    }
+}
+
+namespace {
+
+/// Contact force on a at the end of a step [N].
+Vec3 contact_force(const implicit_dda::ContactTerm& c) {
+    const implicit_dda::ContactTrial& trial = c.trial;
+    if (trial.mode == affine::ContactMode::open) {
+        return {};
+    }
+    const Vec3 push = (c.springs.normal * trial.gap) * c.normal;
+    return trial.mode == affine::ContactMode::lock ? push - c.springs.shear * trial.slip
+                                                   : push - trial.friction * trial.direction;
+}
+
+void sum_contacts(const implicit_dda::Scratch& engine, body::Loads& loads) {
+    for (std::size_t i = 0; i < engine.contacts.size(); ++i) {
+        const implicit_dda::ContactTerm& c = engine.contacts[i];
+        const Vec3 force = contact_force(c);
+        const auto a = at(engine.found[i].a), b = at(engine.found[i].b);
+        loads.force[a] += force;
+        loads.force[b] -= force;
+        loads.torque[a] += cross(c.arm_a, force);
+        loads.torque[b] -= cross(c.arm_b, force);
+    }
+}
+
+/// Impulses of gravity, given loads and supports in a piece, work of what is driven, and the fastest block.
+void book_outside(const affine::BlockSystem& system, const affine::BlockState& blocks, const body::LoadView& given,
+                  const body::Loads& contacts, double dt, KickReport& kick) {
+    for (std::size_t b = 0; b < system.mass.size(); ++b) {
+        const Vec3& x = blocks.position[b];
+        if (system.is_fixed[b] != 0) {
+            const Vec3 spin = affine::spin_of(affine::rows_at(blocks.velocity_gradient, b));
+            kick.impulse -= dt * contacts.force[b];
+            kick.angular_impulse -= dt * (cross(x, contacts.force[b]) + contacts.torque[b]);
+            kick.work_driven -= dt * (dot(contacts.force[b], blocks.velocity[b]) + dot(contacts.torque[b], spin));
+            continue;
+        }
+        const Vec3 outside = system.mass[b] * system.gravity + (given.empty() ? Vec3{} : given.force[b]);
+        kick.impulse += dt * outside;
+        kick.angular_impulse += dt * (cross(x, outside) + (given.empty() ? Vec3{} : given.torque[b]));
+        kick.mass_moment += system.mass[b] * x;
+        kick.max_speed = std::max(kick.max_speed, norm(blocks.velocity[b]));
+    }
+}
+
+}  // namespace
+
+Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
+    if (!scratch_->problem.empty()) {
+        return {scratch_->problem, 0};
+    }
+    affine::BlockSystem& system = scratch_->system;
+    const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
+    scratch_->pull.clear();
+    for (const Sym3& p : loads.pull) {
+        scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
+    }
+    system.gravity = scene_->gravity.at(span.middle());
+    drive_blocks(*scene_, span, system, fields_->blocks);
+    implicit_dda::StepReport step;
+    const affine::Outcome outcome =
+        implicit_dda::advance(system, {}, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull},
+                              *fields_, scratch_->engine, step);
+    if (!outcome.ok()) {
+        return {outcome.problem, outcome.shorten};
+    }
+    scratch_->loads.clear(at(system.size()));
+    sum_contacts(scratch_->engine, scratch_->loads);
+    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    write_bodies(system, fields_->blocks, state_.bodies);
+    report.gravity = system.gravity;
+    report.kick_time = span.end();
+    report.kick.mass = step.sums.mass;
+    report.kick.kinetic = step.sums.kinetic;
+    report.kick.potential = step.sums.potential;
+    report.kick.momentum = step.sums.momentum;
+    report.kick.angular_momentum = step.sums.angular_momentum;
+    report.kick.external_work = step.external_work;
+    report.kick.damping_loss = step.numerical_loss;
+    report.elastic = step.strain + step.contact;
+    report.friction_loss = step.friction_loss + step.lost_energy;
+    report.max_depth = step.deepest;
+    report.contact_count = step.contact_count;
+    report.pair_count = scratch_->engine.finder.pair_count();
+    state_.previous_dt = span.dt;
+    return {};
+}
+
+}  // namespace riprap::solid

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "riprap/core/key.hpp"
+#include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/implicit_dda/advance.hpp"
+
+namespace riprap::solid {
+
+/// Keys of `solid.method = "implicit_dda"`.
+struct ImplicitDdaSettings {
+    static constexpr std::string_view method_name = "implicit_dda";
+    static MethodKeys<ImplicitDdaSettings> keys();
+    implicit_dda::Settings engine;
+    affine::Elasticity elasticity;
+    double step{1e-3};  ///< that the method wants; shorter where the open-close iteration does not settle [s]
+};
+
+/// Deformable convex blocks moved by implicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
+class ImplicitDda {
+ public:
+    using Settings = ImplicitDdaSettings;
+    using Fields = implicit_dda::State;
+    struct Scratch {
+        affine::BlockSystem system;
+        std::string problem;  ///< what blocks cannot be made of
+        implicit_dda::Scratch engine;
+        std::vector<Mat3> pull;
+        body::Loads loads;  ///< of contacts, in the last piece
+        body::PointLoadSum point_loads;
+        std::size_t bytes() const;
+    };
+    static constexpr bool takes_back = true;
+
+    ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+                Scratch& scratch);
+
+    /// Returns the step of the settings, which the method wants for itself.
+    StepLimit limit() const { return {settings_->step, true, "step of implicit DDA"}; }
+    /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    /// Sum of the contact forces and of their moments on every body in the last piece.
+    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+
+ private:
+    const SolidScene* scene_;
+    const Settings* settings_;
+    SolidState state_;
+    Fields* fields_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::solid

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/geometry/shapes.hpp"
+#include "riprap/solid/implicit_dda/implicit_dda.hpp"
+
+namespace riprap::solid {
+namespace {
+
+/// Three cubes that fall on a plane, moved as a step driver moves them.
+struct Scene {
+    geometry::ShapeSet shapes;
+    material::MaterialSet materials;
+    body::BodySet bodies;
+    body::BodyState state;
+    body::Gravity gravity{{0.5, 0, -9.81}};
+    contact::ContactHistory contacts;
+    double previous_dt{0};
+    ImplicitDdaSettings settings;
+    implicit_dda::State fields{};
+    ImplicitDda::Scratch scratch;
+    double time{0};
+
+    Scene() {
+        materials.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5});
+        mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
+        settings.elasticity = {1e8, 0.25, 1e7};
+        const ShapeId cube = shapes.add_convex(geometry::cube(1), false, nullptr);
+        add({}, shapes.add_half_space({0, 0, 1}, 0), body::Drive::fixed);
+        for (int i = 0; i < 3; ++i) {
+            add({0.1 * i, 0, 0.501 + 1.001 * i}, cube, body::Drive::free);
+        }
+    }
+    void add(const Vec3& place, ShapeId shape, body::Drive drive) {
+        body::NewBody block;
+        block.name = "block";
+        block.material = MaterialId{0};
+        block.density = 2000;
+        block.drive = drive;
+        block.pose = {place, {}};
+        block.parts = {{BodyId{}, shape, Pose{}}};
+        add_body(bodies, state, shapes, block);
+    }
+    SolidReport step(double dt, const body::LoadView& loads = {}) {
+        const SolidScene scene{shapes, materials, bodies, gravity, {}};
+        ImplicitDda method(scene, settings, {state, contacts, previous_dt}, fields, scratch);
+        SolidReport report;
+        EXPECT_EQ(method.advance({time, dt}, loads, Measure::energy, report).problem, "");
+        time += dt;
+        return report;
+    }
+};
+
+TEST(ImplicitDdaMethod, momentum_follows_the_impulses_it_reports) {
+    Scene scene;
+    scene.settings.engine.solve.tolerance = 1e-13;
+    SolidReport last = scene.step(1e-3);
+    for (int i = 0; i < 80; ++i) {
+        const SolidReport report = scene.step(1e-3);
+        const Vec3 gained = report.kick.momentum - last.kick.momentum;
+        ASSERT_LT(norm(gained - report.kick.impulse), 1e-5 * norm(report.kick.impulse)) << i;
+        last = report;
+    }
+    EXPECT_GT(last.contact_count, 0);
+}
+
+TEST(ImplicitDdaMethod, bodies_are_written_as_turned_and_stretched_images_of_their_shapes) {
+    Scene scene;
+    for (int i = 0; i < 40; ++i) {
+        scene.step(1e-3);
+    }
+    ASSERT_TRUE(scene.state.deforms());
+    for (std::size_t b = 1; b < 4; ++b) {
+        const Vec3 corner{0.5, 0.5, 0.5};
+        const Vec3 here = scene.state.position[b] + rotate(scene.state.orientation[b], scene.state.stretch[b] * corner);
+        const Vec3 there =
+            scene.fields.blocks.position[b] + affine::rows_at(scene.fields.blocks.deformation, b) * corner;
+        EXPECT_LT(norm(here - there), 1e-12);
+        EXPECT_LT(std::abs(scene.state.stretch[b].zz - 1), 1e-2);
+    }
+}
+
+TEST(ImplicitDdaMethod, pull_strains_a_body) {
+    Scene scene;
+    scene.gravity.value = {};
+    const std::vector<Vec3> none(4);
+    std::vector<Sym3> pull(4);
+    pull[3].xx = 1e5;
+    for (int i = 0; i < 20; ++i) {
+        scene.step(1e-3, {none, none, pull});
+    }
+    EXPECT_GT(scene.state.stretch[3].xx, 1 + 1e-4);
+    EXPECT_EQ(scene.state.stretch[2].xx, 1);
+}
+
+TEST(ImplicitDdaMethod, the_same_bits_with_two_threads_and_from_a_fresh_scratch) {
+    const auto hash_after = [](int threads, bool drop) {
+        const int before = parallel::thread_count();
+        parallel::set_thread_count(threads);
+        Scene scene;
+        for (int i = 0; i < 40; ++i) {
+            scene.step(1e-3);
+            if (drop && i == 20) {
+                scene.scratch = ImplicitDda::Scratch();
+            }
+        }
+        parallel::set_thread_count(before);
+        return hash_fields(scene.state) ^ hash_fields(scene.fields);
+    };
+    const std::uint64_t one = hash_after(1, false);
+    EXPECT_EQ(hash_after(2, false), one);
+    EXPECT_EQ(hash_after(1, true), one);
+}
+
+}  // namespace
+}  // namespace riprap::solid
