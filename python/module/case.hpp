@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "made_caster.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::python {
@@ -20,3 +21,6 @@ struct Case {
 void define_case(pybind11::module_& module);
 
 }  // namespace riprap::python
+
+template <>
+struct pybind11::detail::type_caster<riprap::python::Case> : riprap::python::MadeCaster<riprap::python::Case> {};

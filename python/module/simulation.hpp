@@ -63,3 +63,7 @@ void define_run(pybind11::module_& module);
 void define_waves(pybind11::module_& module);
 
 }  // namespace riprap::python
+
+template <>
+struct pybind11::detail::type_caster<riprap::python::Simulation>
+    : riprap::python::MadeCaster<riprap::python::Simulation> {};

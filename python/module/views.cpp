@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "made_caster.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "simulation.hpp"
 
@@ -21,6 +22,17 @@ struct Bodies {
     run::Simulation& read() const { return simulation().read(); }
 };
 struct Fluid : Bodies {};
+
+}  // namespace
+}  // namespace riprap::python
+
+template <>
+struct pybind11::detail::type_caster<riprap::python::Bodies> : riprap::python::MadeCaster<riprap::python::Bodies> {};
+template <>
+struct pybind11::detail::type_caster<riprap::python::Fluid> : riprap::python::MadeCaster<riprap::python::Fluid> {};
+
+namespace riprap::python {
+namespace {
 
 /// One of the fields that may be shown: read-only, on the memory of the State.
 template <class Of, class Field>

@@ -18,7 +18,24 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-class Mishaps : public RunFixture {};
+class Mishaps : public RunFixture {
+ protected:
+    static std::string pool(const std::string& spacing, const std::string& more = {}) {
+        return "dimension = 2\ngravity = [0, -9.81]\nend = 0.01\n"
+               "[material.rock]\ndensity = 2500.0\nnormal_stiffness = 1e7\n"
+               "[fluid]\nspacing = " +
+               spacing +
+               "\ndomain = { low = [-0.5, -0.5], high = [2, 2] }\n"
+               "[[fluid.region]]\nbox = { low = [0, 0], high = [1, 1] }\n"
+               "[[body]]\nname = 'ground'\nmaterial = 'rock'\nfixed = true\nshape = { half_space = { normal = [0, 1] } "
+               "}\n"
+               "[[body]]\nname = 'left'\nmaterial = 'rock'\nfixed = true\nshape = { half_space = { normal = [1, 0] } "
+               "}\n"
+               "[[body]]\nname = 'right'\nmaterial = 'rock'\nfixed = true\n"
+               "shape = { half_space = { normal = [-1, 0], offset = -1 } }\n" +
+               more;
+    }
+};
 
 TEST_F(Mishaps, ASignalThatWasIgnoredWhenTheRunBeganStaysIgnored) {
     // As nohup starts it. The handler of the run took its place, and the hang-up of the terminal stopped the run.
@@ -94,6 +111,26 @@ TEST_F(Mishaps, CheckTellsARefusalWhereRefusalsAreTold) {
     EXPECT_EQ(ending.code, 4);
     EXPECT_THAT(ending.err, HasSubstr("the first step is refused"));
     EXPECT_THAT(ending.out, Not(HasSubstr("refused")));
+}
+
+TEST_F(Mishaps, AGaugeAlongALineWithoutEndIsRefusedAndALongOneHoldsNothingUp) {
+    const std::string gauge = "[[output.gauge]]\nname = 'g'\nkind = 'surface'\npoint = [0.5, 0.2]\nend = ";
+    const std::string endless = write_case("endless.toml", pool("0.05", gauge + "[1e300, 1e300]\n"));
+    const Ending refused = run({"run", endless, "--out", out("a")});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_THAT(refused.err, HasSubstr("endless.toml:"));
+    const std::string far = write_case("long.toml", pool("0.05", gauge + "[0.5, 1e5]\n"));
+    EXPECT_EQ(run({"run", far, "--out", out("b")}).code, 0);
+}
+
+TEST_F(Mishaps, MoreParticlesThanTheMemoryHoldsAreRefusedBeforeItIsTaken) {
+    const std::string file = write_case("many.toml", pool("0.001"));  // a million
+    const Ending ending = Program(folder.path(), {"check", file}, [] {
+                              const rlimit limit{600'000'000, 600'000'000};
+                              setrlimit(RLIMIT_AS, &limit);
+                          }).wait();
+    EXPECT_EQ(ending.code, 3);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("many.toml:"), HasSubstr("hold 1000000 particles"), HasSubstr("memory")));
 }
 
 /// A connection to the address that --serve prints; closes itself.

@@ -31,7 +31,7 @@ geometry::Polyhedron box(const Vec3& low, const Vec3& high) {
 
 Filling fill(const Scene& scene, const fluid::SphSettings& settings, const std::vector<FillRegion>& regions,
              std::int64_t limit = 1'000'000) {
-    return fill(scene.shapes, scene.bodies, scene.state, settings, up, regions, limit);
+    return fill(scene.shapes, scene.bodies, scene.state, settings, up, regions, {limit, limit});
 }
 
 TEST(Fill, a_box_that_the_lattice_fits_is_filled_to_its_volume) {
@@ -120,8 +120,8 @@ TEST(Fill, a_planar_tank_is_filled_per_metre_of_width) {
     Scene scene;
     scene.bodies.is_planar = true;
     const fluid::SphSettings settings = settings_of({0, 0, 0}, {1, 1, 0}, 2);
-    const Filling filling =
-        fill(scene.shapes, scene.bodies, scene.state, settings, {0, 1, 0}, std::vector<FillRegion>{{{}, 0.5}}, 1000);
+    const Filling filling = fill(scene.shapes, scene.bodies, scene.state, settings, {0, 1, 0},
+                                 std::vector<FillRegion>{{{}, 0.5}}, {1000, 1000});
     EXPECT_EQ(filling.particles.size(), 20 * 10);
     EXPECT_NEAR(filling.regions[0].region_volume, 0.5, 1e-12);
     EXPECT_EQ(filling.particles.position[0].z, 0);

@@ -24,6 +24,17 @@ class Arrays(unittest.TestCase):
         np.testing.assert_array_equal(x[1], [0, 0, 0.6])
         np.testing.assert_array_equal(simulation.bodies.orientation[1], [1, 0, 0, 0])
 
+    def test_objects_that_no_constructor_has_made_are_refused(self):
+        simulation = riprap.Simulation(riprap.loads(POOL))
+        for made in (simulation.bodies, simulation.fluid, simulation, falling_block()):
+            raw = type(made).__new__(type(made))
+            for name in ("position", "mass", "ledger", "time", "title", "resolved"):
+                if hasattr(type(made), name):
+                    with self.assertRaises(TypeError):
+                        getattr(raw, name)
+        with self.assertRaises(TypeError):
+            riprap.Simulation(riprap.Case.__new__(riprap.Case))
+
     def test_memory_of_fields_that_nobody_holds_stays_where_it_is(self):
         simulation = riprap.Simulation(falling_block())
         before = simulation.bodies.velocity.__array_interface__["data"][0]

@@ -290,6 +290,7 @@ TEST(FluidCase, a_run_up_that_ends_at_a_block_is_warned_of) {
 TEST(FluidCase, a_run_up_line_of_any_length_is_looked_along_at_a_bounded_cost) {
     const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"run_up\"\npoint = [0.2, 0.1]\nend = ";
     EXPECT_THAT(test::read(gauge + "[0.2, 1e12]\n").warnings, Each(Not(HasSubstr("meets"))));
+    EXPECT_THAT(test::problems_of(gauge + "[0.2, 1e300]\n"), Contains(HasSubstr("a line that ends at (0.2, 1e+300")));
 }
 
 TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {

@@ -40,8 +40,9 @@ struct Basin : SmallScene {
         water.is_dry.assign(static_cast<std::size_t>(model.bodies.size()), 0);
         const coupling::FillRegion region{
             {geometry::moved(geometry::box({high.x - low.x, high.y - low.y, 1}), {0.5 * (low + high), {}})}, level};
-        coupling::Filling filling = coupling::fill(model.shapes, model.bodies, state.bodies, water.settings(),
-                                                   {0, 1, 0}, std::vector<coupling::FillRegion>{region}, 1'000'000);
+        coupling::Filling filling =
+            coupling::fill(model.shapes, model.bodies, state.bodies, water.settings(), {0, 1, 0},
+                           std::vector<coupling::FillRegion>{region}, {1'000'000, 1'000'000});
         set_hydrostatic_density(filling, water.settings(), gravity);
         state.fluid = std::move(filling.particles);
         coupling::SampleSettings settings;

@@ -195,6 +195,36 @@ class Solids {
     double keep_away_;
 };
 
+/// Makes room for all particles and puts those of each row where it begins.
+/// @param visit_row  (row, put): calls put(place, region) for each particle of a row
+template <class VisitRow>
+void place_particles(Filling& filling, const std::vector<std::int64_t>& begin, const fluid::ParticleSettings& settings,
+                     std::span<const FillRegion> regions, const VisitRow& visit_row) {
+    fluid::ParticleState& particles = filling.particles;
+    const auto count = at(begin.back());
+    particles.position.resize(count);
+    particles.velocity.resize(count);
+    particles.density.assign(count, settings.rest_density);
+    particles.dilution.assign(count, 0);
+    particles.id.resize(count);
+    filling.region.resize(count);
+    parallel::for_each_uneven(static_cast<std::int64_t>(begin.size()) - 1, 4, [&](std::int64_t line) {
+        std::int64_t next = begin[at(line)];
+        visit_row(line, [&](const Vec3& x, int region) {
+            particles.position[at(next)] = x;
+            particles.velocity[at(next)] = regions[at(region)].velocity;
+            particles.id[at(next)] = static_cast<std::int32_t>(next);
+            filling.region[at(next)] = static_cast<std::int8_t>(region);
+            ++next;
+        });
+    });
+    const double cell = std::pow(settings.spacing, settings.domain.dimension);
+    for (const std::int8_t region : filling.region) {
+        filling.regions[at(region)].count += 1;
+        filling.regions[at(region)].volume += cell;
+    }
+}
+
 }  // namespace
 
 double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3& up) {
@@ -207,7 +237,7 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
              const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
-             std::int64_t limit) {
+             const FillLimit& limit) {
     Filling filling;
     filling.regions.resize(regions.size());
     std::vector<RegionPlanes> cut;
@@ -223,42 +253,41 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     for (const std::int64_t count : lattice.counts) {
         places *= static_cast<double>(count);
     }
-    if (places > 64.0 * static_cast<double>(limit)) {
+    if (places > 64.0 * static_cast<double>(limit.most)) {
         refuse(fmt::format("the regions of water span about {:.3g} places of the lattice", places),
-               fmt::format("particles are at most {}: use a larger spacing or tighter regions", limit));
+               fmt::format("particles are at most {}: use a larger spacing or tighter regions", limit.most));
     }
 
     const Solids solids(shapes, bodies, initial, (nearest - slack) * settings.spacing);
-    const std::int64_t row = lattice.counts[0], rows = lattice.counts[1] * lattice.counts[2];
-    std::vector<std::int8_t> owner(at(row * rows), -1);
+    const std::int64_t rows = lattice.counts[1] * lattice.counts[2];
+    const auto row = [&lattice](std::int64_t line) {
+        return std::pair{line % lattice.counts[1], line / lattice.counts[1]};
+    };
+    const auto owner_of = [&](const Vec3& x) {
+        const int region = region_of(cut, x, up, settings.spacing);
+        return region < 0 || solids.touch(x) ? -1 : region;
+    };
+    std::vector<std::int64_t> begin(at(rows + 1), 0);  // of each row among the particles
     parallel::for_each_uneven(rows, 4, [&](std::int64_t line) {
-        for (std::int64_t i = 0; i < row; ++i) {
-            const Vec3 x = lattice.place(i, line % lattice.counts[1], line / lattice.counts[1]);
-            const int region = region_of(cut, x, up, settings.spacing);
-            owner[at(line * row + i)] = static_cast<std::int8_t>(region < 0 || solids.touch(x) ? -1 : region);
+        const auto [j, k] = row(line);
+        for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
+            begin[at(line)] += owner_of(lattice.place(i, j, k)) < 0 ? 0 : 1;
         }
     });
-    const auto count =
-        static_cast<std::int64_t>(owner.size()) - std::count(owner.begin(), owner.end(), std::int8_t{-1});
-    if (count > limit) {
+    const std::int64_t count = parallel::exclusive_scan<std::int64_t>(begin, begin);
+    if (const std::int64_t most = std::min(limit.most, limit.fitting); count > most) {
         refuse(fmt::format("the regions of water hold {} particles", count),
-               fmt::format("at most {}: use a larger spacing", limit));
+               fmt::format("at most {}{}: use a larger spacing", most, limit.fitting < limit.most ? limit.reason : ""));
     }
-
-    fluid::ParticleState& particles = filling.particles;
-    const double cell = std::pow(settings.spacing, settings.domain.dimension);
-    for (std::int64_t place = 0; place < row * rows; ++place) {
-        const std::int8_t r = owner[at(place)];
-        if (r < 0) {
-            continue;
+    place_particles(filling, begin, settings, regions, [&](std::int64_t line, const auto& put) {
+        const auto [j, k] = row(line);
+        for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
+            const Vec3 x = lattice.place(i, j, k);
+            if (const int region = owner_of(x); region >= 0) {
+                put(x, region);
+            }
         }
-        const std::int64_t line = place / row;
-        const Vec3 x = lattice.place(place % row, line % lattice.counts[1], line / lattice.counts[1]);
-        particles.add(x, regions[at(r)].velocity, settings.rest_density, static_cast<std::int32_t>(particles.size()));
-        filling.region.push_back(r);
-        filling.regions[at(r)].count += 1;
-        filling.regions[at(r)].volume += cell;
-    }
+    });
     return filling;
 }
 

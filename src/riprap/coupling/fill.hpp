@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
@@ -29,6 +30,13 @@ struct FillReport {
     double surface{0};        ///< height of its free surface along `up` [m]
 };
 
+/// How many particles there may be.
+struct FillLimit {
+    std::int64_t most;     ///< in any case
+    std::int64_t fitting;  ///< in the memory at hand; may be more
+    std::string reason{};  ///< for the message, where fitting is less
+};
+
 /// Water at the start.
 struct Filling {
     fluid::ParticleState particles;
@@ -48,12 +56,13 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 ///
 /// Density is that of rest without pressure: see set_hydrostatic_density.
 /// @param up     unit vector against gravity, along which levels count
-/// @param limit  at most 127 regions and so many particles
+/// Places are counted before memory is taken for them.
+/// @param limit  of particles; regions are at most 127
 /// @throws CaseError  with the cause when more than `limit` particles would be made, or when a period of the domain is
 /// not a whole number of spacings
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
              const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
-             std::int64_t limit);
+             const FillLimit& limit);
 
 /// Gives every particle the density of rest under gravity g: p = rho_0 |g| d at depth d below the surface of its
 /// region (its level or else its highest point), through the state equation of `settings`.

@@ -55,6 +55,22 @@ TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corne
     }
 }
 
+// A line that ended at 1e300 m took the program down, and one of 1e5 m never came to an end.
+TEST(Gauge, a_line_far_longer_than_the_water_reads_what_a_short_one_does) {
+    const Tank tank(2);
+    for (const GaugeKind kind : {GaugeKind::surface, GaugeKind::run_up}) {
+        const double level = tank.read(kind, {0.5, 0.1, 0}, {0.5, 1, 0});
+        EXPECT_NEAR(level, 0.4, 0.002);
+        EXPECT_NEAR(tank.read(kind, {0.5, 0.1, 0}, {0.5, 1e5, 0}), level, 1e-4);
+        EXPECT_NEAR(tank.read(kind, {0.5, 0.1, 0}, {0.5, 1e12, 0}), level, 1e-3);
+        EXPECT_EQ(tank.read(kind, {0.5, 3, 0}, {0.5, 1e12, 0}), 0);
+    }
+    Tank ring(2);  // wet all the way, for ever
+    ring.settings.domain.high = {1, 1, 0};
+    ring.settings.domain.is_periodic[0] = true;
+    EXPECT_EQ(ring.read(GaugeKind::surface, {0.5, 0.2, 0}, {1e9, 0.2, 0}), 1e9 - 0.5);
+}
+
 TEST(Gauge, one_that_a_body_carries_reads_where_the_body_has_taken_it) {
     const Tank tank(2);
     const Gauge fixed{"level", GaugeKind::level, {0.3, 0.2, 0}, {}, tank.up()};

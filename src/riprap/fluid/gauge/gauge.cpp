@@ -6,6 +6,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
@@ -58,51 +59,96 @@ double level(const Gauge& gauge, const ParticleSettings& settings, const Particl
     return sum;
 }
 
-/// Water fraction at equal steps along a line from its start to its end.
-std::vector<double> fractions_along(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
-    const double length = norm(gauge.end - gauge.point);
-    const auto steps = static_cast<std::int64_t>(std::ceil(length / (line_step * settings.spacing)));
-    const Vec3 way = gauge.end - gauge.point;
-    const std::vector<std::size_t> near = particles_near_line(gauge.point, gauge.end, settings, state);
-    std::vector<double> fraction;
-    for (std::int64_t i = 0; i <= steps; ++i) {
-        const Vec3 x = gauge.point + static_cast<double>(i) / static_cast<double>(steps) * way;
-        fraction.push_back(water_fraction(x, settings, state, near));
+/// Water fraction at equal steps along a line from its start to its end, looked up one by one: a line may be far longer
+/// than the water is wide.
+class FractionsAlong {
+ public:
+    FractionsAlong(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state)
+        : start_(gauge.point),
+          way_(gauge.end - gauge.point),
+          settings_(settings),
+          state_(state),
+          near_(particles_near_line(gauge.point, gauge.end, settings, state)),
+          steps_(std::max<std::int64_t>(
+              1, static_cast<std::int64_t>(std::ceil(norm(way_) / (line_step * settings.spacing))))) {
+        find_range();
     }
-    return fraction;
-}
+    std::int64_t steps() const { return steps_; }
+    /// Beyond these the line is dry.
+    std::int64_t first() const { return first_; }
+    std::int64_t last() const { return last_; }
+    double operator()(std::int64_t i) const {
+        const Vec3 x = start_ + static_cast<double>(i) / static_cast<double>(steps_) * way_;
+        return water_fraction(x, settings_, state_, near_);
+    }
+    /// Where the fraction is a half between the samples i and i + 1 with these fractions [m].
+    double crossing(std::int64_t i, double here, double there) const {
+        const double share = (here - 0.5) / (here - there);
+        return norm(way_) * (static_cast<double>(i) + share) / static_cast<double>(steps_);
+    }
 
-double crossing(const std::vector<double>& fraction, std::size_t i, double length) {
-    const double share = (fraction[i] - 0.5) / (fraction[i] - fraction[i + 1]);
-    return length * (static_cast<double>(i) + share) / static_cast<double>(fraction.size() - 1);
-}
+ private:
+    /// Cuts the line at a reach from the box around all particles, along axes without a period.
+    void find_range() {
+        const Box box = box_of(state_.position);
+        const Domain& domain = settings_.domain;
+        double low = 0, high = near_.empty() ? -1 : 1;  // as shares of the line
+        for (int axis = 0; axis < domain.dimension && !near_.empty(); ++axis) {
+            if (way_[axis] == 0 || domain.is_periodic[static_cast<std::size_t>(axis)]) {
+                continue;
+            }
+            const double reach = settings_.support_radius();
+            const double a = (box.low[axis] - reach - start_[axis]) / way_[axis];
+            const double b = (box.high[axis] + reach - start_[axis]) / way_[axis];
+            low = std::max(low, std::min(a, b));
+            high = std::min(high, std::max(a, b));
+        }
+        const auto steps = static_cast<double>(steps_);
+        first_ = low <= high ? static_cast<std::int64_t>(std::floor(low * steps)) : 0;
+        last_ = low <= high ? static_cast<std::int64_t>(std::ceil(high * steps)) : -1;
+    }
+
+    Vec3 start_, way_;
+    const ParticleSettings& settings_;
+    const ParticleState& state_;
+    std::vector<std::size_t> near_;
+    std::int64_t steps_, first_{0}, last_{-1};
+};
+
+/// Samples of a line that are looked at, at most: one along a period repeats itself long before.
+constexpr std::int64_t most_samples = 1'000'000;
 
 double surface(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
-    const std::vector<double> fraction = fractions_along(gauge, settings, state);
-    const double length = norm(gauge.end - gauge.point);
-    if (fraction.back() >= 0.5) {
-        return length;
+    const FractionsAlong fraction(gauge, settings, state);
+    double beyond = fraction.last() >= 0 ? fraction(fraction.last()) : 0;
+    if (fraction.last() == fraction.steps() && beyond >= 0.5) {
+        return norm(gauge.end - gauge.point);
     }
-    for (std::size_t i = fraction.size() - 1; i-- > 0;) {
-        if (fraction[i] >= 0.5) {
-            return crossing(fraction, i, length);
+    const std::int64_t lowest = std::max(fraction.first(), fraction.last() - most_samples);
+    for (std::int64_t i = fraction.last() - 1; i >= lowest; --i) {
+        const double here = fraction(i);
+        if (here >= 0.5) {
+            return fraction.crossing(i, here, beyond);
         }
+        beyond = here;
     }
     return 0;
 }
 
 double run_up(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {
-    const std::vector<double> fraction = fractions_along(gauge, settings, state);
-    const double length = norm(gauge.end - gauge.point);
-    for (std::size_t i = 0; i + 1 < fraction.size(); ++i) {
-        if (fraction[i] < 0.5) {
-            return 0;
-        }
-        if (fraction[i + 1] < 0.5) {
-            return crossing(fraction, i, length);
-        }
+    const FractionsAlong fraction(gauge, settings, state);
+    double here = fraction.first() == 0 && fraction.last() >= 0 ? fraction(0) : 0;
+    if (here < 0.5) {
+        return 0;
     }
-    return length;
+    for (std::int64_t i = 0; i < std::min(fraction.last(), most_samples); ++i) {
+        const double there = fraction(i + 1);
+        if (there < 0.5) {
+            return fraction.crossing(i, here, there);
+        }
+        here = there;
+    }
+    return norm(gauge.end - gauge.point);
 }
 
 bool is_between(const Vec3& x, const Vec3& low, const Vec3& high, int skipped_axis, int dimension) {

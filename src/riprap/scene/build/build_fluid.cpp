@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 
+#include "riprap/core/memory.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
@@ -62,6 +64,15 @@ void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, 
     }
 }
 
+/// What limits.hpp accepts and the memory of this machine holds.
+coupling::FillLimit most_particles() {
+    constexpr double bytes_each = 800;  // with lists of neighbours and the copies that a refused step is taken back to
+    const double available = available_memory();
+    return {limits::particles, static_cast<std::int64_t>(std::min(available / bytes_each, 1e18)),
+            fmt::format(" in the {:.2g} GB of memory that are free here, as each takes some {:.0f} bytes",
+                        1e-9 * available, bytes_each)};
+}
+
 /// Water where bodies leave room for it, and the boundary particles of those that are wet. False with a problem.
 bool place_particles(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
                      coupling::ParticleFluid& fluid, coupling::Filling& filling) {
@@ -74,8 +85,8 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
         is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
     }
     bool is_good = place_problems(build, get(table, "region"), [&] {
-        filling = coupling::fill(shapes, bodies, build.state.bodies, fluid.settings(), build.up(), regions,
-                                 limits::particles);
+        filling =
+            coupling::fill(shapes, bodies, build.state.bodies, fluid.settings(), build.up(), regions, most_particles());
     });
     if (is_good && fluid.wall == coupling::WallTreatment::boundary_particles) {
         is_good = place_problems(build, table, [&] {

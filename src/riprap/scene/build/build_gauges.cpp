@@ -49,6 +49,13 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     if (is_line && gauge.point == gauge.end) {
         build.problem(end->place, "a line without length", "an end away from the point");
     }
+    constexpr double longest = 1e15;  // samples along a line are counted exactly up to there
+    if (is_line && !(norm(gauge.end - gauge.point) <= longest)) {
+        build.problem(
+            end->place,
+            fmt::format("a line that ends at ({:.3g}, {:.3g}, {:.3g}) m", gauge.end.x, gauge.end.y, gauge.end.z),
+            fmt::format("a line of at most {:.3g} m", longest));
+    }
     if (is_line) {
         return;
     }
