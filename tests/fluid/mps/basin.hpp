@@ -67,7 +67,7 @@ struct Basin {
 inline MpsSettings mps_settings(int dimension, double spacing, double expected_speed) {
     MpsSettings settings;
     settings.spacing = spacing;
-    settings.expected_speed = expected_speed;
+    settings.sound_speed = 10 * expected_speed;
     settings.particle_mass = settings.rest_density * std::pow(spacing, dimension);
     settings.domain = {{-10, -10, -10}, {10, 10, 10}, {}, dimension};
     return settings;
@@ -79,7 +79,7 @@ inline void add_tank(Basin& pool, long columns, long rows, bool is_slippery,
                      const std::function<double(const Vec3&)>& pressure, const std::function<bool(long, long)>& fill) {
     const double dp = pool.settings.spacing;
     const bool is_solid = pool.settings.domain.dimension == 3;
-    const auto layers = static_cast<long>(std::ceil(pool.settings.support_ratio));
+    const auto layers = static_cast<long>(std::ceil(pool.settings.support_ratio()));
     for (long k = is_solid ? -layers : 0; k < (is_solid ? columns + layers : 1); ++k) {
         for (long j = -layers; j < rows; ++j) {
             for (long i = -layers; i < columns + layers; ++i) {

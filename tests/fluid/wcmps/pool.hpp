@@ -85,7 +85,7 @@ inline void add_tank(Pool& pool, long columns, long rows, bool is_slippery,
                      const std::function<double(const Vec3&)>& pressure, const std::function<bool(long, long)>& fill) {
     const double dp = pool.settings.spacing;
     const bool is_solid = pool.settings.domain.dimension == 3;
-    const auto layers = static_cast<long>(std::ceil(pool.settings.support_ratio));
+    const auto layers = static_cast<long>(std::ceil(pool.settings.support_ratio()));
     for (long k = is_solid ? -layers : 0; k < (is_solid ? columns + layers : 1); ++k) {
         for (long j = -layers; j < rows; ++j) {
             for (long i = -layers; i < columns + layers; ++i) {

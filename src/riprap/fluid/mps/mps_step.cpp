@@ -20,14 +20,6 @@ namespace {
 
 Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
-/// What every particle fluid has; nothing is too fast but for the step.
-SphSettings common_part(const MpsSettings& settings) {
-    SphSettings common;
-    common.domain = settings.domain;
-    common.sound_speed = std::numeric_limits<double>::max();
-    return common;
-}
-
 Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
     return {t[0] * a.x + t[2] * a.y + t[4] * a.z, t[2] * a.x + t[1] * a.y + t[5] * a.z,
             t[4] * a.x + t[5] * a.y + t[3] * a.z};
@@ -148,7 +140,7 @@ FluidTimeStep choose_fluid_time_step(const MpsSettings& settings, const Particle
         state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
         [](double a, double b) { return std::max(a, b); });
     const double l = settings.spacing, none = std::numeric_limits<double>::infinity();
-    const double speed = std::max(settings.expected_speed, std::sqrt(squared));
+    const double speed = std::max(settings.expected_speed(), std::sqrt(squared));
     FluidTimeStep step{};
     step.acoustic = speed > 0 ? settings.courant * l / speed : none;
     step.force = none;
@@ -158,11 +150,9 @@ FluidTimeStep choose_fluid_time_step(const MpsSettings& settings, const Particle
     return step;
 }
 
-void drift(const MpsSettings& settings, ParticleState& state, double dt) { drift(common_part(settings), state, dt); }
-
 void begin_forces(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   const Vec3& gravity, double dt, double time, MpsScratch& scratch, MpsReport& report) {
-    find_lost_particle(common_part(settings), state, time, report);
+    find_lost_particle(settings, state, time, report);
     if (!report.problem.empty()) {
         return;
     }
@@ -212,7 +202,7 @@ void kick_fluid(const MpsSettings& settings, ParticleState& state, const Boundar
     report.max_acceleration = std::sqrt(sums.acceleration_squared);
     state.max_acceleration = report.max_acceleration;
     book_walls(walls, dt, report);
-    find_wild_particle(common_part(settings), state, time, report);
+    find_wild_particle(settings, state, time, report);
 }
 
 void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,

@@ -6,8 +6,8 @@
 
 #include "riprap/fluid/mps/mps_settings.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/particle_scheme.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/linear/pcg.hpp"
 
 namespace riprap::fluid {
@@ -54,9 +54,6 @@ struct MpsReport : FluidReport {
 /// courant l_0 over the fastest speed, 0.125 l_0^2/nu, 0.25 sqrt(l_0/a).
 FluidTimeStep choose_fluid_time_step(const MpsSettings& settings, const ParticleState& state);
 
-/// @param dt  half the step [s]
-void drift(const MpsSettings& settings, ParticleState& state, double dt);
-
 /// Changes velocities to u** and sets up the pressure equation.
 /// @param dt    the whole step [s]
 /// @param time  t_n, for the report [s]
@@ -78,6 +75,31 @@ void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParti
 
 /// The water about the walls as begin_forces and load_walls found it, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water);
+
+/// Semi-implicit MPS as a scheme of a particle fluid. The books of FluidReport count collisions as viscous and the
+/// pressure loss as diffusion.
+class MpsFluid final : public ParticleScheme {
+ public:
+    explicit MpsFluid(const MpsSettings& settings) : settings_(&settings) {}
+    FluidTimeStep limit(const ParticleState& state) const override;
+    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, FluidReport&) override {}
+    void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
+                      FluidReport& report) override;
+    void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
+    void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
+    void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+              std::span<const Vec3> extra_force, FluidReport& report) override;
+    std::size_t bytes() const override { return scratch_.bytes(); }
+
+ private:
+    const MpsSettings* settings_;
+    MpsScratch scratch_;
+    TimeSpan span_{0, 0};  ///< of the step begun
+    MpsReport solved_;     ///< by the loads of it
+};
+
+/// Makes the scheme of these settings, which have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings);
 
 /// 1 for particles of the surface as begin_forces found them, where pressure is zero.
 std::span<const std::uint8_t> surface_particles(const MpsScratch& scratch);

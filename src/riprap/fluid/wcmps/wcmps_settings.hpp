@@ -2,11 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
-#include "riprap/core/vec3.hpp"
 #include "riprap/fluid/mps/mps_lattice.hpp"
 #include "riprap/fluid/mps/mps_weight.hpp"
-#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
+
+namespace riprap {
+template <class S>
+struct MethodKeys;  // core/key.hpp
+}
 
 namespace riprap::fluid {
 
@@ -14,14 +19,15 @@ namespace riprap::fluid {
 /// particles along their normal [Mellado2021, eq. 5.40], which loses momentum.
 enum class WallLoads : std::uint8_t { pair_sum, pressure_area };
 
-/// Settings of weakly compressible MPS: Model.
-struct WcmpsSettings {
-    double spacing{0};                 ///< l_0: distance of particles at the start [m]
-    double support_ratio{3.1};         ///< r_e/l_0 [-]
-    double rest_density{1000};         ///< rho_0 [kg/m^3]
-    double particle_mass{0};           ///< rho_0 l_0^dimension [kg]; in 2D per metre of width [kg/m]
-    double sound_speed{0};             ///< c_0 [m/s]
-    double tait_exponent{7};           ///< gamma [-]
+/// Settings of weakly compressible MPS: Model. Twice the smoothing ratio is r_e/l_0, the spacing l_0.
+struct WcmpsSettings : ParticleSettings {
+    static constexpr std::string_view method_name = "wcmps";
+    static MethodKeys<WcmpsSettings> keys();
+    WcmpsSettings() {
+        smoothing_ratio = 1.55;
+        courant = 0.5;
+    }
+
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double density_diffusion{0.35};    ///< delta [-], 0 to 1
     bool diffuses_hydrostatic{false};  ///< diffusion of all of n as in the source, not only of what gravity does not
@@ -30,14 +36,14 @@ struct WcmpsSettings {
     double collision_distance{0.9};    ///< share of l_0 below which surface particles collide [-]; 0 = off
     double collision_ratio{0.5};       ///< speed of separation over that of approach [-]
     WallLoads wall_loads{WallLoads::pair_sum};
-    double courant{0.5};             ///< share of l_0/(c + v) that a step may last [-]
-    bool is_plain{false};            ///< pair sums in double, one pair at a time: the oracle of the fast ones
-    std::int64_t sort_interval{50};  ///< steps between sorts of the State by place
-    Domain domain;
+    bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
-    double support_radius() const { return support_ratio * spacing; }
+    bool takes_openings() const { return true; }
+    bool takes_joints() const { return true; }
+
+    double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     MpsWeight weight() const { return {support_radius(), spacing}; }
-    MpsLattice lattice() const { return mps_lattice(support_ratio, spacing, domain.dimension); }
+    MpsLattice lattice() const { return mps_lattice(support_ratio(), spacing, domain.dimension); }
 };
 
 // The state equation in the concentration x = n/n_0 = rho/rho_0 [Mellado2021, eq. 5.17]:

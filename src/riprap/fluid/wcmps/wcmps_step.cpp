@@ -16,14 +16,6 @@ namespace {
 
 Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
-/// What every particle fluid has.
-SphSettings common_part(const WcmpsSettings& settings) {
-    SphSettings common;
-    common.domain = settings.domain;
-    common.sound_speed = settings.sound_speed;
-    return common;
-}
-
 struct Sums {
     double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
@@ -124,11 +116,9 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
     wcmps::update_density(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(), report);
 }
 
-void drift(const WcmpsSettings& settings, ParticleState& state, double dt) { drift(common_part(settings), state, dt); }
-
 void begin_forces(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
                   WcmpsScratch& scratch, FluidReport& report) {
-    find_lost_particle(common_part(settings), state, time, report);
+    find_lost_particle(settings, state, time, report);
     if (report.problem.empty()) {
         wcmps::begin_forces(settings, state, walls, scratch.data());
     }
@@ -169,7 +159,7 @@ void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const Bound
     report.max_shift = std::sqrt(shifting.longest_squared);
     kick(settings, state, g, dt, s, extra_force, report);
     book_walls(walls, dt, report);
-    find_wild_particle(common_part(settings), state, time, report);
+    find_wild_particle(settings, state, time, report);
 }
 
 void accelerate(const WcmpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,

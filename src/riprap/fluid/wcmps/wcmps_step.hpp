@@ -5,8 +5,8 @@
 #include <span>
 
 #include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/particle_scheme.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
 
 namespace riprap::fluid {
@@ -51,9 +51,6 @@ FluidTimeStep choose_fluid_time_step(const WcmpsSettings& settings, const Partic
 void update_density(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, WcmpsScratch& scratch, FluidReport& report);
 
-/// @param dt  half the step [s]
-void drift(const WcmpsSettings& settings, ParticleState& state, double dt);
-
 /// @param time  t_n, for the report [s]
 void begin_forces(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, double time,
                   WcmpsScratch& scratch, FluidReport& report);
@@ -84,6 +81,29 @@ enum class SurfaceClass : std::uint8_t {
     surface,   ///< F
     splash,    ///< E: C < 0.4
 };
+
+/// Weakly compressible MPS as a scheme of a particle fluid. The books of FluidReport count collisions as viscous.
+class WcmpsFluid final : public ParticleScheme {
+ public:
+    explicit WcmpsFluid(const WcmpsSettings& settings) : settings_(&settings) {}
+    FluidTimeStep limit(const ParticleState& state) const override;
+    void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+                        FluidReport& report) override;
+    void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
+                      FluidReport& report) override;
+    void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
+    void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
+    void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+              std::span<const Vec3> extra_force, FluidReport& report) override;
+    std::size_t bytes() const override { return scratch_.bytes(); }
+
+ private:
+    const WcmpsSettings* settings_;
+    WcmpsScratch scratch_;
+};
+
+/// Makes the scheme of these settings, which have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const WcmpsSettings& settings);
 
 /// Classes of all particles as the last kick found them.
 std::span<const SurfaceClass> surface_classes(const WcmpsScratch& scratch);
