@@ -42,7 +42,7 @@ class NoFluid {
     std::span<const double> feedback() const { return {}; }
     static std::array<double, 3> read(const FluidScene& /*scene*/, const Settings& /*settings*/,
                                       const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
-                                      const fluid::Gauge& /*gauge*/, const FaceGauge* /*face*/) {
+                                      const fluid::Gauge& /*gauge*/, const FaceGauge* /*face*/, double /*time*/) {
         return {std::numeric_limits<double>::quiet_NaN()};
     }
 };

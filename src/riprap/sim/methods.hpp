@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "riprap/core/step.hpp"
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/coupling/no_fluid.hpp"
 #include "riprap/coupling/particle_walls/particle_method.hpp"
 #include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
@@ -89,9 +90,10 @@ struct MethodList {
 using Solids = MethodList<  //
     solid::PolyhedralDem    //
     >;
-using Fluids = MethodList<    //
-    coupling::NoFluid,        //
-    coupling::ParticleMethod  //
+using Fluids = MethodList<      //
+    coupling::NoFluid,          //
+    coupling::ParticleMethod,   //
+    coupling::HydrostaticFluid  //
     >;
 
 namespace detail {

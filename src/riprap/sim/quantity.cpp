@@ -60,7 +60,7 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
     return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
         const auto* const scratch =
             moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().fluid);
-        return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face);
+        return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
     });
 }
 

@@ -127,7 +127,7 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
 
 std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settings& water,
                                            const fluid::ParticleState& particles, const Scratch* scratch,
-                                           const fluid::Gauge& gauge, const FaceGauge* face) {
+                                           const fluid::Gauge& gauge, const FaceGauge* face, double /*time*/) {
     const fluid::ParticleSettings& settings = water.settings();
     if (face == nullptr) {
         return read_gauge(gauge, settings, particles);

@@ -48,7 +48,7 @@ class ParticleMethod {
     /// Reads a gauge; nothing before the first step for one on a face.
     static std::array<double, 3> read(const FluidScene& scene, const Settings& water,
                                       const fluid::ParticleState& particles, const Scratch* scratch,
-                                      const fluid::Gauge& gauge, const FaceGauge* face);
+                                      const fluid::Gauge& gauge, const FaceGauge* face, double time);
 
  private:
     void hold_loads(const TimeSpan& span);

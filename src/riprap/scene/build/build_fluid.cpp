@@ -7,6 +7,7 @@
 
 #include "riprap/core/memory.hpp"
 #include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
 #include "riprap/scene/build/build_case.hpp"
@@ -171,10 +172,33 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     build_particles(build, &table, settings);
 }
 
-/// Builds a fluid that is a field: its settings say it all.
+/// Reads where a fluid without particles is. False with a problem.
+bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
+    scene.up = build.up();
+    if (!read_domain(build, get(table, "domain"), scene.domain) ||
+        !read_regions(build, get(table, "region"), scene.regions)) {
+        return false;
+    }
+    build.domain = scene.domain;
+    if (const Value* levels = table.find("levels")) {
+        for (const Value& row : levels->items) {
+            scene.levels.push_back({row.items[0].as_number(), row.items[1].as_number()});
+            if (scene.levels.size() > 1 && !(scene.levels[scene.levels.size() - 2].time < scene.levels.back().time)) {
+                build.problem(row.place, "the times of the levels do not rise", "each time later than the one before");
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Builds a fluid that is a field: its settings take over where it is.
 template <class Settings>
-void build_fluid_of(CaseBuild& build, const Value& /*table*/, Settings& settings) {
-    build.model.fluid = settings;
+void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
+    if (coupling::FieldScene scene; read_field_scene(build, table, scene)) {
+        settings.prepare(scene);
+        build.model.fluid = settings;
+    }
 }
 
 }  // namespace

@@ -131,6 +131,11 @@ std::vector<Key> scene_rows() {
          Value::of("auto")},
         {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
+        {"levels",
+         {list(list(number(dimension::plain), 2, 2), 0, 10'000)},
+         "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them and "
+         "constant beyond. Each region keeps its own level where none are given.",
+         Value::array()},
         {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
         {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
         {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}};

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/coupling/hydrostatic/joint_cover.hpp"
+#include "riprap/coupling/hydrostatic/pressure_on_polygon.hpp"
+
+namespace riprap::coupling {
+
+void HydrostaticSettings::prepare(const FieldScene& scene) {
+    up = scene.up;
+    levels = scene.levels;
+    is_planar = scene.domain.dimension == 2;
+    for (const FillRegion& region : scene.regions) {
+        Basin basin{scene.domain.low, scene.domain.high, region.level};
+        if (!region.pieces.empty()) {
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            basin.low = {infinity, infinity, infinity};
+            basin.high = {-infinity, -infinity, -infinity};
+            for (const geometry::Polyhedron& piece : region.pieces) {
+                for (const Vec3& x : piece.vertices) {
+                    basin.low = min(basin.low, x);
+                    basin.high = max(basin.high, x);
+                }
+            }
+        }
+        basin.level = std::min(basin.level, top_of(region, scene.domain, scene.up));
+        basins.push_back(basin);
+    }
+}
+
+double HydrostaticSettings::level_at(const Basin& basin, double time) const {
+    if (levels.empty()) {
+        return basin.level;
+    }
+    const auto next = std::find_if(levels.begin(), levels.end(), [&](const LevelAt& row) { return row.time > time; });
+    if (next == levels.begin()) {
+        return levels.front().level;
+    }
+    const LevelAt before = *(next - 1);
+    return next == levels.end()
+               ? before.level
+               : before.level + (next->level - before.level) * (time - before.time) / (next->time - before.time);
+}
+
+namespace {
+
+/// Returns the distance of x from a basin, sideways [m]; 0 inside.
+double distance_from(const HydrostaticSettings::Basin& basin, const HydrostaticSettings& settings, const Vec3& x) {
+    Vec3 out{};
+    for (int axis = 0; axis < (settings.is_planar ? 2 : 3); ++axis) {
+        out[axis] = std::max({0.0, basin.low[axis] - x[axis], x[axis] - basin.high[axis]});
+    }
+    return norm(out - dot(out, settings.up) * settings.up);
+}
+
+/// Returns the basin that reaches x, or the nearest one; nullptr without basins.
+const HydrostaticSettings::Basin* nearest_basin(const HydrostaticSettings& settings, const Vec3& x) {
+    const HydrostaticSettings::Basin* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const HydrostaticSettings::Basin& basin : settings.basins) {
+        if (const double distance = distance_from(basin, settings, x); distance < least) {
+            least = distance;
+            nearest = &basin;
+        }
+    }
+    return nearest;
+}
+
+Vec3 middle_of(const std::vector<Vec3>& corners) {
+    Vec3 sum{};
+    for (const Vec3& x : corners) {
+        sum += x;
+    }
+    return sum / static_cast<double>(corners.size());
+}
+
+/// Pressure on one panel of a body that moves, about its centre of mass.
+struct PanelPush {
+    PressureIntegral pressure;
+    Vec3 normal;
+};
+
+}  // namespace
+
+HydrostaticFluid::HydrostaticFluid(const FluidScene& scene, const Settings& settings, const FluidState& /*state*/,
+                                   Fields& /*fields*/, Scratch& scratch)
+    : scene_(&scene), settings_(&settings), scratch_(&scratch) {
+    if (!scratch.is_made) {
+        scratch.panels = cut_faces(
+            scene, settings.uplift == Uplift::full ? std::numeric_limits<double>::infinity() : settings.spacing);
+        scratch.is_made = true;
+    }
+}
+
+void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
+    const auto bodies = at(scene_->bodies.size());
+    const std::vector<Panel>& panels = scratch_->panels;
+    const double weight = settings_->rest_density * norm(scene_->gravity.at(span.middle()));
+    const std::vector<double> cover =
+        settings_->uplift == Uplift::full ? std::vector<double>{} : joint_shares(*scene_, *settings_, middle, panels);
+    std::vector<PanelPush> pushes(panels.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(panels.size()), 64, [&](std::int64_t index) {
+        const Panel& panel = panels[at(index)];
+        const auto b = at(panel.body);
+        std::vector<Vec3> arms;
+        for (const Vec3& corner : panel.corner) {
+            arms.push_back(arm_of(middle, b, corner));
+        }
+        const Vec3& center = middle.pose[b].position;
+        const Vec3 place = center + middle_of(arms);
+        const HydrostaticSettings::Basin* basin = nearest_basin(*settings_, place);
+        const double share = cover.empty() ? 1 : cover[at(index)];
+        const bool is_open = share >= 1 && basin != nullptr && distance_from(*basin, *settings_, place) > 0;
+        if (basin == nullptr || (is_open && settings_->uplift != Uplift::full) || share <= 0) {
+            return;
+        }
+        const double level = settings_->level_at(*basin, span.middle()) - dot(center, settings_->up);
+        pushes[at(index)] = {share * pressure_on_polygon(arms, settings_->up, level, weight), normal_of(arms)};
+    });
+    loads.pressure.clear(bodies, middle.deforms());
+    loads.viscous.clear(bodies, middle.deforms());
+    scratch_->power = 0;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const auto b = at(panels[i].body);
+        const PressureIntegral& p = pushes[i].pressure;
+        const Vec3& n = pushes[i].normal;
+        loads.pressure.force[b] -= p.of_pressure * n;
+        loads.pressure.torque[b] -= cross(p.of_moment, n);
+        if (middle.deforms()) {
+            loads.pressure.pull[b] += -1.0 * symmetric_product(n, p.of_moment);
+        }
+    }
+    for (std::size_t b = 0; b < bodies; ++b) {
+        scratch_->power += dot(loads.pressure.force[b], middle.velocity[b]) +
+                           dot(loads.pressure.torque[b], middle.angular_velocity[b]);
+    }
+}
+
+Outcome HydrostaticFluid::kick(const TimeSpan& span, FluidStep& report) {
+    report.fluid.work_on_solids = span.dt * scratch_->power;
+    report.fluid.work_external = report.fluid.work_on_solids;  // of whoever keeps the level
+    return {};
+}
+
+std::array<double, 3> HydrostaticFluid::read(const FluidScene& scene, const Settings& settings,
+                                             const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
+                                             const fluid::Gauge& gauge, const FaceGauge* /*face*/, double time) {
+    const HydrostaticSettings::Basin* basin = nearest_basin(settings, gauge.point);
+    const bool is_wet = basin != nullptr && distance_from(*basin, settings, gauge.point) == 0;
+    const double depth = is_wet ? settings.level_at(*basin, time) - dot(gauge.point, settings.up) : 0;
+    switch (gauge.kind) {
+        case fluid::GaugeKind::pressure:
+            return {std::max(0.0, settings.rest_density * norm(scene.gravity.at(time)) * depth)};
+        case fluid::GaugeKind::level:
+            return {std::max(0.0, depth)};
+        case fluid::GaugeKind::velocity:
+            return {};
+        default:
+            return {std::numeric_limits<double>::quiet_NaN()};
+    }
+}
+
+}  // namespace riprap::coupling

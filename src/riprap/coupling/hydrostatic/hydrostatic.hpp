@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "riprap/core/fields.hpp"
+#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/field_scene.hpp"
+#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
+
+namespace riprap {
+template <class S>
+struct MethodKeys;  // core/key.hpp
+}
+
+namespace riprap::coupling {
+
+/// Pressure of still water between faces that lie on each other.
+enum class Uplift : std::uint8_t {
+    full,    ///< that of the level, as if the joint were open
+    linear,  ///< from that of the level at the wet end of the joint down to none at its other end
+    none,    ///< none: the joint is watertight
+};
+
+/// Water that stands still, its level given: Settings of HydrostaticFluid.
+struct HydrostaticSettings {
+    static constexpr std::string_view method_name = "hydrostatic";
+    static MethodKeys<HydrostaticSettings> keys();
+
+    double spacing{0};          ///< size of the panels that faces are cut into where joints are told apart [m]
+    double rest_density{1000};  ///< rho [kg/m^3]
+    Uplift uplift{Uplift::full};
+
+    /// Where water is: a region says how far it reaches sideways and, where no levels are given, how high.
+    struct Basin {
+        Vec3 low{}, high{};  ///< corners of its box [m]
+        double level{0};     ///< along `up` [m]
+    };
+    std::vector<Basin> basins;
+    std::vector<LevelAt> levels;  ///< of all basins; empty: each keeps its own
+    Vec3 up{0, 0, 1};             ///< [-]
+    bool is_planar{false};
+
+    /// Takes over the regions of the case.
+    void prepare(const FieldScene& scene);
+    /// Returns the level of a basin at a time, linear between rows and constant beyond [m].
+    double level_at(const Basin& basin, double time) const;
+};
+
+/// A fluid at rest under gravity: FluidMethod. It presses on faces with
+///
+///     p = rho |g| (level - up . x) where positive,
+///
+/// integrated exactly over each face, or over each of its panels where joints are told apart: force -n int p dA, torque
+/// -(int p r dA) x n, pull -sym(n (int p r dA)^T), r from the centre of mass. So a body under water loses the weight of
+/// its volume of water to round-off, and one that floats finds its draft. It has no inertia: no added mass, no waves,
+/// no damping; what it does to the bodies is booked as work from outside.
+class HydrostaticFluid {
+ public:
+    using Settings = HydrostaticSettings;
+    using Fields = NoFields;
+    /// A flat convex piece of a face.
+    struct Panel {
+        std::int32_t body;
+        std::vector<Vec3> corner;  ///< counter-clockwise seen from outside, body frame [m]
+        Vec3 normal;               ///< outward, body frame [-]
+    };
+    struct Scratch {
+        std::vector<Panel> panels;  ///< of bodies that forces may move; a function of Model
+        double power{0};            ///< of the last loads on all bodies [W]
+        bool is_made{false};
+        std::size_t bytes() const { return panels.size() * (sizeof(Panel) + 4 * sizeof(Vec3)); }
+    };
+    static constexpr bool is_there = true;
+    static constexpr bool leads = false;
+
+    HydrostaticFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
+                     Scratch& scratch);
+
+    StepLimit limit() const { return {}; }
+    void tidy(std::int64_t /*step*/) {}
+    void drive(const TimeSpan& /*span*/, std::vector<Vec3>& correction) { correction.clear(); }
+    Outcome begin(const TimeSpan& /*span*/, const body::Motion& /*now*/, const body::Motion& /*middle*/,
+                  FluidStep& /*report*/) {
+        return {};
+    }
+    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
+    Outcome kick(const TimeSpan& span, FluidStep& report);
+    Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
+    std::span<const double> feedback() const { return {}; }
+    static std::array<double, 3> read(const FluidScene& scene, const Settings& settings,
+                                      const fluid::ParticleState& particles, const Scratch* scratch,
+                                      const fluid::Gauge& gauge, const FaceGauge* face, double time);
+
+ private:
+    const FluidScene* scene_;
+    const HydrostaticSettings* settings_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::coupling

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
+
+namespace riprap::coupling {
+
+/// Cuts the faces of all bodies that forces may move into panels no longer than `size` to either side [m]; faces stay
+/// whole where it is infinite. Faces between parts of one body and end faces of planar prisms are left out.
+std::vector<HydrostaticFluid::Panel> cut_faces(const FluidScene& scene, double size);
+
+/// Returns the share of the hydrostatic pressure that each panel feels [-]: 1 where it is open; where it lies on
+/// another body 0 without uplift, and with linear uplift 1 - d/L, d its distance from the water sideways and L that of
+/// the farthest covered panel of its body.
+std::vector<double> joint_shares(const FluidScene& scene, const HydrostaticSettings& settings,
+                                 const body::Motion& motion, const std::vector<HydrostaticFluid::Panel>& panels);
+
+}  // namespace riprap::coupling

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+constexpr double g = 9.81, rho = 1000;
+
+/// Still water about one body, bound as a step does.
+struct StillWater {
+    test::Scene scene;
+    body::Gravity gravity{.value = {0, 0, -g}};
+    HydrostaticSettings settings;
+    body::Motion motion;
+    fluid::ParticleState particles;
+    fluid::OpenState open;
+    CouplingState coupling;
+
+    StillWater() {
+        settings.spacing = 0.1;
+        settings.basins = {{{-5, -5, -5}, {5, 5, 5}, 0}};
+    }
+    FluidLoads loads(double time = 0) {
+        FluidScene bound{scene.shapes, scene.bodies, gravity};
+        NoFields fields;
+        HydrostaticFluid::Scratch scratch;
+        HydrostaticFluid water(bound, settings, {particles, open, coupling, scene.state}, fields, scratch);
+        const auto count = static_cast<std::size_t>(scene.bodies.size());
+        motion = {};
+        for (std::size_t b = 0; b < count; ++b) {
+            motion.pose.push_back({scene.state.position[b], scene.state.orientation[b]});
+        }
+        motion.velocity.assign(count, {});
+        motion.angular_velocity.assign(count, {});
+        FluidLoads found;
+        water.load({time, 0}, motion, found);
+        return found;
+    }
+};
+
+TEST(Hydrostatic, a_body_under_water_loses_the_weight_of_its_volume_of_water_however_it_lies) {
+    StillWater water;
+    water.scene.add(geometry::box({0.3, 0.5, 0.4}), {{1, 2, -1.3}, from_rotation_vector({0.4, -0.7, 1.1})});
+    const FluidLoads loads = water.loads();
+    const double buoyancy = rho * g * 0.3 * 0.5 * 0.4;
+    EXPECT_NEAR(loads.pressure.force[0].x, 0, 1e-11 * buoyancy);
+    EXPECT_NEAR(loads.pressure.force[0].y, 0, 1e-11 * buoyancy);
+    EXPECT_NEAR(loads.pressure.force[0].z, buoyancy, 1e-11 * buoyancy);
+    EXPECT_NEAR(norm(loads.pressure.torque[0]), 0, 1e-11 * buoyancy);
+}
+
+TEST(Hydrostatic, half_a_box_under_water_has_half_its_buoyancy_and_a_heeled_one_is_righted) {
+    StillWater water;
+    water.scene.add(geometry::box({1, 1, 0.4}), {{0, 0, 0}, {}});
+    EXPECT_NEAR(water.loads().pressure.force[0].z, 0.5 * rho * g * 0.4, 1e-9);
+    const double heel = 1e-4;  // righting moment of a box: weight times heel times (I/V - G above B)
+    water.scene.state.orientation[0] = from_rotation_vector({heel, 0, 0});
+    const double metacentre = (1.0 / 12) / 0.2 - 0.1;
+    EXPECT_NEAR(water.loads().pressure.torque[0].x, -rho * g * 0.2 * metacentre * heel, 1e-5 * rho * g * 0.2 * heel);
+}
+
+TEST(Hydrostatic, a_level_follows_its_table_and_stays_beyond_it) {
+    HydrostaticSettings settings;
+    settings.levels = {{1, 0.5}, {3, 1.5}};
+    const HydrostaticSettings::Basin basin;
+    EXPECT_EQ(settings.level_at(basin, 0), 0.5);
+    EXPECT_EQ(settings.level_at(basin, 2), 1.0);
+    EXPECT_EQ(settings.level_at(basin, 7), 1.5);
+    settings.levels.clear();
+    EXPECT_EQ(settings.level_at({{}, {}, 4}, 2), 4);
+}
+
+/// A block on a floor, the water on its side of x < 0 alone, 2 m deep above the base.
+StillWater dam(Uplift uplift) {
+    StillWater water;
+    water.scene.add(geometry::box({1, 1, 2}), {{0.5, 0, -1}, {}});
+    water.scene.add(geometry::box({20, 20, 1}), {{0, 0, -2.5}, {}});
+    water.settings.basins = {{{-5, -5, -5}, {0, 5, 5}, 0}};
+    water.settings.uplift = uplift;
+    return water;
+}
+
+TEST(Hydrostatic, a_dam_on_a_watertight_joint_is_pushed_but_not_lifted) {
+    const FluidLoads loads = dam(Uplift::none).loads();
+    EXPECT_NEAR(loads.pressure.force[0].x, 0.5 * rho * g * 4, 1e-9 * rho * g);  // rho g H^2/2 on a metre of width
+    EXPECT_NEAR(loads.pressure.force[0].z, 0, 1e-9 * rho * g);
+}
+
+TEST(Hydrostatic, linear_uplift_is_half_of_the_full_one_under_a_dam) {
+    const double lift = dam(Uplift::linear).loads().pressure.force[0].z;
+    EXPECT_NEAR(lift, 0.5 * rho * g * 2, 1e-9 * rho * g * 2);
+}
+
+}  // namespace
+}  // namespace riprap::coupling
