@@ -13,7 +13,10 @@
 #include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/coupling/no_fluid.hpp"
 #include "riprap/coupling/particle_walls/particle_method.hpp"
+#include "riprap/solid/explicit_dda/explicit_dda.hpp"
+#include "riprap/solid/implicit_dda/implicit_dda.hpp"
 #include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
+#include "riprap/solid/sphere_dem/sphere_dem.hpp"
 
 namespace riprap::sim {
 
@@ -88,7 +91,10 @@ struct MethodList {
 };
 
 using Solids = MethodList<  //
-    solid::PolyhedralDem    //
+    solid::PolyhedralDem,   //
+    solid::SphereDem,       //
+    solid::ExplicitDda,     //
+    solid::ImplicitDda      //
     >;
 using Fluids = MethodList<      //
     coupling::NoFluid,          //

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/warnings/initial_overlaps.hpp"
+#include "riprap/solid/dem_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
     contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     const auto view = [&model](std::int64_t part) { return model.shapes.view(model.bodies.parts[at(part)].shape); };
     std::vector<contact::PartPair> pairs;
-    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, model.dem()->grid_factor, pairs);
+    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, solid::DemSettings{}.grid_factor, pairs);
 
     std::vector<InitialOverlap> of_pair(pairs.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/warnings/narrow_gaps.hpp"
+#include "riprap/solid/dem_settings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -77,8 +78,8 @@ NarrowGaps find_narrow_gaps(const sim::Model& model, const sim::State& state) {
     contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     std::vector<contact::PartPair> pairs;
     const double spacing = model.particles()->settings().spacing;
-    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, wide * spacing, model.dem()->grid_factor,
-                                         pairs);
+    contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, wide * spacing,
+                                         solid::DemSettings{}.grid_factor, pairs);
     const auto part = [&](std::int32_t p) {
         return Placed{model.shapes.view(model.bodies.parts[at(p)].shape), placed.frames[at(p)]};
     };
