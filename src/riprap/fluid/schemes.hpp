@@ -3,14 +3,18 @@
 
 #include <variant>
 
+#include "riprap/fluid/mps/mps_step.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/fluid/wcmps/wcmps_step.hpp"
 
 namespace riprap::fluid {
 
 /// The schemes of particle fluids: one line registers a scheme. Its settings are ParticleSettings with its own added,
 /// it has a make_scheme(settings), and `fluid.method` chooses it by the name that its settings carry.
 using SchemeSettings = std::variant<  //
-    SphSettings                       //
+    SphSettings,                      //
+    WcmpsSettings,                    //
+    MpsSettings                       //
     >;
 
 /// Returns what all schemes have.
