@@ -53,7 +53,7 @@ class ParticleFluids : public ::testing::TestWithParam<const char*> {
     }
 };
 INSTANTIATE_TEST_SUITE_P(Words, ParticleFluids, ::testing::Values("sph", "wcmps", "mps"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& word) { return std::string(word.param); });
 
 TEST_P(ParticleFluids, a_block_that_half_the_water_carries_stays_about_where_it_floats) {
     LoadedCase loaded = start();

@@ -30,10 +30,6 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                        "Share of the spacing below which particles at the surface collide; 0 = off."),
                 number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),
                        "Speed of separation over speed of approach in such a collision."),
-                choice(&S::wall_loads, "wall_loads",
-                       {{"pair_sum", WallLoads::pair_sum}, {"pressure_area", WallLoads::pressure_area}},
-                       "Loads on solids: the reaction to what they do to the water, pair by pair; or pressure times "
-                       "area of the particles at their surface, which does not keep momentum, for comparison."),
                 number(&S::courant, "courant", dimension::plain, above(0, 1),
                        "Share of the time that sound needs through a spacing that a step may last."),
                 integer(&S::sort_interval, "sort_interval", 1, 1e6,

@@ -38,7 +38,7 @@ struct WcmpsSettings : ParticleSettings {
     WallLoads wall_loads{WallLoads::pair_sum};
     bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
-    bool takes_openings() const { return true; }
+    bool takes_openings() const { return false; }
     bool takes_joints() const { return true; }
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
