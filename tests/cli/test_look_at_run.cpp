@@ -28,8 +28,9 @@ TEST_F(Looking, AReportIsWrittenBesideTheTableAndNotInsteadOfIt) {
     const Ending ending = run({"validate", "rigid/axis_flip", "--report", out("report")});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(ending.out, HasSubstr("half period, mean [s]"));
-    EXPECT_THAT(ending.out,
-                ContainsRegex("rigid: [0-9]+ reproduced, 0 close, 0 not reproduced.*\n.*report/index.html\n$"));
+    EXPECT_THAT(
+        ending.out,
+        ContainsRegex("rigid, physics: [0-9]+ reproduced, 0 close, 0 not reproduced.*\n.*report/index.html\n$"));
     EXPECT_TRUE(std::filesystem::exists(out("report") + "/index.html"));
 }
 
