@@ -33,7 +33,7 @@ struct Vec3T {
         z *= s;
         return *this;
     }
-    friend constexpr bool operator==(const Vec3T&, const Vec3T&) = default;
+    friend bool operator==(const Vec3T&, const Vec3T&) = default;
 };
 
 using Vec3 = Vec3T<double>;
