@@ -229,7 +229,7 @@ TEST(FluidCase, a_gauge_may_go_with_a_body_that_it_names) {
     // The bottom is nearer, but the gauge belongs to the block.
     const std::string wall = "kind = \"wall_pressure\"\npoint = [0.5, 0.0]\nbody = ";
     EXPECT_THAT(test::problems_of(gauge(wall + "\"block\"\n")), ElementsAre(HasSubstr("no wet face of 'block'")));
-    EXPECT_EQ(test::read(gauge(wall + "\"bottom\"\n")).model.output.faces.at(0).body, BodyId(0));
+    EXPECT_EQ(test::read(gauge(wall + "\"bottom\"\n")).model.output.faces.at(0).body, BodyId{0});
 }
 
 TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
