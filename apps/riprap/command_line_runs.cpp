@@ -94,7 +94,7 @@ void add_plot(CLI::App& app, Action& action) {
     command
         ->add_option(
             "--column", options->columns,
-            "Of probes.csv or ledger.csv: kinetic_energy, B1.position.x; once for each (default: gauges and bodies, "
+            "Of probes.csv or ledger.csv: solid.kinetic, B1.position.x; once for each (default: gauges and bodies, "
             "else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);

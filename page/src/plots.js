@@ -239,12 +239,13 @@ export class Plots {
 /** Of joules, in planar scenes per metre of width. */
 const isEnergy = unit => unit === 'J' || unit === 'J/m';
 
-/** What a column is of: "position" for B1.position.x, "water" for a column of water in the ledger. */
+/** What a column is of: "position" for B1.position.x, "energy of the fluid" for its accounts in the ledger. */
 function kindOf({name, unit}) {
   const parts = name.split('.'), last = parts.length > 1 && 'xyz'.includes(parts.at(-1)) ? -1 : undefined;
   const quantity = parts.slice(parts.length > 2 ? 1 : 0, last).join(' ').replaceAll('_', ' ');
   if (isEnergy(unit)) {
-    return name.includes('water') ? 'energy of water since the start' : 'energy of blocks since the start';
+    return parts[0] === 'fluid' ? 'energy of the fluid since the start'
+      : parts[0] === 'solid' ? 'energy of the solids since the start' : 'balance of energy';
   }
   return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' : 'gauges';
 }

@@ -146,7 +146,7 @@ test('one chart has one unit, every gauge of the user is drawn at first, and ene
     names.forEach(name => assert.ok(words.endsWith(`[${units.get(name)}]`), `${name} in ${words}`));
     assert.equal(hidden, 0, words);
   }
-  assert.ok(charts.some(chart => chart.heading === 'energy of water since the start [J/m]'));
+  assert.ok(charts.some(chart => chart.heading === 'energy of the fluid since the start [J/m]'));
 });
 
 test('a click in a plot goes to its time', async () => {

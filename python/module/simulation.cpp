@@ -202,7 +202,7 @@ py::object value(const Simulation& self, const std::string& name) {
 py::dict ledger(const Simulation& self) {
     const run::Simulation& simulation = self.read();
     py::dict values;
-    for (const sim::Column& column : run::scene_columns(simulation.model().bodies.is_planar)) {
+    for (const sim::Column& column : run::scene_columns(simulation.model())) {
         values[py::str(column.name)] = evaluate(column, simulation.now());
     }
     return values;
@@ -272,7 +272,7 @@ void define_simulation(py::module_& module) {
         .def("run", &run_on, run_help, "until"_a = py::none(), "callback"_a = py::none(), "every"_a = 1, py::kw_only(),
              "energy"_a = false)
         .def("value", &value,
-             "A quantity as probes and expected answers name it: 'kinetic_energy', 'block.position.z' (float), "
+             "A quantity as probes and expected answers name it: 'solid.kinetic', 'block.position.z' (float), "
              "'block.position' (array of 3), a gauge of the case. RuntimeError for what exists only of a step, such as "
              "a contact force, before the first; NaN for an energy that the last step did not measure, and after a "
              "refused step. KeyError for others.",

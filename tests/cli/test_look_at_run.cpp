@@ -57,16 +57,16 @@ TEST_F(Looking, APlotWithoutAColumnDrawsGaugesAndWithoutGaugesEnergies) {
     EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("_energy")));
     write_file("run/probes.csv", "time [s]\n0\n");
     EXPECT_EQ(plot({}).code, 0);
-    EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("kinetic_energy"));
+    EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("solid.kinetic"));
     EXPECT_THAT(text_of(out("plot.svg")), HasSubstr("change since the start [J]"));
     EXPECT_THAT(text_of(out("plot.svg")), Not(HasSubstr("contact_count")));
 }
 
 TEST_F(Looking, AMisspeltColumnIsAnsweredWithTheNearestOne) {
     have_run();
-    const Ending ending = plot({"--column", "kinetic_energie"});
+    const Ending ending = plot({"--column", "solid.kinetik"});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_THAT(ending.err, HasSubstr("did you mean 'kinetic_energy'?"));
+    EXPECT_THAT(ending.err, HasSubstr("did you mean 'solid.kinetic'?"));
     EXPECT_THAT(ending.err, Not(HasSubstr("contact_count")));
 }
 
@@ -81,9 +81,9 @@ TEST_F(Looking, WavesOfARunWithoutLevelGaugesAreABadCommandLine) {
 
 TEST_F(Looking, ColumnsOfUnlikeUnitsAreABadCommandLine) {
     have_run();
-    const Ending ending = plot({"--column", "kinetic_energy", "--column", "max_speed"});
+    const Ending ending = plot({"--column", "solid.kinetic", "--column", "max_speed"});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_THAT(ending.err, HasSubstr("'kinetic_energy' is in J and 'max_speed' in m/s: one plot has one unit"));
+    EXPECT_THAT(ending.err, HasSubstr("'solid.kinetic' is in J and 'max_speed' in m/s: one plot has one unit"));
 }
 
 TEST_F(Looking, ATableThatCannotBeReadIsTold) {

@@ -31,7 +31,7 @@ TEST_F(Runs, ARunLeavesEverythingThatTheManualLists) {
     EXPECT_EQ(summary.at("steps"), full_steps);
     EXPECT_GT(summary.at("time").get<double>(), 0.0);
     EXPECT_GT(summary.at("wall_seconds").get<double>(), 0.0);
-    EXPECT_TRUE(summary.at("ledger").at("kinetic").is_number());
+    EXPECT_TRUE(summary.at("ledger").at("solid.kinetic").is_number());
     EXPECT_TRUE(summary.at("build").at("march").is_string());
     EXPECT_THAT(text_of(in("a", "probes.csv")), HasSubstr("time [s],high.displacement.x [m]"));
     EXPECT_THAT(ending.out, Not(HasSubstr("\r")));  // not a terminal: plain lines

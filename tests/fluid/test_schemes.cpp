@@ -53,8 +53,9 @@ struct Dam {
         scheme->load_walls(state, walls, gravity);  // as light bodies make the driver do
         scheme->kick(state, walls, gravity, span, {}, report);
         drift(settings, state, 0.5 * dt);
-        given += report.dissipated_viscous + report.dissipated_diffusion + report.shifted + report.work_on_solids +
-                 report.wall_exchange - report.work_external;
+        given += report.dissipated_viscous + report.dissipated_collisions + report.dissipated_diffusion +
+                 report.pressure_loss + report.shifted + report.work_on_solids + report.wall_exchange -
+                 report.work_external;
         impulse += report.impulse;
         time += dt;
         last_dt = dt;

@@ -72,7 +72,7 @@ material = "rock"
 shape = )" +
            shape + R"(
 [[output.probe]]
-quantity = "kinetic_energy"
+quantity = "solid.kinetic"
 )";
 }
 

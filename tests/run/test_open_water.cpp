@@ -11,6 +11,7 @@
 #include "riprap/run/restart.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
+#include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
 namespace {
@@ -182,11 +183,12 @@ TEST(OpenWater, the_ledgers_close_over_what_comes_in_and_goes) {
     while (run.state.time < 1.0 && run.report.status.ok()) {
         const auto count = static_cast<double>(run.state.fluid.size());  // at the kick, before any passes
         run.step();
-        ASSERT_EQ(run.report.ledger.water.mass, mass * count);
+        ASSERT_EQ(run.report.ledger.fluid.mass, mass * count);
     }
-    const sim::WaterLedger& water = run.report.ledger.water;
+    const sim::FluidLedger& water = run.report.ledger.fluid;
     ASSERT_GT(run.state.open.entered[0], 100);
-    EXPECT_LT(std::abs(water.residual), 0.01 * std::abs(water.flow_work));
+    EXPECT_LT(std::abs(water.residual),
+              0.01 * std::abs(value_of("fluid.flow_work", run.loaded.model, run.report.ledger)));
     EXPECT_LT(norm(water.momentum_residual), 1e-5 * water.mass * 9.81 * run.state.time);
 }
 
@@ -245,7 +247,7 @@ towards = "x"
     run.until(1.2, [] {});
     EXPECT_EQ(run.state.fluid.size() + run.state.open.left[0], before);
     EXPECT_GT(run.state.open.left[0], before / 2);
-    EXPECT_LT(std::abs(run.report.ledger.water.residual), 0.01 * run.report.ledger.turnover);
+    EXPECT_LT(std::abs(run.report.ledger.fluid.residual), 0.01 * run.report.ledger.turnover);
 }
 
 /// A flume 2 m long, 0.3 m deep, that a piston at x = 0 sends a solitary wave 0.06 m high into.
@@ -275,7 +277,7 @@ TEST(OpenWater, a_piston_takes_up_the_wave_that_comes_back) {
     FlumeRun run(flume(", absorb = [0.0, 0.0]", ""));
     double largest = 0, last = 0;
     run.until(6.0, [&] {
-        const double now = run.report.ledger.water.kinetic;
+        const double now = run.report.ledger.fluid.kinetic;
         largest = std::max(largest, now);
         last = run.state.time > 5.2 ? std::max(last, now) : 0;
     });
@@ -286,10 +288,10 @@ TEST(OpenWater, a_piston_takes_up_the_wave_that_comes_back) {
 TEST(OpenWater, a_sponge_takes_up_a_wave_and_books_its_energy) {
     FlumeRun run(flume("", "[[fluid.sponge]]\nlow = [0.6, -0.1]\nhigh = [2.0, 0.7]\ntowards = \"x\"\n"));
     double largest = 0;
-    run.until(4.5, [&] { largest = std::max(largest, run.report.ledger.water.kinetic); });
-    const sim::WaterLedger& water = run.report.ledger.water;
+    run.until(4.5, [&] { largest = std::max(largest, run.report.ledger.fluid.kinetic); });
+    const sim::FluidLedger& water = run.report.ledger.fluid;
     EXPECT_LT(water.kinetic, 0.02 * largest);
-    EXPECT_GT(water.absorbed, 0.5 * largest);
+    EXPECT_GT(value_of("fluid.absorbed", run.loaded.model, run.report.ledger), 0.5 * largest);
     EXPECT_LT(std::abs(water.residual), 0.01 * run.report.ledger.turnover);
 }
 

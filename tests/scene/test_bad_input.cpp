@@ -176,11 +176,11 @@ TEST(BadInput, what_cannot_move_by_itself_has_no_velocity_and_no_second_driver) 
 }
 
 TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused) {
-    const std::string expect = minimal_case + "[[expect]]\nname = \"x\"\nquantity = \"kinetic_energy\"\nvalue = 1\n";
+    const std::string expect = minimal_case + "[[expect]]\nname = \"x\"\nquantity = \"solid.kinetic\"\nvalue = 1\n";
     EXPECT_THAT(problems_of(expect + "tolerance = 0.1\n"), ElementsAre(HasSubstr("[[expect]] lacks 'citation'")));
     EXPECT_THAT(problems_of(expect + "citation = \"theory\"\n"), ElementsAre(HasSubstr("lacks a tolerance")));
-    EXPECT_THAT(problems_of(with(expect, "kinetic_energy", "kinetic_enrgy") + "citation = \"t\"\ntolerance = 1\n"),
-                ElementsAre(HasSubstr("did you mean 'kinetic_energy'?")));
+    EXPECT_THAT(problems_of(with(expect, "solid.kinetic", "solid.kinetc") + "citation = \"t\"\ntolerance = 1\n"),
+                ElementsAre(HasSubstr("did you mean 'solid.kinetic'?")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\n"),
                 ElementsAre(HasSubstr("'at' goes with")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.6\nto = 0.5\n"),

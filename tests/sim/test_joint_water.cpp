@@ -134,12 +134,12 @@ TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
     ASSERT_TRUE(report.status.ok()) << report.status.text;
     EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * basin.momentum_scale());
     // What the joint does is booked as work on solids, which is what the squares got more of.
-    const WaterLedger& water = report.ledger.water;
+    const FluidLedger& water = report.ledger.fluid;
     const StepReport without = tight.steps(15, other);
     const double joint_work = water.work_external;  // there is no other from outside
     EXPECT_GT(joint_work, 1);
-    EXPECT_NEAR(water.work_on_solids - without.ledger.water.work_on_solids,
-                report.ledger.work_external - without.ledger.work_external, 0.1 * joint_work);
+    EXPECT_NEAR(water.work_on_solids - without.ledger.fluid.work_on_solids,
+                report.ledger.external - without.ledger.external, 0.1 * joint_work);
     EXPECT_LT(std::abs(report.ledger.residual), 0.01 * report.ledger.turnover);
     // The joint has been at work: the squares were pressed apart.
     EXPECT_GT(basin.state.bodies.velocity[1].x - basin.state.bodies.velocity[0].x,

@@ -33,7 +33,7 @@ struct Scene {
         state.bodies.velocity[0] = {0, 3, 4};
         state.bodies.orientation[0] = from_rotation_vector({0, 0, 0.3});
         state.bodies.angular_momentum[0] = {0, 0, 6};  // about the third principal axis: omega = 2
-        model.output.probes = {{"gauge", BodyId{0}, "displacement"}, {"energy", BodyId{}, "kinetic_energy"}};
+        model.output.probes = {{"gauge", BodyId{0}, "displacement"}, {"energy", BodyId{}, "solid.kinetic"}};
     }
     double value(const char* text, const StepReport* report = nullptr) const {
         const std::optional<Column> column = find_column(model, text);
@@ -85,7 +85,7 @@ TEST(Quantity, WhatDoesNotExistYetIsMissing) {
 TEST(Quantity, WhatDoesNotExistIsNotFound) {
     const Scene scene;
     for (const char* text : {"", "block", "block.position", "block.speed.x", "block.colour", "stone.speed",
-                             "wall.speed", "momentum", "kinetic_energy.x", "gauge", "gauge.w", ".speed", "block..x"}) {
+                             "wall.speed", "momentum", "solid.kinetic.x", "gauge", "gauge.w", ".speed", "block..x"}) {
         EXPECT_FALSE(find_column(scene.model, text).has_value()) << text;
     }
 }
@@ -110,7 +110,7 @@ TEST(Quantity, OfMatterIsPerMetreOfWidthInAPlanarScene) {
     EXPECT_EQ(unit_in("Pa", true), "Pa");
     Scene scene;
     scene.model.bodies.is_planar = true;
-    EXPECT_EQ(find_column(scene.model, "kinetic_energy")->unit, "J/m");
+    EXPECT_EQ(find_column(scene.model, "solid.kinetic")->unit, "J/m");
     EXPECT_EQ(find_column(scene.model, "block.contact_force.x")->unit, "N/m");
     EXPECT_EQ(find_column(scene.model, "block.speed")->unit, "m/s");
 }

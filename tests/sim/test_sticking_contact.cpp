@@ -48,8 +48,8 @@ TEST(StickingContact, ANudgedCubeCalmsDownAndTheLedgerKnowsWhereItsEnergyWent) {
     const StepReport report = cube.run(2);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
     const double put_in = 0.5 * 2000 * 1e-8;
-    EXPECT_NEAR(report.ledger.dissipated_friction, 0, 1e-6 * put_in);
-    EXPECT_GT(report.ledger.dissipated_contact, 0.9 * put_in);
+    EXPECT_NEAR(report.ledger.friction, 0, 1e-6 * put_in);
+    EXPECT_GT(report.ledger.contact_damping, 0.9 * put_in);
     EXPECT_LT(std::abs(report.ledger.residual), 0.01 * put_in);
 }
 
@@ -61,7 +61,7 @@ TEST(StickingContact, ATwistedCubeCalmsDownAndTheLedgerKnowsWhereItsEnergyWent) 
     const StepReport report = cube.twisted(spin, true).run(2);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
     EXPECT_LT(std::abs(angular_velocity(cube.scene.model.bodies, cube.scene.state.bodies, BodyId{1}).z), 1e-8);
-    EXPECT_NEAR(report.ledger.dissipated_contact, put_in, 0.02 * put_in);
+    EXPECT_NEAR(report.ledger.contact_damping, put_in, 0.02 * put_in);
     EXPECT_LT(std::abs(report.ledger.residual), 0.01 * put_in);
 }
 
@@ -69,7 +69,7 @@ TEST(StickingContact, WithoutDashpotsItRingsOn) {
     NudgedCube cube(0, 0.15);
     const StepReport report = cube.run(2);
     EXPECT_GT(report.ledger.kinetic + report.ledger.shear, 0.2 * 0.5 * 2000 * 1e-8);
-    EXPECT_EQ(report.ledger.dissipated_contact, 0);
+    EXPECT_EQ(report.ledger.contact_damping, 0);
 }
 
 TEST(StickingContact, IsStableUpToTheBoundAtAnyDamping) {

@@ -85,7 +85,7 @@ TEST(Kick, LoadsFromOutsideWorkOnABodyAndAreBooked) {
     }
     EXPECT_NEAR(scene.state.bodies.velocity[0].x, 500.0 / 2000, 1e-12);
     // 500 N over s = 1/2 a t^2, 100 N m over 1/2 (100/(m a^2/6)) t^2.
-    EXPECT_NEAR(report.ledger.work_external, 500 * 0.5 * 0.25 + 100 * 0.5 * 0.3, 0.3);
+    EXPECT_NEAR(report.ledger.external, 500 * 0.5 * 0.25 + 100 * 0.5 * 0.3, 0.3);
     EXPECT_LT(std::abs(report.ledger.residual), 1e-9 * report.ledger.turnover);
     EXPECT_LT(norm(report.ledger.momentum_residual), 1e-12 * norm(report.ledger.impulse));
 }
@@ -102,7 +102,7 @@ TEST(Kick, APointLoadPushesItsPointGrowsAndEndsAndItsWorkIsBooked) {
     EXPECT_EQ(scene.state.bodies.velocity[1], Vec3{});
     // The arm turns with the body, by too little to matter here: 120 N s at 0.5 m on m a^2/6.
     EXPECT_NEAR(angular_velocity(scene.model.bodies, scene.state.bodies, stone).z, 60 / (2000.0 / 6), 1e-4);
-    EXPECT_NEAR(report.ledger.work_external, report.ledger.kinetic, 1e-9 * report.ledger.kinetic);
+    EXPECT_NEAR(report.ledger.external, report.ledger.kinetic, 1e-9 * report.ledger.kinetic);
     EXPECT_LT(std::abs(report.ledger.residual), 1e-9 * report.ledger.turnover);
     EXPECT_LT(norm(report.ledger.momentum_residual), 1e-12 * norm(report.ledger.impulse));
     EXPECT_LT(norm(report.ledger.angular_momentum_residual), 1e-9 * norm(report.ledger.impulse));

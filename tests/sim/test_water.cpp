@@ -34,7 +34,7 @@ TEST(Water, what_water_loses_bodies_gain_to_round_off) {
     const double exchanged = basin.momentum_scale();
     ASSERT_GT(exchanged, water_before + 50);  // the blocks have hit the water
     EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * exchanged);
-    EXPECT_LT(norm(report.ledger.water.momentum_residual), 1e-12 * exchanged);
+    EXPECT_LT(norm(report.ledger.fluid.momentum_residual), 1e-12 * exchanged);
 }
 
 TEST(Water, walls_that_push_take_what_they_give_to_round_off) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
@@ -11,10 +12,9 @@ namespace riprap::coupling {
 /// What a fluid brings in one span of a step.
 struct FluidStep {
     fluid::FluidReport fluid;
-    double absorbed{0};      ///< by sponges [J]
-    double flow_work{0};     ///< on the layers of inflows and outflows [J]
-    fluid::Passage passage;  ///< through inflows and outflows, after the kick
-    std::string intruder;    ///< a moving body among the layers of an opening, and which; empty = none
+    std::vector<double> own;  ///< amounts of the accounts that the fluid names itself, in their order [J]
+    fluid::Passage passage;   ///< through inflows and outflows, after the kick
+    std::string intruder;     ///< a moving body among the layers of an opening, and which; empty = none
 };
 
 }  // namespace riprap::coupling

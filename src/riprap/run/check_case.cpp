@@ -23,9 +23,8 @@ namespace riprap::run {
 
 namespace {
 
-/// Bytes of a number in a table, separator included, and of the fixed columns of ledger.csv.
+/// Bytes of a number in a table, separator included.
 constexpr double bytes_per_number = 19;
-constexpr double ledger_columns = 35;
 
 /// More steps than this take years: a slip in `end` or in a unit. Also below 2^53, so that steps still count exactly.
 constexpr std::int64_t plausible_steps = 1'000'000'000'000;
@@ -201,7 +200,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         return count + (is_end_due ? 0 : 1);
     };
     check.frames = model.output.vtk ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
-    const double columns = ledger_columns + static_cast<double>(sim::record_columns(model).size());
+    const auto columns = static_cast<double>(scene_columns(model).size() + sim::record_columns(model).size());
     check.output_bytes = static_cast<std::size_t>(static_cast<double>(check.frames) *
                                                       predicted_frame_bytes(model, initial, state, scratch) +
                                                   times(row_interval(model)) * columns * bytes_per_number);

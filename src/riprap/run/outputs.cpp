@@ -38,12 +38,12 @@ std::string frame_tag(std::size_t number) { return fmt::format("{:06}", number);
 
 }  // namespace
 
-std::vector<sim::Column> scene_columns(bool is_planar) {
+std::vector<sim::Column> scene_columns(const sim::Model& model) {
     std::vector<sim::Column> columns;
     for (const sim::QuantityInfo& info : sim::quantities()) {
-        if (!info.is_of_body && info.name != "time") {
+        if (!info.is_of_body && info.name != "time" && has_quantity(model, info)) {
             for (sim::Column& column :
-                 sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)}, is_planar)) {
+                 sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)}, model.bodies.is_planar)) {
                 columns.push_back(std::move(column));
             }
         }
@@ -66,7 +66,7 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       row_schedule_(record.row_interval, record.next_row),
       planes_(io::draw_planes(model, initial)),
       probe_columns_(sim::record_columns(model)),
-      ledger_columns_(scene_columns(model.bodies.is_planar)),
+      ledger_columns_(scene_columns(model)),
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
       frame_times_(record.frame_times) {

@@ -56,8 +56,9 @@ class Outputs {
     Due last_written_;
 };
 
-/// Every quantity of the scene except time, vectors by component: the columns of ledger.csv.
-std::vector<sim::Column> scene_columns(bool is_planar);
+/// Every quantity of the scene except time that the methods of a case have, vectors by component: the columns of
+/// ledger.csv.
+std::vector<sim::Column> scene_columns(const sim::Model& model);
 
 /// The intervals of a case with their defaults: end/100 between frames, end/1000 between rows [s].
 double frame_interval(const sim::Model& model);

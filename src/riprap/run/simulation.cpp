@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
 
@@ -22,7 +23,7 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, s
     constexpr double round_off = 1e-9;
     const double tolerance = model.output.ledger_tolerance, residual = std::abs(ledger.residual);
     const double grain = model.particles() != nullptr
-                             ? ledger.water.mass * norm(model.gravity.value) * model.particles()->settings().spacing
+                             ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
                              : 0;
     const double counted = std::max(ledger.turnover, grain);
     const double scale = std::max({std::abs(ledger.kinetic), std::abs(ledger.potential), ledger.turnover});
@@ -125,6 +126,12 @@ Summary Simulation::summary() const {
     summary.memory_bytes = sim::memory_bytes(model(), state_, scratch_);
     summary.threads = parallel::thread_count();
     summary.ledger = report_.ledger;
+    summary.has_fluid = model().has_fluid();
+    for (const sim::LedgerLine& line : sim::ledger_lines()) {
+        if (has_line(model(), line)) {
+            summary.accounts.push_back({line.name, value_of(line, model(), report_.ledger)});
+        }
+    }
     summary.stages = sim::stage_times(scratch_);
     summary.expects = judge();
     summary.warnings = loaded_.warnings;

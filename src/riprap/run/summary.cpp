@@ -15,28 +15,31 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-Json to_json(const sim::Ledger& ledger) {
-    return {{"time", ledger.time},
-            {"kinetic", ledger.kinetic},
-            {"potential", ledger.potential},
-            {"elastic", ledger.elastic},
-            {"shear", ledger.shear},
-            {"dissipated_friction", ledger.dissipated_friction},
-            {"dissipated_contact", ledger.dissipated_contact},
-            {"dissipated_damping", ledger.dissipated_damping},
-            {"work_driven", ledger.work_driven},
-            {"work_external", ledger.work_external},
-            {"work_gravity_change", ledger.work_gravity_change},
-            {"work_released", ledger.work_released},
-            {"residual", ledger.residual},
-            {"turnover", ledger.turnover},
-            {"momentum", to_json(ledger.momentum)},
-            {"impulse", to_json(ledger.impulse)},
-            {"momentum_residual", to_json(ledger.momentum_residual)},
-            {"angular_momentum", to_json(ledger.angular_momentum)},
-            {"angular_impulse", to_json(ledger.angular_impulse)},
-            {"angular_momentum_residual", to_json(ledger.angular_momentum_residual)},
-            {"mass", ledger.mass}};
+Json ledger_json(const Summary& summary) {
+    const sim::Ledger& ledger = summary.ledger;
+    Json json{{"time", ledger.time}};
+    for (const Summary::Account& account : summary.accounts) {
+        json[account.name] = account.value;
+    }
+    const Json sums{{"residual", ledger.residual},
+                    {"turnover", ledger.turnover},
+                    {"momentum", to_json(ledger.momentum)},
+                    {"impulse", to_json(ledger.impulse)},
+                    {"momentum_residual", to_json(ledger.momentum_residual)},
+                    {"angular_momentum", to_json(ledger.angular_momentum)},
+                    {"angular_impulse", to_json(ledger.angular_impulse)},
+                    {"angular_momentum_residual", to_json(ledger.angular_momentum_residual)},
+                    {"mass", ledger.mass}};
+    json.update(sums);
+    if (summary.has_fluid) {
+        json.update(Json{{"fluid.artificial", ledger.fluid.artificial},
+                         {"fluid.residual", ledger.fluid.residual},
+                         {"fluid.coupling_gap", ledger.fluid.coupling_gap},
+                         {"fluid.momentum", to_json(ledger.fluid.momentum)},
+                         {"fluid.momentum_residual", to_json(ledger.fluid.momentum_residual)},
+                         {"fluid.mass", ledger.fluid.mass}});
+    }
+    return json;
 }
 
 Json to_json(const ExpectResult& result) {
@@ -78,7 +81,7 @@ std::string summary_json(const Summary& summary) {
                     {"memory_bytes", summary.memory_bytes},
                     {"threads", summary.threads},
                     {"resumes", summary.resumes},
-                    {"ledger", to_json(summary.ledger)},
+                    {"ledger", ledger_json(summary)},
                     {"stages",
                      {{"find_pairs", summary.stages.find_pairs},
                       {"find_contacts", summary.stages.find_contacts},

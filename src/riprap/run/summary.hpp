@@ -33,6 +33,12 @@ struct Summary {
     int threads{1};
     std::int64_t resumes{0};
     sim::Ledger ledger;
+    struct Account {
+        std::string name;  ///< "solid.friction"
+        double value;      ///< [J]
+    };
+    std::vector<Account> accounts;  ///< of the methods of the case, at the last kick
+    bool has_fluid{false};
     sim::StageTimes stages;
     std::vector<ExpectResult> expects;
     std::vector<std::string> warnings;   ///< of the case and of its steps

@@ -12,7 +12,7 @@
 #include "riprap/coupling/added_mass.hpp"
 #include "riprap/sim/cycle.hpp"
 #include "riprap/sim/fluid_exchange.hpp"
-#include "riprap/sim/ledger_account.hpp"
+#include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::sim {
@@ -54,8 +54,8 @@ void take_back(Kept&& kept, State& state) {
 }
 
 /// Takes one piece into the report of the step.
-void join(const solid::SolidReport& piece, State& state, StepReport& all) {
-    all.ledger = account(piece, state.ledger);
+void join(const solid::SolidReport& piece, const Accounts& accounts, State& state, StepReport& all) {
+    all.ledger = account(piece, accounts, state.ledger);
     all.dt_bound = std::min(all.dt_bound, piece.dt_bound);
     all.max_speed = std::max(all.max_speed, piece.kick.max_speed);
     all.max_potential = std::max(all.max_potential, piece.max_potential);
@@ -68,7 +68,7 @@ void join(const solid::SolidReport& piece, State& state, StepReport& all) {
 /// Moves the solids over a piece; what is refused is taken back and cut finer where the method says that this helps.
 template <class Solid>
 Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads, Measure measure,
-                      int cuts, StepReport& report) {
+                      int cuts, const Accounts& accounts, StepReport& report) {
     std::optional<Kept> kept;
     if constexpr (takes_back<Solid>) {
         kept = keep(state);
@@ -76,14 +76,15 @@ Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const b
     solid::SolidReport piece;
     Outcome outcome = solids.advance(span, loads, measure, piece);
     if (outcome.ok() || !kept || outcome.shorten <= 0 || cuts == most_cuts) {
-        join(piece, state, report);
+        join(piece, accounts, state, report);
         return outcome;
     }
     take_back(std::move(*kept), state);
     const double half = 0.5 * span.dt;
-    outcome = advance_piece(solids, state, {span.time, half}, loads, Measure::flow, cuts + 1, report);
-    return outcome.ok() ? advance_piece(solids, state, {span.time + half, half}, loads, measure, cuts + 1, report)
-                        : outcome;
+    outcome = advance_piece(solids, state, {span.time, half}, loads, Measure::flow, cuts + 1, accounts, report);
+    return outcome.ok()
+               ? advance_piece(solids, state, {span.time + half, half}, loads, measure, cuts + 1, accounts, report)
+               : outcome;
 }
 
 /// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
@@ -169,7 +170,7 @@ Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cy
     const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
     note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
     const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
-    book_fluid(spans, work_given, state.ledger, report.ledger);
+    book_fluid(spans, work_given, accounts_of(model), state.ledger, report.ledger);
     return outcome;
 }
 
@@ -185,6 +186,7 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
     if (Fluid::leads && (of_solids.is_wanted || !model.time.is_automatic())) {
         of_fluid = fluid.limit();
     }
+    const Accounts accounts = accounts_of(model);
     const Cycle cycle = make_cycle(model, state, of_solids, of_fluid, Fluid::leads, dt);
     body::LoadView loads = given;
     std::vector<FluidSpan> spans;
@@ -199,7 +201,7 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
     }
     for (std::int64_t k = 0; k < cycle.pieces && report.status.ok(); ++k) {
         const Measure of_piece = k + 1 == cycle.pieces ? measure : Measure::flow;
-        report.status.text = advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, report).problem;
+        report.status.text = advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, accounts, report).problem;
     }
     if constexpr (Fluid::is_there) {
         if (report.status.ok()) {
@@ -277,7 +279,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 }
 
 void initialise(const Model& model, State& state) {
-    reset(state.ledger);
+    reset(accounts_of(model), state.ledger);
     reset(model, state.coupling);
     if (const coupling::ParticleFluid* water = model.particles()) {
         start_openings(water->open, water->settings(), state.fluid, state.open);

@@ -2,7 +2,6 @@
 #include "riprap/sim/fluid_exchange.hpp"
 
 #include "riprap/core/index.hpp"
-#include "riprap/sim/ledger_account.hpp"
 
 namespace riprap::sim {
 
@@ -116,13 +115,14 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
     }
 }
 
-void book_fluid(std::span<const FluidSpan> spans, double work_given, LedgerState& state, Ledger& ledger) {
+void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
+                Ledger& ledger) {
     double work_seen = 0;
     for (std::size_t k = 0; k < spans.size(); ++k) {
         work_seen += spans[k].work_on_free;
         const bool is_last = k + 1 == spans.size();
         Ledger earlier;  // the solids are booked once a step, with the last span
-        account_water({spans[k].step, is_last ? work_seen : 0, is_last ? work_given : 0}, state,
+        account_fluid({spans[k].step, is_last ? work_seen : 0, is_last ? work_given : 0}, accounts, state,
                       is_last ? ledger : earlier);
         account_passage(spans[k].step.passage, state);
     }

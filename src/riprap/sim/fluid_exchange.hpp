@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "riprap/coupling/fluid_report.hpp"
+#include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::sim {
@@ -51,7 +52,8 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
 
 /// Books the spans of the fluid.
 /// @param work_given  on free bodies over the step, as the bodies say [J]
-void book_fluid(std::span<const FluidSpan> spans, double work_given, LedgerState& state, Ledger& ledger);
+void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
+                Ledger& ledger);
 
 /// Empties what a fresh State keeps for the coupling.
 void reset(const Model& model, coupling::CouplingState& coupling);

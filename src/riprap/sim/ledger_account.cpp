@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
+#include <span>
 
 namespace riprap::sim {
 
@@ -28,23 +29,17 @@ enum Total : std::size_t {
     reference_angular_momentum = reference_momentum + 3,
     ranges = reference_angular_momentum + 3,
     ranges_end = ranges + 2 * 5,
-    water_is_started = ranges_end,
-    water_viscous,
-    water_diffusion,
-    water_shifted,
-    water_on_solids,
-    water_exchange,
-    water_external,
-    water_absorbed,
-    water_flow_work,
-    water_transported,
-    water_gap,
-    water_impulse,
-    water_reference_energy = water_impulse + 3,
-    water_reference_momentum,
-    water_kinetic_low = water_reference_momentum + 3,
-    water_kinetic_high,
-    total_count
+    fluid_is_started = ranges_end,
+    fluid_on_solids,
+    fluid_external,
+    fluid_transported,
+    fluid_gap,
+    fluid_impulse,
+    fluid_reference_energy = fluid_impulse + 3,
+    fluid_reference_momentum,
+    fluid_kinetic_low = fluid_reference_momentum + 3,
+    fluid_kinetic_high,
+    own_accounts  ///< of the solid method, then those of the fluid
 };
 
 Vec3 get(const std::vector<double>& totals, std::size_t first) {
@@ -68,6 +63,59 @@ Vec3 add_across(std::vector<double>& totals, std::size_t first, const Vec3& step
     return before + 0.5 * step;
 }
 
+/// Sums over the own accounts of a method, by their side of the balance [J].
+struct OwnSums {
+    double stored{0}, lost{0}, given{0}, gained{0};
+    double largest_given{0};  ///< largest size of a given one
+    double artificial{0};     ///< sizes of the artificial ones
+    double closure() const { return stored + lost + given - gained; }
+};
+
+/// Books the amounts of a step and returns the values at the kick.
+std::vector<double> book(std::span<const Account> accounts, const std::vector<double>& amounts, double* totals,
+                         bool is_first) {
+    std::vector<double> values(accounts.size(), 0.0);
+    for (std::size_t i = 0; i < accounts.size(); ++i) {
+        const double amount = i < amounts.size() ? amounts[i] : 0;
+        switch (accounts[i].booking) {
+            case Booking::at_kick:
+                values[i] = amount;
+                break;
+            case Booking::since_kick:
+                values[i] = totals[i] += is_first ? 0 : amount;
+                break;
+            case Booking::across_kick:
+                values[i] = add_across(totals[i], amount);
+                break;
+        }
+    }
+    return values;
+}
+
+OwnSums add_up(std::span<const Account> accounts, const std::vector<double>& values) {
+    OwnSums sums;
+    for (std::size_t i = 0; i < accounts.size(); ++i) {
+        const double value = values[i];
+        switch (accounts[i].entry) {
+            case Balance::stored:
+                sums.stored += value;
+                break;
+            case Balance::lost:
+                sums.lost += value;
+                break;
+            case Balance::gained:
+                sums.gained += value;
+                break;
+            case Balance::given:
+                sums.given += value;
+                sums.largest_given = std::max(sums.largest_given, std::abs(value));
+                break;
+        }
+        sums.artificial += accounts[i].is_artificial ? std::abs(value) : 0;
+    }
+    return sums;
+}
+
 /// How far each of a step's energies has ranged since the start, the widest of them. Kept as low, high, low, high, ...
 template <std::size_t count>
 double widest_range(std::vector<double>& totals, const std::array<double, count>& values, bool is_first) {
@@ -84,9 +132,11 @@ double widest_range(std::vector<double>& totals, const std::array<double, count>
 
 }  // namespace
 
-void reset(LedgerState& state) { state.totals.assign(total_count, 0.0); }
+void reset(const Accounts& accounts, LedgerState& state) {
+    state.totals.assign(own_accounts + accounts.solid.size() + accounts.fluid.size(), 0.0);
+}
 
-Ledger account(const solid::SolidReport& step, LedgerState& state) {
+Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerState& state) {
     std::vector<double>& totals = state.totals;
     const solid::KickReport& kick = step.kick;
     const bool is_first = totals[is_started] == 0;
@@ -108,13 +158,13 @@ Ledger account(const solid::SolidReport& step, LedgerState& state) {
     }
     put(totals, mass_moment, kick.mass_moment);
     put(totals, gravity, step.gravity);
-    ledger.dissipated_friction = totals[friction];
-    ledger.dissipated_contact = add_across(totals[contact_damping], step.damping_loss);
-    ledger.dissipated_damping = add_across(totals[body_damping], kick.damping_loss);
-    ledger.work_driven = add_across(totals[driven_work], kick.work_driven);
-    ledger.work_external = add_across(totals[external_work], kick.external_work);
-    ledger.work_gravity_change = totals[gravity_change];
-    ledger.work_released = totals[released];
+    ledger.friction = totals[friction];
+    ledger.contact_damping = add_across(totals[contact_damping], step.damping_loss);
+    ledger.damping = add_across(totals[body_damping], kick.damping_loss);
+    ledger.driven = add_across(totals[driven_work], kick.work_driven);
+    ledger.external = add_across(totals[external_work], kick.external_work);
+    ledger.gravity_change = totals[gravity_change];
+    ledger.released = totals[released];
     ledger.momentum = kick.momentum;
     ledger.angular_momentum = kick.angular_momentum;
     ledger.impulse = add_across(totals, impulse, kick.impulse);
@@ -126,10 +176,12 @@ Ledger account(const solid::SolidReport& step, LedgerState& state) {
         ledger.angular_impulse += kick.released_angular_momentum;
     }
 
-    const double work = ledger.work_driven + ledger.work_external + ledger.work_gravity_change + ledger.work_released;
-    const double dissipated = ledger.dissipated_friction + ledger.dissipated_contact + ledger.dissipated_damping;
-    const double stored = ledger.elastic + ledger.shear;
-    const double closure = ledger.kinetic + ledger.potential + stored + dissipated - work;
+    ledger.own = book(accounts.solid, step.own, totals.data() + own_accounts, is_first);
+    const OwnSums own = add_up(accounts.solid, ledger.own);
+    const double work = ledger.driven + ledger.external + ledger.gravity_change + ledger.released;
+    const double lost = ledger.friction + ledger.contact_damping + ledger.damping + own.lost;
+    const double stored = ledger.elastic + ledger.shear + own.stored;
+    const double closure = ledger.kinetic + ledger.potential + stored + lost + own.given - own.gained - work;
     ledger.has_energy = step.has_stored;
     if (is_first) {
         totals[is_started] = 1;
@@ -140,62 +192,56 @@ Ledger account(const solid::SolidReport& step, LedgerState& state) {
     ledger.residual = step.has_stored ? closure - totals[reference_energy] : 0;
     // The potential counts from the origin, and so does the work of whoever turns gravity or releases a body: only
     // together do they say what the bodies gave to contacts, drivers, damping and loads.
-    const double mechanical = ledger.kinetic + ledger.potential - ledger.work_gravity_change - ledger.work_released;
+    const double mechanical = ledger.kinetic + ledger.potential - ledger.gravity_change - ledger.released;
     const double range = widest_range(
-        totals, std::array{ledger.kinetic, mechanical, ledger.shear, ledger.work_driven, ledger.work_external},
-        is_first);
-    ledger.turnover = std::max({range, stored, dissipated});
+        totals, std::array{ledger.kinetic, mechanical, ledger.shear, ledger.driven, ledger.external}, is_first);
+    ledger.turnover = std::max({range, stored, lost});
     ledger.momentum_residual = ledger.momentum - ledger.impulse - get(totals, reference_momentum);
     ledger.angular_momentum_residual =
         ledger.angular_momentum - ledger.angular_impulse - get(totals, reference_angular_momentum);
     return ledger;
 }
 
-void account_water(const WaterLedgerStep& all, LedgerState& state, Ledger& ledger) {
+void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerState& state, Ledger& ledger) {
     const fluid::FluidReport& step = all.step.fluid;
     std::vector<double>& totals = state.totals;
-    const bool is_first = totals[water_is_started] == 0;
-    WaterLedger& water = ledger.water;
-    water.kinetic = step.kinetic;
-    water.potential = step.potential;
-    water.internal = step.internal;
-    // Density diffuses before the kick, so its loss counts whole; what happens at the kick counts half on either side.
-    water.dissipated_diffusion = totals[water_diffusion] += is_first ? 0 : step.dissipated_diffusion;
-    water.dissipated_viscous = add_across(totals[water_viscous], step.dissipated_viscous);
-    totals[water_shifted] += step.shifted;  // before the kick, so the potential energy at the kick knows it
-    water.shifted = totals[water_shifted];
-    water.work_on_solids = add_across(totals[water_on_solids], step.work_on_solids - all.step.flow_work);
-    water.wall_exchange = add_across(totals[water_exchange], step.wall_exchange);
-    water.work_external = add_across(totals[water_external], step.work_external + all.step.absorbed);
-    water.absorbed = add_across(totals[water_absorbed], all.step.absorbed);
-    water.flow_work = add_across(totals[water_flow_work], all.step.flow_work);
-    water.transported = totals[water_transported];
-    water.coupling_gap = add_across(totals[water_gap], all.work_given - all.work_seen);
-    put(totals, water_impulse, get(totals, water_impulse) + step.impulse);
-    water.momentum = step.momentum;
-    water.mass = step.mass;
-    const double lost = water.dissipated_viscous + water.dissipated_diffusion + water.shifted + water.wall_exchange;
-    const double sum = water.kinetic + water.potential + water.internal + lost + water.work_on_solids -
-                       water.work_external + water.absorbed + water.flow_work - water.transported;
+    const bool is_first = totals[fluid_is_started] == 0;
+    FluidLedger& fluid = ledger.fluid;
+    fluid.kinetic = step.kinetic;
+    fluid.potential = step.potential;
+    fluid.internal = step.internal;
+    fluid.work_on_solids = add_across(totals[fluid_on_solids], step.work_on_solids);
+    fluid.work_external = add_across(totals[fluid_external], step.work_external);
+    fluid.own = book(accounts.fluid, all.step.own, totals.data() + own_accounts + accounts.solid.size(), is_first);
+    const OwnSums own = add_up(accounts.fluid, fluid.own);
+    fluid.artificial = own.artificial;
+    fluid.transported = totals[fluid_transported];
+    fluid.coupling_gap = add_across(totals[fluid_gap], all.work_given - all.work_seen);
+    put(totals, fluid_impulse, get(totals, fluid_impulse) + step.impulse);
+    fluid.momentum = step.momentum;
+    fluid.mass = step.mass;
+    const double sum = fluid.kinetic + fluid.potential + fluid.internal + own.closure() + fluid.work_on_solids -
+                       fluid.work_external - fluid.transported;
+    double &low = totals[fluid_kinetic_low], &high = totals[fluid_kinetic_high];
     if (is_first) {
-        totals[water_is_started] = 1;
-        totals[water_reference_energy] = sum;
-        put(totals, water_reference_momentum, step.momentum - step.impulse);
-        totals[water_kinetic_low] = totals[water_kinetic_high] = water.kinetic;
+        totals[fluid_is_started] = 1;
+        totals[fluid_reference_energy] = sum;
+        put(totals, fluid_reference_momentum, step.momentum - step.impulse);
+        low = high = fluid.kinetic;
     }
-    totals[water_kinetic_low] = std::min(totals[water_kinetic_low], water.kinetic);
-    totals[water_kinetic_high] = std::max(totals[water_kinetic_high], water.kinetic);
-    water.residual = sum - totals[water_reference_energy];
-    water.momentum_residual = water.momentum - get(totals, water_impulse) - get(totals, water_reference_momentum);
-    ledger.residual += ledger.has_energy ? water.residual + water.coupling_gap : 0;
-    ledger.turnover = std::max({ledger.turnover, totals[water_kinetic_high] - totals[water_kinetic_low], std::abs(lost),
-                                std::abs(water.work_on_solids), std::abs(water.absorbed), std::abs(water.flow_work)});
+    low = std::min(low, fluid.kinetic);
+    high = std::max(high, fluid.kinetic);
+    fluid.residual = sum - totals[fluid_reference_energy];
+    fluid.momentum_residual = fluid.momentum - get(totals, fluid_impulse) - get(totals, fluid_reference_momentum);
+    ledger.residual += ledger.has_energy ? fluid.residual + fluid.coupling_gap : 0;
+    ledger.turnover =
+        std::max({ledger.turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
 }
 
 void account_passage(const fluid::Passage& passage, LedgerState& state) {
     std::vector<double>& totals = state.totals;
-    totals[water_transported] += passage.energy;
-    put(totals, water_impulse, get(totals, water_impulse) + passage.momentum);
+    totals[fluid_transported] += passage.energy;
+    put(totals, fluid_impulse, get(totals, fluid_impulse) + passage.momentum);
 }
 
 }  // namespace riprap::sim

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/state.hpp"
@@ -8,24 +11,29 @@
 
 namespace riprap::sim {
 
+/// Own accounts of the methods of a scene.
+struct Accounts {
+    std::span<const Account> solid, fluid;
+};
+
 /// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.
-Ledger account(const solid::SolidReport& step, LedgerState& state);
+Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerState& state);
 
-/// What one step of water brings to its ledger.
-struct WaterLedgerStep {
+/// What one step of the fluid brings to its ledger.
+struct FluidLedgerStep {
     const coupling::FluidStep& step;
-    double work_seen;   ///< on free bodies, as the water says [J]
+    double work_seen;   ///< on free bodies, as the fluid says [J]
     double work_given;  ///< as the bodies say [J]
 };
 
-/// Adds one step of water to the totals and its part to the ledger of the same kick.
-void account_water(const WaterLedgerStep& step, LedgerState& state, Ledger& ledger);
+/// Adds one step of the fluid to the totals and its part to the ledger of the same kick.
+void account_fluid(const FluidLedgerStep& step, const Accounts& accounts, LedgerState& state, Ledger& ledger);
 
-/// Adds what passed the openings after that kick: the next one finds it in the water.
+/// Adds what passed the openings after that kick: the next one finds it in the fluid.
 void account_passage(const fluid::Passage& passage, LedgerState& state);
 
 /// Empties the ledger: the next kick becomes its reference.
-void reset(LedgerState& state);
+void reset(const Accounts& accounts, LedgerState& state);
 
 }  // namespace riprap::sim

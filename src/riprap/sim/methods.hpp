@@ -69,6 +69,11 @@ struct MethodList {
     static decltype(auto) visit(const Variant& entries, const Work& work) {
         return visit_from<0, Variant, Work, Methods...>(entries, work);
     }
+    /// Calls work.template operator()<Method>() for every method.
+    template <class Work>
+    static void for_each(const Work& work) {
+        (work.template operator()<Methods>(), ...);
+    }
 
  private:
     template <class Method, std::size_t index, class First, class... Rest>

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/quantity_table.hpp"
 #include "riprap/sim/scratch_data.hpp"
 
@@ -13,23 +14,36 @@ namespace riprap::sim {
 
 namespace {
 
+/// The table in the order of the manual: quantities of bodies, accounts of the energy balance, others of the scene.
 const std::vector<QuantityInfo>& all_infos() {
     static const std::vector<QuantityInfo> infos = [] {
         std::vector<QuantityInfo> list;
-        for (const std::span<const Quantity> table : {body_quantities(), scene_quantities()}) {
-            for (const Quantity& quantity : table) {
-                list.push_back(quantity.info);
-            }
+        for (const Quantity& quantity : body_quantities()) {
+            list.push_back(quantity.info);
+        }
+        for (const LedgerLine& line : ledger_lines()) {
+            list.push_back({line.name, LedgerLine::unit, 1, false, line.help});
+        }
+        for (const Quantity& quantity : scene_quantities()) {
+            list.push_back(quantity.info);
         }
         return list;
     }();
     return infos;
 }
 
-const Quantity& behind(const QuantityInfo* info) {
-    const auto i = static_cast<std::size_t>(info - all_infos().data());
-    const std::span<const Quantity> of_bodies = body_quantities();
-    return i < of_bodies.size() ? of_bodies[i] : scene_quantities()[i - of_bodies.size()];
+std::size_t place_of(const QuantityInfo& info) { return static_cast<std::size_t>(&info - all_infos().data()); }
+
+/// The account that a quantity is; nullptr for others.
+const LedgerLine* account_behind(const QuantityInfo& info) {
+    const std::size_t first = body_quantities().size(), place = place_of(info);
+    return place >= first && place < first + ledger_lines().size() ? &ledger_lines()[place - first] : nullptr;
+}
+
+/// The function of a quantity that is no account.
+const Quantity& behind(const QuantityInfo& info) {
+    const std::size_t bodies = body_quantities().size(), place = place_of(info);
+    return place < bodies ? body_quantities()[place] : scene_quantities()[place - bodies - ledger_lines().size()];
 }
 
 /// Splits a trailing ".x", ".y" or ".z" off; the component, or -1.
@@ -77,6 +91,11 @@ std::optional<Column> make_column(std::string_view text, BodyId body, const Quan
 
 std::span<const QuantityInfo> quantities() { return all_infos(); }
 
+bool has_quantity(const Model& model, const QuantityInfo& quantity) {
+    const LedgerLine* line = account_behind(quantity);
+    return line == nullptr || has_line(model, *line);
+}
+
 const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
     for (const QuantityInfo& info : all_infos()) {
         if (info.is_of_body == of_body && info.name == name) {
@@ -94,7 +113,11 @@ double evaluate(const Column& column, const Moment& moment) {
         return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
                                              : gauge)[static_cast<std::size_t>(column.component)];
     }
-    const Quantity& quantity = behind(column.quantity);
+    if (const LedgerLine* line = account_behind(*column.quantity)) {
+        return moment.report == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                        : value_of(*line, moment.model, moment.report->ledger);
+    }
+    const Quantity& quantity = behind(*column.quantity);
     const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);
     return value[column.component];
 }

@@ -3,7 +3,7 @@
 
 // What can be asked of a run: the one table of quantities behind probes, [[expect]], bodies.csv and the manual.
 // A quantity of one body is written "name.quantity", one of the scene by its name alone; a component of a vector
-// adds ".x", ".y" or ".z": "block.displacement.x", "wall[2].contact_force.z", "kinetic_energy".
+// adds ".x", ".y" or ".z": "block.displacement.x", "wall[2].contact_force.z", "solid.kinetic".
 
 #include <optional>
 #include <span>
@@ -29,6 +29,9 @@ std::span<const QuantityInfo> quantities();
 
 /// Looks a quantity up by name among those of bodies or those of the scene; nullptr when there is none.
 const QuantityInfo* find_quantity(std::string_view name, bool of_body);
+
+/// Tells whether the methods of a case have a quantity of the table: accounts are named by methods.
+bool has_quantity(const Model& model, const QuantityInfo& quantity);
 
 /// The scene at one moment, as quantities read it.
 struct Moment {
@@ -63,7 +66,7 @@ std::vector<Column> columns_of(const Probe& probe, bool is_planar);
 std::vector<Column> record_columns(const Model& model);
 
 /// Finds what an [[expect]] names: a column of a probe or gauge ("gauge" or "gauge.x"), a quantity of the scene
-/// ("kinetic_energy", "momentum.z") or of a body ("block[3].position.z"). A vector without a component, an unknown
+/// ("solid.kinetic", "momentum.z") or of a body ("block[3].position.z"). A vector without a component, an unknown
 /// body or an unknown quantity gives nothing.
 std::optional<Column> find_column(const Model& model, std::string_view text);
 

@@ -104,13 +104,20 @@ Vec3 water_load(const Moment& m, BodyId id) {
 }
 constexpr auto force = &body::Loads::force, torque = &body::Loads::torque;
 
-template <double WaterLedger::*member>
+template <double FluidLedger::*member>
 Vec3 of_water(const Moment& m) {
-    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.water.*member);
+    return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.fluid.*member);
 }
-template <Vec3 WaterLedger::*member>
+template <Vec3 FluidLedger::*member>
 Vec3 vector_of_water(const Moment& m) {
-    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.water.*member;
+    return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.fluid.*member;
+}
+Vec3 artificial_share(const Moment& m) {
+    if (m.report == nullptr || !m.report->ledger.has_energy) {
+        return scalar(missing);
+    }
+    const Ledger& ledger = m.report->ledger;
+    return scalar(ledger.turnover > 0 ? ledger.fluid.artificial / ledger.turnover : 0);
 }
 
 // Kept as two lists by owner, in the order in which the manual prints them.
@@ -154,37 +161,16 @@ const std::array scene_table{
     Quantity{{"contact_count", "-", 1, false, "touching pairs of convex parts"},
              nullptr,
              reported<&StepReport::contact_count>},
-    Quantity{{"kinetic_energy", "J", 1, false, "of free bodies"}, nullptr, booked<&Ledger::kinetic>},
-    Quantity{{"potential_energy", "J", 1, false, "of free bodies in gravity"}, nullptr, booked<&Ledger::potential>},
-    Quantity{{"elastic_energy", "J", 1, false, "stored in overlaps"}, nullptr, measured<&Ledger::elastic>},
-    Quantity{
-        {"shear_energy", "J", 1, false, "stored in tangential and torsional springs"}, nullptr, booked<&Ledger::shear>},
-    Quantity{{"dissipated_friction", "J", 1, false, "since time 0"}, nullptr, booked<&Ledger::dissipated_friction>},
-    Quantity{{"dissipated_contact", "J", 1, false, "by contact dashpots since time 0"},
-             nullptr,
-             booked<&Ledger::dissipated_contact>},
-    Quantity{{"dissipated_damping", "J", 1, false, "by local and mass damping since time 0"},
-             nullptr,
-             booked<&Ledger::dissipated_damping>},
-    Quantity{{"work_driven", "J", 1, false,
-              "done on other bodies by driven ones since time 0; on water: water_work_on_solids"},
-             nullptr,
-             booked<&Ledger::work_driven>},
-    Quantity{{"work_gravity_change", "J", 1, false, "done by a changing gravity since time 0"},
-             nullptr,
-             booked<&Ledger::work_gravity_change>},
-    Quantity{{"work_external", "J", 1, false, "done by loads other than contacts since time 0"},
-             nullptr,
-             booked<&Ledger::work_external>},
-    Quantity{{"work_released", "J", 1, false, "kinetic and potential energy that released bodies brought along"},
-             nullptr,
-             booked<&Ledger::work_released>},
     Quantity{{"energy_residual", "J", 1, false, "what the energy ledger does not close by"},
              nullptr,
              measured<&Ledger::residual>},
     Quantity{{"energy_turnover", "J", 1, false, "what the residual is judged against"},
              nullptr,
              measured<&Ledger::turnover>},
+    Quantity{{"artificial_share", "-", 1, false,
+              "of the artificial accounts of the fluid (diffusion, shifting, ...) in energy_turnover"},
+             nullptr,
+             artificial_share},
     Quantity{{"momentum", "kg m/s", 3, false, "of free bodies"}, nullptr, booked_vector<&Ledger::momentum>},
     Quantity{{"impulse", "N s", 3, false, "of gravity, supports and damping since time 0"},
              nullptr,
@@ -202,55 +188,19 @@ const std::array scene_table{
              nullptr,
              booked_vector<&Ledger::angular_momentum_residual>},
     Quantity{{"mass", "kg", 1, false, "of free bodies"}, nullptr, booked<&Ledger::mass>},
-    Quantity{
-        {"water_kinetic_energy", "J", 1, false, "of water; like all below"}, nullptr, of_water<&WaterLedger::kinetic>},
-    Quantity{{"water_potential_energy", "J", 1, false, "in gravity"}, nullptr, of_water<&WaterLedger::potential>},
-    Quantity{{"water_internal_energy", "J", 1, false, "of compression"}, nullptr, of_water<&WaterLedger::internal>},
-    Quantity{{"water_dissipated_viscous", "J", 1, false, "since time 0"},
-             nullptr,
-             of_water<&WaterLedger::dissipated_viscous>},
-    Quantity{{"water_dissipated_diffusion", "J", 1, false,
-              "by the diffusion of density and by tearing since time 0; may be negative for a while, as neither is a "
-              "friction"},
-             nullptr,
-             of_water<&WaterLedger::dissipated_diffusion>},
-    Quantity{{"water_shifted", "J", 1, false,
-              "potential energy and that of compression that shifting took away since time 0"},
-             nullptr,
-             of_water<&WaterLedger::shifted>},
-    Quantity{{"water_work_on_solids", "J", 1, false,
-              "on bodies, driven ones too, since time 0: negative where a paddle makes waves"},
-             nullptr,
-             of_water<&WaterLedger::work_on_solids>},
-    Quantity{{"water_wall_exchange", "J", 1, false,
-              "work of the mirrored wall pressure that no body feels, since time 0 (docs/theory/sph.md, 6)"},
-             nullptr,
-             of_water<&WaterLedger::wall_exchange>},
-    Quantity{{"water_work_external", "J", 1, false,
-              "by gravity along periodic axes, penalty walls and water in joints, since time 0"},
-             nullptr,
-             of_water<&WaterLedger::work_external>},
-    Quantity{{"water_absorbed", "J", 1, false, "by sponges, since time 0"}, nullptr, of_water<&WaterLedger::absorbed>},
-    Quantity{{"water_flow_work", "J", 1, false, "of pressure at inflows and outflows, since time 0"},
-             nullptr,
-             of_water<&WaterLedger::flow_work>},
-    Quantity{
-        {"water_transported", "J", 1, false, "energy of water that came in less that of water that left, since time 0"},
-        nullptr,
-        of_water<&WaterLedger::transported>},
     Quantity{{"water_mass_in", "kg", 1, false, "of water that came in since time 0"}, nullptr, water_mass_in},
     Quantity{{"water_mass_out", "kg", 1, false, "of water that left since time 0"}, nullptr, water_mass_out},
     Quantity{{"coupling_gap", "J", 1, false, "what bodies got beyond what water says it gave, since time 0"},
              nullptr,
-             of_water<&WaterLedger::coupling_gap>},
+             of_water<&FluidLedger::coupling_gap>},
     Quantity{{"water_energy_residual", "J", 1, false, "what the water's energy does not close by"},
              nullptr,
-             of_water<&WaterLedger::residual>},
-    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_water<&WaterLedger::momentum>},
+             of_water<&FluidLedger::residual>},
+    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_water<&FluidLedger::momentum>},
     Quantity{{"water_momentum_residual", "kg m/s", 3, false, "what the water's momentum does not close by"},
              nullptr,
-             vector_of_water<&WaterLedger::momentum_residual>},
-    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_water<&WaterLedger::mass>},
+             vector_of_water<&FluidLedger::momentum_residual>},
+    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_water<&FluidLedger::mass>},
     Quantity{{"max_water_speed", "m/s", 1, false, "of the fastest particle"},
              nullptr,
              reported<&StepReport::max_water_speed>},

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "riprap/body/gravity.hpp"
 #include "riprap/body/point_loads.hpp"
@@ -46,6 +47,7 @@ struct SolidReport {
     double shear{0};          ///< stored in tangential springs [J]
     double friction_loss{0};  ///< since the last kick [J]
     double damping_loss{0};   ///< of contact dashpots in this piece, half of it after the kick [J]
+    std::vector<double> own;  ///< amounts of the accounts that the method names itself, in their order [J]
     double dt_bound{std::numeric_limits<double>::infinity()};  ///< step that the contacts as they are allow [s]
     double max_potential{0};                                   ///< deepest normalised overlap [-]
     double max_depth{0};                                       ///< [m]

@@ -92,6 +92,26 @@ void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, Flui
     }
 }
 
+std::span<const Account> ParticleMethod::accounts() {
+    static constexpr std::array table{
+        Account{"viscous", Balance::lost, Booking::across_kick,
+                "by viscosity, the artificial one and the damping of sound with it"},
+        Account{"collisions", Balance::lost, Booking::across_kick, "by collisions of particles that come too near",
+                true},
+        Account{"diffusion", Balance::lost, Booking::since_kick,
+                "by the diffusion of density and by tearing; may be negative for a while, as neither is a friction",
+                true},
+        Account{"projection", Balance::lost, Booking::since_kick, "by a pressure that is solved for", true},
+        Account{"shifting", Balance::lost, Booking::since_kick,
+                "potential energy and that of compression that shifting took away", true},
+        Account{"wall_exchange", Balance::lost, Booking::across_kick,
+                "work of the mirrored wall pressure that no body feels (docs/theory/sph.md, 6)", true},
+        Account{"absorbed", Balance::given, Booking::across_kick, "by sponges"},
+        Account{"flow_work", Balance::given, Booking::across_kick, "of pressure at inflows and outflows"},
+    };
+    return table;
+}
+
 Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     ParticleScratch& scratch = *scratch_;
     if (!water_->sponges.empty()) {
@@ -103,8 +123,19 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     const double joint_work = span.dt * joint_power(scratch);
     report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
     report.fluid.work_external += joint_work;
-    report.absorbed = water_->sponges.empty() ? 0 : absorbed_energy(state_.particles, span.dt, scratch.sponge);
-    report.flow_work = span.dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
+    const double absorbed = water_->sponges.empty() ? 0 : absorbed_energy(state_.particles, span.dt, scratch.sponge);
+    const double flow_work = span.dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
+    report.fluid.work_on_solids -= flow_work;  // layers of openings are walls to the scheme, and sponges extra forces
+    report.fluid.work_external += absorbed;
+    const fluid::FluidReport& of = report.fluid;
+    report.own = {of.dissipated_viscous,
+                  of.dissipated_collisions,
+                  of.dissipated_diffusion,
+                  of.pressure_loss,
+                  of.shifted,
+                  of.wall_exchange,
+                  absorbed,
+                  flow_work};
     report.intruder = find_intruder(scene_->bodies, *water_, scratch);
     return {report.fluid.problem};
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "riprap/core/account.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
@@ -21,6 +22,7 @@ class ParticleMethod {
     using Scratch = ParticleScratch;
     static constexpr bool is_there = true;
     static constexpr bool leads = true;  ///< its step is that of the run
+    static std::span<const Account> accounts();
 
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);

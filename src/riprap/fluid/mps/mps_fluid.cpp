@@ -28,8 +28,6 @@ void MpsFluid::kick(ParticleState& state, const BoundaryParticles& walls, const 
         kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, solved_, extra_force);
     }
     report = solved_;
-    report.dissipated_viscous += solved_.dissipated_collisions;
-    report.dissipated_diffusion += solved_.pressure_loss;
 }
 
 std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings) {

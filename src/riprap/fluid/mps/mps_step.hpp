@@ -29,13 +29,11 @@ class MpsScratch {
     std::unique_ptr<MpsScratchData> data_;
 };
 
-/// Energies and losses: those of FluidReport, whose internal energy is zero here, and in the same sum
+/// Energies and losses, and how the pressure equation was solved. The internal energy is zero here; `pressure_loss` is
+/// minus the work of pressure on fluid and walls together: nothing in an incompressible continuum.
 struct MpsReport : FluidReport {
-    double dissipated_collisions{0};  ///< by collisions of particles with each other and with walls in this step [J]
-    double pressure_loss{0};          ///< minus the work of pressure on fluid and walls together in this step [J]:
-                                      ///< nothing in an incompressible continuum, here what the projection takes
-    linear::SolveReport solve;        ///< of the pressure equation
-    std::int64_t unknowns{0};         ///< its size
+    linear::SolveReport solve;  ///< of the pressure equation
+    std::int64_t unknowns{0};   ///< its size
 };
 
 // Semi-implicit MPS [KoshizukaOka1996] in the form of [Amaro2021], drift - kick - drift:
@@ -76,8 +74,7 @@ void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParti
 /// The water about the walls as begin_forces and load_walls found it, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water);
 
-/// Semi-implicit MPS as a scheme of a particle fluid. The books of FluidReport count collisions as viscous and the
-/// pressure loss as diffusion.
+/// Semi-implicit MPS as a scheme of a particle fluid.
 class MpsFluid final : public ParticleScheme {
  public:
     explicit MpsFluid(const MpsSettings& settings) : settings_(&settings) {}

@@ -24,20 +24,22 @@ struct FluidTimeStep {
 
 /// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
 ///
-///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_diffusion + shifted
-///         + work_on_solids + wall_exchange - work_external)
+///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_collisions
+///         + dissipated_diffusion + pressure_loss + shifted + work_on_solids + wall_exchange - work_external)
 ///
 /// stays the same (docs/theory/sph.md, 6).
 struct FluidReport {
-    double kinetic{0};               ///< sum m v_n.v_(n+1)/2
-    double potential{0};             ///< -sum m g.x; gravity along periodic axes is in work_external
-    double internal{0};              ///< of compression
-    double dissipated_viscous{0};    ///< in this step, pair by pair never negative within the fluid
-    double dissipated_diffusion{0};  ///< in this step, by the diffusion of density and by tearing
-    double shifted{0};               ///< potential energy and that of compression that shifting took away in this step
-    double work_on_solids{0};        ///< in this step
-    double wall_exchange{0};         ///< in this step: work of mirrored wall pressure that no body sees
-    double work_external{0};         ///< in this step, by extra forces and by gravity along periodic axes
+    double kinetic{0};                ///< sum m v_n.v_(n+1)/2
+    double potential{0};              ///< -sum m g.x; gravity along periodic axes is in work_external
+    double internal{0};               ///< of compression
+    double dissipated_viscous{0};     ///< in this step, pair by pair never negative within the fluid
+    double dissipated_collisions{0};  ///< in this step, by collisions of particles with each other and with walls
+    double dissipated_diffusion{0};   ///< in this step, by the diffusion of density and by tearing
+    double pressure_loss{0};          ///< in this step, of a pressure that is solved for (docs/theory/mps.md)
+    double shifted{0};                ///< potential energy and that of compression that shifting took away in this step
+    double work_on_solids{0};         ///< in this step
+    double wall_exchange{0};          ///< in this step: work of mirrored wall pressure that no body sees
+    double work_external{0};          ///< in this step, by extra forces and by gravity along periodic axes
     Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
     double mass{0};              ///< [kg]
     double max_speed{0}, max_acceleration{0};

@@ -25,11 +25,7 @@ void WcmpsFluid::load_walls(const ParticleState& state, BoundaryParticles& walls
 
 void WcmpsFluid::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
                       std::span<const Vec3> extra_force, FluidReport& report) {
-    WcmpsReport own;
-    static_cast<FluidReport&>(own) = report;
-    kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, own, extra_force);
-    report = own;
-    report.dissipated_viscous += own.dissipated_collisions;
+    kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, report, extra_force);
 }
 
 std::unique_ptr<ParticleScheme> make_scheme(const WcmpsSettings& settings) {

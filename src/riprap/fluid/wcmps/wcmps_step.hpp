@@ -28,10 +28,7 @@ class WcmpsScratch {
     std::unique_ptr<WcmpsScratchData> data_;
 };
 
-/// Energies and losses: those of FluidReport and, in the same sum,
-struct WcmpsReport : FluidReport {
-    double dissipated_collisions{0};  ///< by collisions of particles in this step, never negative [J]
-};
+using WcmpsReport = FluidReport;
 
 // Weakly compressible MPS [Mellado2021], [JandaghianShakibaeinia2020]. ParticleState::density is rho_0 n/n_0, n the
 // number density that continuity carries. The verbs and their order are those of sph_step.hpp; that step is the
@@ -82,7 +79,7 @@ enum class SurfaceClass : std::uint8_t {
     splash,    ///< E: C < 0.4
 };
 
-/// Weakly compressible MPS as a scheme of a particle fluid. The books of FluidReport count collisions as viscous.
+/// Weakly compressible MPS as a scheme of a particle fluid.
 class WcmpsFluid final : public ParticleScheme {
  public:
     explicit WcmpsFluid(const WcmpsSettings& settings) : settings_(&settings) {}

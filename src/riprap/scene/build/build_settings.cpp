@@ -112,8 +112,18 @@ void add_quantities_of(const std::string& body, std::vector<std::string>& names)
 
 /// Whether `quantity` names one number of the run; a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
-    if (sim::find_column(build.model, quantity)) {
-        return true;
+    if (const std::optional<sim::Column> column = sim::find_column(build.model, quantity)) {
+        if (column->quantity == nullptr || has_quantity(build.model, *column->quantity)) {
+            return true;
+        }
+        std::string accounts;
+        for (const sim::QuantityInfo& info : sim::quantities()) {
+            if (info.name.find('.') != std::string_view::npos && has_quantity(build.model, info)) {
+                accounts += fmt::format("{}'{}'", accounts.empty() ? "" : ", ", info.name);
+            }
+        }
+        build.problem(place, fmt::format("the methods of this case keep no account '{}'", quantity), accounts);
+        return false;
     }
     if (may_lack_its_subject(build, quantity)) {
         return false;

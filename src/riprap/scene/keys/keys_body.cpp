@@ -18,7 +18,7 @@ const Table& load_table() {
         "body.load",
         "load = [ { ... }, ... ]",
         "A force on a point of the body. Its direction is fixed in space, its point moves with the body. Its work is "
-        "booked as work_external. Every copy of a repeated body bears it.",
+        "booked as solid.external. Every copy of a repeated body bears it.",
         {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
          {"at",
           {vector(dimension::length)},

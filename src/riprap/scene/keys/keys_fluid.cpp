@@ -63,7 +63,7 @@ const Table& fluid_sponge_table() {
         "[[fluid.sponge]]",
         "A box in which water is slowed down ever more along one direction, so that waves die before they come back. "
         "The "
-        "energy is booked as water_absorbed.",
+        "energy is booked as fluid.absorbed.",
         {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
          {"high", {vector(dimension::length)}, "High corner.", {}, true},
          {"towards", {way}, "The direction along which it grows, from nothing.", {}, true},

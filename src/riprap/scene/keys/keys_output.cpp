@@ -106,7 +106,7 @@ const Table& expect_table() {
         {{"name", {text()}, "What is expected, in words.", {}, true},
          {"quantity",
           {text()},
-          "The name of a probe, or a quantity of the scene or of a body, with its component: \"kinetic_energy\", "
+          "The name of a probe, or a quantity of the scene or of a body, with its component: \"solid.kinetic\", "
           "\"block.position.x\".",
           {},
           true},

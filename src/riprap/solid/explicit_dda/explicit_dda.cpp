@@ -2,6 +2,7 @@
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "riprap/core/bytes.hpp"
@@ -85,6 +86,15 @@ void book_outside(const affine::BlockSystem& system, const affine::BlockState& b
 
 }  // namespace
 
+std::span<const Account> ExplicitDda::accounts() {
+    static constexpr std::array table{
+        Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
+        Account{"ended_contacts", Balance::lost, Booking::since_kick,
+                "stored in contacts that ended while pressed, since time 0", true},
+    };
+    return table;
+}
+
 Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
     if (!scratch_->problem.empty()) {
         return {scratch_->problem, 0};
@@ -120,8 +130,9 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.kick.angular_momentum = step.sums.angular_momentum;
     report.kick.damping_loss = step.damping_loss;
     report.kick.external_work = step.external_work;
-    report.elastic = step.strain + step.contact;
-    report.friction_loss = step.friction_loss + step.lost_energy;
+    report.elastic = step.contact;
+    report.friction_loss = step.friction_loss;
+    report.own = {step.strain, step.lost_energy};
     report.damping_loss = step.dashpot_loss;
     report.dt_bound = step.stable_step;
     report.max_depth = step.deepest;

@@ -2,6 +2,7 @@
 #include "riprap/solid/implicit_dda/implicit_dda.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "riprap/core/bytes.hpp"
@@ -101,6 +102,17 @@ void book_outside(const affine::BlockSystem& system, const affine::BlockState& b
 
 }  // namespace
 
+std::span<const Account> ImplicitDda::accounts() {
+    static constexpr std::array table{
+        Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
+        Account{"ended_contacts", Balance::lost, Booking::since_kick,
+                "stored in contacts that ended while pressed, since time 0", true},
+        Account{"numerical_damping", Balance::lost, Booking::across_kick,
+                "lost by the integration of motion and strain since time 0", true},
+    };
+    return table;
+}
+
 Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
     if (!scratch_->problem.empty()) {
         return {scratch_->problem, 0};
@@ -132,9 +144,9 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.kick.momentum = step.sums.momentum;
     report.kick.angular_momentum = step.sums.angular_momentum;
     report.kick.external_work = step.external_work;
-    report.kick.damping_loss = step.numerical_loss;
-    report.elastic = step.strain + step.contact;
-    report.friction_loss = step.friction_loss + step.lost_energy;
+    report.elastic = step.contact;
+    report.friction_loss = step.friction_loss;
+    report.own = {step.strain, step.lost_energy, step.numerical_loss};
     report.max_depth = step.deepest;
     report.contact_count = step.contact_count;
     report.pair_count = scratch_->engine.finder.pair_count();

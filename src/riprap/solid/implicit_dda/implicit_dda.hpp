@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string_view>
 
+#include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
@@ -42,6 +44,7 @@ class ImplicitDda {
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
     /// Sum of the contact forces and of their moments on every body in the last piece.
+    static std::span<const Account> accounts();
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
 
  private:

@@ -2,6 +2,7 @@
 #include "riprap/solid/sphere_dem/sphere_dem.hpp"
 
 #include <fmt/format.h>
+#include <array>
 
 #include <limits>
 
@@ -38,6 +39,13 @@ StepLimit SphereDem::limit() const {
     return {step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
 }
 
+std::span<const Account> SphereDem::accounts() {
+    static constexpr std::array table{
+        Account{"rolling", Balance::lost, Booking::since_kick, "lost by rolling resistance since time 0"},
+    };
+    return table;
+}
+
 Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Measure /*measure*/,
                            SolidReport& report) {
     const body::BodySet& bodies = scene_->bodies;
@@ -62,7 +70,8 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     drift(bodies, state, span.end(), 0.5 * span.dt);
     report.has_stored = true;
     report.elastic = sums.elastic;
-    report.friction_loss = sums.friction_loss + sums.rolling_loss;
+    report.friction_loss = sums.friction_loss;
+    report.own = {sums.rolling_loss};
     report.damping_loss = sums.damping_loss;
     report.max_potential = sums.deepest;
     report.contact_count = static_cast<std::int64_t>(fields_->contacts.size() + fields_->walls.size());

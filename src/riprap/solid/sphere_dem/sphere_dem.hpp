@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "riprap/core/account.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/solid_scene.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
@@ -34,6 +37,7 @@ class SphereDem {
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
 
     /// Sum of the contact forces and of their moments on every body in the last piece.
+    static std::span<const Account> accounts();
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
 
  private:

@@ -18,8 +18,8 @@ constexpr double float_sums = 25.0 / (1 << 24);
 /// What the momentum ledgers cannot account for, over what gravity and walls have passed through the water so far: its
 /// weight times the time.
 double momentum_share(const Trial& trial, const sim::Ledger& ledger) {
-    const double passed = ledger.water.mass * norm(trial.model().gravity.value) * trial.time();
-    return (norm(ledger.momentum_residual) + norm(ledger.water.momentum_residual)) / passed;
+    const double passed = ledger.fluid.mass * norm(trial.model().gravity.value) * trial.time();
+    return (norm(ledger.momentum_residual) + norm(ledger.fluid.momentum_residual)) / passed;
 }
 
 void take_row(const Trial& trial, WaterRecords& records) {

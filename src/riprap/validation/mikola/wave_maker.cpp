@@ -138,7 +138,7 @@ void wave_maker(const CaseSetting& setting, CaseReport& report) {
               [&](const Trial& now) { inside = std::max(inside, count_inside_solids(now, 0.5 * flume.spacing)); });
     judge_waves(flume, records, report);
     report.judge({"mass of water at the end", "kg/m", {}, mass, {}, Kind::bookkeeping},
-                 trial.report().ledger.water.mass, Relative{1e-9});
+                 trial.report().ledger.fluid.mass, Relative{1e-9});
     report.judge_below(
         {"most particles at a time more than half a spacing inside a solid", "-", {}, {}, {}, Kind::bookkeeping},
         inside, 0);

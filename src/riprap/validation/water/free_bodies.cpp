@@ -35,7 +35,7 @@ const std::array<Entry, 2>& entries() {
 /// Largest residual of the momentum ledgers over `scale` [-].
 double momentum_gap(const WaterTrial& trial, double scale) {
     const sim::Ledger& ledger = trial.report().ledger;
-    return (norm(ledger.momentum_residual) + norm(ledger.water.momentum_residual)) / scale;
+    return (norm(ledger.momentum_residual) + norm(ledger.fluid.momentum_residual)) / scale;
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ void still_tank(const CaseSetting& setting, CaseReport& report) {
                        0.02);
     report.judge_below({"highest speed over sqrt(g H), second half", "-", {}, 0.0, {}},
                        fastest / std::sqrt(gravity * depth), 1e-2);
-    const double before = trial.mean("water_kinetic_energy", 0.5 * end, 0.75 * end);
-    const double after = trial.mean("water_kinetic_energy", 0.75 * end, end);
+    const double before = trial.mean("fluid.kinetic", 0.5 * end, 0.75 * end);
+    const double after = trial.mean("fluid.kinetic", 0.75 * end, end);
     report.judge({"kinetic energy of the last quarter over that of the third", "-", {}, {}, "at most 1: no growth"},
                  after / before, 0, 1);
     write_plot(setting, "still_tank",
@@ -64,7 +64,7 @@ void still_tank(const CaseSetting& setting, CaseReport& report) {
                 "nothing should move",
                 {"time [s]", false},
                 {"kinetic energy [J/m]", true},
-                {{"ours", trial.time(), trial.column("water_kinetic_energy"), CurveStyle::line, -1}}});
+                {{"ours", trial.time(), trial.column("fluid.kinetic"), CurveStyle::line, -1}}});
 }
 
 void submerged_square(const CaseSetting& setting, CaseReport& report) {

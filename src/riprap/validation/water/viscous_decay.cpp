@@ -72,7 +72,7 @@ void taylor_green(const CaseSetting& setting, CaseReport& report) {
         start.fluid.density[i] = fluid::density_of(trial.sph(), -0.25 * 1000 * (std::cos(2 * x) + std::cos(2 * y)));
     }
     trial.run();
-    const std::vector<double>& energy = trial.column("water_kinetic_energy");
+    const std::vector<double>& energy = trial.column("fluid.kinetic");
     const auto speed = [&](double t) { return std::sqrt(interpolated(trial.time(), energy, t) / (0.25 * 1000)); };
     report.judge({"rms speed at 1 s over the first", "-", {}, std::exp(-rate), "exp(-8 pi^2 t/Re)"}, speed(1),
                  Relative{0.03});

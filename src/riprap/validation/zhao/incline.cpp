@@ -77,7 +77,7 @@ Slide slide(const CaseSetting& setting, double friction, double stiffness, doubl
         slide.displacement.push_back(s);
         slide.velocity.push_back(u);
     });
-    slide.friction_work = trial.report().ledger.dissipated_friction;
+    slide.friction_work = trial.report().ledger.friction;
     slide.expected_work = friction * mass * across * theory.path(trial.time());
     return slide;
 }

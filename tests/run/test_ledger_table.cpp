@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of accounts is the balance of energy: its lines, each on its side, add up to what the ledger misses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "riprap/run/simulation.hpp"
+#include "riprap/run/summary.hpp"
+#include "riprap/sim/ledger_table.hpp"
+
+namespace riprap::run {
+namespace {
+
+Simulation make(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return Simulation(scene::read_case_text(text.str(), "case.toml", "/nonexistent", {}));
+}
+
+/// What the accounts of a case come to, and the largest of them.
+struct Balance {
+    double sum{0}, size{0};
+};
+
+Balance balance_of(const Simulation& simulation) {
+    Balance balance;
+    const sim::Ledger& ledger = simulation.report().ledger;
+    for (const sim::LedgerLine& line : sim::ledger_lines()) {
+        if (has_line(simulation.model(), line)) {
+            const double value = value_of(line, simulation.model(), ledger);
+            balance.sum += line.entry == riprap::Balance::gained ? -value : value;
+            balance.size = std::max(balance.size, std::abs(value));
+        }
+    }
+    return balance;
+}
+
+TEST(LedgerTable, AccountsOfEveryMethodAddUpToTheResidual) {
+    int cases = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("tests/run/methods")) {
+        Simulation simulation = make(entry.path());
+        ASSERT_TRUE(simulation.step(sim::Measure::energy).is_accepted()) << entry.path();
+        const sim::Ledger first = simulation.report().ledger;
+        const Balance before = balance_of(simulation);
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_TRUE(simulation.step(sim::Measure::energy).is_accepted()) << entry.path();
+        }
+        const sim::Ledger& last = simulation.report().ledger;
+        const Balance after = balance_of(simulation);
+        EXPECT_NEAR(after.sum - before.sum + last.fluid.coupling_gap - first.fluid.coupling_gap,
+                    last.residual - first.residual, 1e-12 * std::max(before.size, after.size))
+            << entry.path();
+        ++cases;
+    }
+    EXPECT_GE(cases, 8);
+}
+
+TEST(LedgerTable, TheSummaryHoldsTheAccountsOfTheMethodsOfTheCaseAndNoOthers) {
+    Simulation simulation = make("tests/run/methods/fluid-sph.toml");
+    ASSERT_TRUE(simulation.step(sim::Measure::energy).is_accepted());
+    const auto ledger = nlohmann::json::parse(summary_json(simulation.summary())).at("ledger");
+    EXPECT_EQ(ledger.at("fluid.kinetic").get<double>(), simulation.report().ledger.fluid.kinetic);
+    for (const char* const name : {"fluid.viscous", "fluid.diffusion", "fluid.wall_exchange", "fluid.shifting",
+                                   "solid.friction", "solid.contact_damping", "solid.damping", "fluid.mass"}) {
+        EXPECT_TRUE(ledger.contains(name)) << name;
+    }
+    EXPECT_FALSE(ledger.contains("solid.strain"));
+    Simulation dry = make("tests/run/methods/solid-implicit_dda.toml");
+    ASSERT_TRUE(dry.step(sim::Measure::energy).is_accepted());
+    const auto of_blocks = nlohmann::json::parse(summary_json(dry.summary())).at("ledger");
+    EXPECT_TRUE(of_blocks.contains("solid.strain"));
+    EXPECT_TRUE(of_blocks.contains("solid.numerical_damping"));
+}
+
+}  // namespace
+}  // namespace riprap::run
