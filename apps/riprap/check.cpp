@@ -36,7 +36,7 @@ int print_check(const std::string& case_text, const std::vector<std::string>& ov
         fmt::print("{}\n", as_json ? run::check_json(check) : run::check_text(check));
         if (!check.refusal.empty()) {
             std::fflush(stdout);
-            fmt::print(stderr, "riprap: the first step is refused: {}\n", printable(check.refusal));
+            fmt::print(stderr, "riprap: a run of this case is refused: {}\n", printable(check.refusal));
         }
         return static_cast<int>(check.refusal.empty() ? ExitCode::success : ExitCode::numerical);
     } catch (const CaseError& error) {

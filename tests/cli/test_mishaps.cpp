@@ -109,7 +109,7 @@ TEST_F(Mishaps, CheckTellsARefusalWhereRefusalsAreTold) {
     const std::string file = write_case("fast.toml", falling_blocks_text() + "\n[solid]\nmax_speed = 0.5\n");
     const Ending ending = run({"check", file});
     EXPECT_EQ(ending.code, 4);
-    EXPECT_THAT(ending.err, HasSubstr("the first step is refused"));
+    EXPECT_THAT(ending.err, HasSubstr("is refused"));
     EXPECT_THAT(ending.out, Not(HasSubstr("refused")));
 }
 

@@ -36,8 +36,8 @@ fixed = true
 [[body]]
 name = "block"
 shape = { box = [1.0, 1.0, 1.0] }
-position = [0, 0, 2.0]
-velocity = [0, 0, -60]
+position = [0, 0, 1.25]
+velocity = [0, 0, -15]
 material = "rock"
 [output]
 vtk = false

@@ -15,6 +15,7 @@
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
 #include "riprap/run/tipping_bias.hpp"
+#include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/sim/time_step.hpp"
@@ -67,6 +68,17 @@ bool has_countable_steps(const CaseCheck& check) { return check.steps <= plausib
 double estimated_steps(const CaseCheck& check) {
     constexpr std::int64_t saturated = 1'000'000'000'000'000'000;
     return check.steps < saturated ? static_cast<double>(check.steps) : check.end / check.time_step;
+}
+
+/// The first impact that is beyond all doubt too hard for its contact: the estimate errs by less than three times.
+std::string certain_crush(const scene::LoadedCase& loaded) {
+    constexpr double doubt = 3;
+    for (const scene::HardImpact& impact : scene::find_hard_impacts(loaded.model, loaded.state)) {
+        if (impact.energy > doubt * impact.capacity) {
+            return text_of(impact, loaded.model);
+        }
+    }
+    return "";
 }
 
 /// What of the room for water is not filled, or filled twice over, by a particle or more; empty else.
@@ -187,7 +199,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::initialise(model, initial);
     sim::State state = initial;
     const sim::StepReport report = advance(model, state, scratch, check.time_step);
-    check.refusal = report.status.text;
+    check.refusal = report.status.text.empty() ? certain_crush(loaded) : report.status.text;
     check.contacts = report.contact_count;
     check.max_overlap = report.max_depth;
     check.max_potential = report.max_potential;

@@ -135,7 +135,8 @@ std::string Driver::water_text() const {
 StepOutcome Driver::take_step(Due& due) {
     const double dt = simulation_.next_dt();
     due = outputs_->due_at(state().time + dt, dt);
-    return simulation_.step(due.row || simulation_.next_is_last() ? sim::Measure::energy : sim::Measure::flow);
+    return simulation_.step(due.row || due.frame || simulation_.next_is_last() ? sim::Measure::energy
+                                                                               : sim::Measure::flow);
 }
 
 int Driver::run(const Watch& watch) {

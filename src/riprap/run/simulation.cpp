@@ -7,38 +7,12 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/run/ledger_verdict.hpp"
+#include "riprap/run/passage_verdict.hpp"
+#include "riprap/run/step_choice.hpp"
 #include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
-
-namespace {
-
-/// Why a ledger ends the run; empty when it closes. Where hardly anything has turned over yet, round-off of the
-/// energies that are there is all there is to see: a residual below 1e-9 of them says nothing. Nor do the first steps,
-/// in which a contact that opens or closes between two kicks is not yet small beside what was turned over. Water is
-/// resolved by its spacing: beside what was turned over stands what lifts all of it by one spacing, for when it is let
-/// go its lattice settles by hundredths of that before anything flows.
-std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, std::int64_t step) {
-    constexpr std::int64_t first_steps = 10;
-    constexpr double round_off = 1e-9;
-    const double tolerance = model.output.ledger_tolerance, residual = std::abs(ledger.residual);
-    const double grain = model.particles() != nullptr
-                             ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
-                             : 0;
-    const double counted = std::max(ledger.turnover, grain);
-    const double scale = std::max({std::abs(ledger.kinetic), std::abs(ledger.potential), ledger.turnover});
-    if (!ledger.has_energy || step <= first_steps || ledger.turnover <= 0 || residual <= round_off * scale ||
-        residual <= tolerance * counted) {
-        return "";
-    }
-    const std::string unit = sim::unit_in("J", model.bodies.is_planar);
-    return fmt::format(
-        "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "
-        "output.ledger_tolerance = {:.3g} of it",
-        ledger.residual, unit, counted, unit, ledger.time, tolerance);
-}
-
-}  // namespace
 
 Simulation::Simulation(scene::LoadedCase loaded)
     : loaded_(std::move(loaded)),
@@ -55,11 +29,12 @@ void Simulation::set_end(double end, std::int64_t max_steps) {
     loaded_.model.time.end = end;
     loaded_.model.time.max_steps = max_steps;
     forget_scratch();  // a step may be a share of the end
-    good_ = {};        // and those already taken were chosen by the old one
-    next_ = choose_time_step(model(), state_, scratch_);
+    good_.forget();    // and those already taken were chosen by the old one
+    next_ = choose_step(model(), state_, scratch_);
 }
 
 void Simulation::forget_scratch() {
+    passages_.reset();
     scratch_.forget();
     has_stepped_ = false;
 }
@@ -72,28 +47,59 @@ std::int64_t Simulation::steps_left() const {
 bool Simulation::next_is_last() const { return steps_left() <= 1 || state_.time + next_.dt + 1e-6 * next_.dt >= end(); }
 
 StepOutcome Simulation::step(sim::Measure measure) {
-    good_.keep(state_);
-    const std::int64_t step = state_.step;
-    sim::StepReport report = advance(model(), state_, scratch_, next_.dt, measure);
-    const std::string problem = ledger_problem(report.ledger, model(), step + 1);
-    if (!report.status.ok() || !problem.empty()) {
-        state_ = good_.at(model(), step);
-        const bool is_retried = !report.status.ok() && halve_time_step(model(), state_);
-        if (is_retried) {
-            good_.replace(state_);
-            retries_ += 1;
-        }
-        forget_scratch();  // it may hold what is not a number
-        next_ = choose_time_step(model(), state_, scratch_);
-        return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused,
-                report.status.ok() ? problem : report.status.text};
+    if (!good_.is_there()) {
+        keep_standing();
     }
+    if (std::string problem = step_problem(model(), state_, next_.dt); !problem.empty()) {
+        return {StepOutcome::Kind::refused, std::move(problem)};
+    }
+    const bool is_last = next_is_last();
+    const bool is_judged =
+        is_last || measure == sim::Measure::energy || state_.step < first_steps || good_.is_due_after(state_.step + 1);
+    sim::StepReport report =
+        advance(model(), state_, scratch_, next_.dt, is_judged ? sim::Measure::energy : sim::Measure::flow);
+    if (report.status.ok()) {
+        report.status.text = passages_.look(model(), state_, scratch_, report, is_last);
+    }
+    if (!report.status.ok()) {
+        sim::State before = good_.at(model(), state_.step - 1);
+        return take_back(std::move(before), report.status.text);
+    }
+    const std::string problem = is_judged ? judge_step(report) : "";
+    if (!problem.empty()) {  // what went wrong may have begun at any step since the last that was judged
+        watch_.load(good_.last().expects);
+        counts_ = good_.last().counts;
+        return take_back(good_.last().state, problem);
+    }
+    report.ledger.has_energy = measure == sim::Measure::energy || state_.step == 1;
     report_ = std::move(report);
     has_stepped_ = true;
-    next_ = choose_time_step(model(), state_, scratch_);
+    next_ = choose_step(model(), state_, scratch_);
     counts_.add(report_, is_at_end());
     watch_.look(now());
+    if (is_judged) {
+        keep_standing();
+    }
     return {};
+}
+
+std::string Simulation::judge_step(const sim::StepReport& report) const {
+    std::string problem = ledger_problem(report.ledger, model(), state_, state_.step);
+    return problem.empty() ? water_passage(model(), state_) : problem;
+}
+
+void Simulation::keep_standing() { good_.keep({state_, watch_.save(), counts_}); }
+
+StepOutcome Simulation::take_back(sim::State to, const std::string& reason) {
+    state_ = std::move(to);
+    const bool is_retried = halve_time_step(model(), state_);
+    if (is_retried) {
+        keep_standing();
+        retries_ += 1;
+    }
+    forget_scratch();  // it may hold what is not a number
+    next_ = choose_step(model(), state_, scratch_);
+    return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused, reason};
 }
 
 void Simulation::note(RunRecord& record) const {

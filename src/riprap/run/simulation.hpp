@@ -7,6 +7,7 @@
 
 #include "riprap/run/expects.hpp"
 #include "riprap/run/good_state.hpp"
+#include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/restart.hpp"
 #include "riprap/run/summary.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -18,7 +19,7 @@ namespace riprap::run {
 struct StepOutcome {
     enum class Kind {
         accepted,
-        retried,  ///< refused; the State is the one before it, and the next step is half as long
+        retried,  ///< refused; the State is one before it, and the next step is half as long
         refused,  ///< for good: the State is the last good one
     };
     Kind kind{Kind::accepted};
@@ -83,6 +84,11 @@ class Simulation {
 
  private:
     void forget_scratch();
+    /// What is wrong with the scene after a step whose energy was measured; empty where nothing is.
+    std::string judge_step(const sim::StepReport& report) const;
+    void keep_standing();
+    /// Goes back to a State and on from there with half the step, where that is left to try.
+    StepOutcome take_back(sim::State to, const std::string& reason);
 
     scene::LoadedCase loaded_;
     sim::State initial_, state_;
@@ -95,6 +101,7 @@ class Simulation {
     StepCounts counts_;
     ExpectWatch watch_;
     GoodState good_;
+    PassageWatch passages_;
 };
 
 }  // namespace riprap::run

@@ -14,6 +14,7 @@
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
 
@@ -55,6 +56,18 @@ std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
         hasher.add(&input.hash, sizeof input.hash);
     }
     return hasher.value();
+}
+
+void warn_of_hard_impacts(const CaseBuild& build) {
+    constexpr std::size_t most = 3;
+    const std::vector<HardImpact> impacts = find_hard_impacts(build.model, build.state);
+    for (std::size_t i = 0; i < std::min(impacts.size(), most); ++i) {
+        build.warnings.push_back(text_of(impacts[i], build.model));
+    }
+    if (impacts.size() > most) {
+        build.warnings.push_back(
+            fmt::format("{} more bodies come to something that their contact cannot hold", impacts.size() - most));
+    }
 }
 
 /// A fixed step above its limit is a problem of the place where it stands. @throws CaseError
@@ -136,6 +149,9 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_output(build);
     if (build.has_sound_bodies) {
         check_overlaps(build);
+    }
+    if (problems.empty()) {
+        warn_of_hard_impacts(build);
     }
     throw_if_any(problems, build.has_all_bodies ? "the time step" : "the bodies of these problems and the time step");
 

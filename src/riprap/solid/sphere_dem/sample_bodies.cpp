@@ -61,6 +61,14 @@ std::vector<body::ShapeSphere> sample_part(const geometry::Polyhedron& shape, do
     return samples;
 }
 
+/// Radius of the sphere or disc of a body's volume.
+double radius_of_volume(const body::BodySet& bodies, const material::MaterialSet& materials, std::size_t body) {
+    const double volume = bodies.mass[body] / materials[bodies.material[body]].density;
+    return bodies.is_planar ? std::sqrt(volume / M_PI) : std::cbrt(0.75 * volume / M_PI);
+}
+
+}  // namespace
+
 double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                          const SphereDemSettings& settings) {
     if (settings.sphere_radius) {
@@ -74,14 +82,6 @@ double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& 
     }
     return least / 3;
 }
-
-/// Radius of the sphere or disc of a body's volume.
-double radius_of_volume(const body::BodySet& bodies, const material::MaterialSet& materials, std::size_t body) {
-    const double volume = bodies.mass[body] / materials[bodies.material[body]].density;
-    return bodies.is_planar ? std::sqrt(volume / M_PI) : std::cbrt(0.75 * volume / M_PI);
-}
-
-}  // namespace
 
 SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                         const material::MaterialSet& materials, const SphereDemSettings& settings) {

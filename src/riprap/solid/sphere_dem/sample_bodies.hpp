@@ -12,6 +12,10 @@ namespace riprap::solid::sphere_dem {
 SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                         const material::MaterialSet& materials, const SphereDemSettings& settings);
 
+/// Returns the radius of the samples: that of the settings, or a third of the least inscribed radius [m].
+double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                         const SphereDemSettings& settings);
+
 /// Pairs of all materials of a scene: elastic constants of the settings, friction of the scene's own pairs.
 contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings);
 

@@ -9,6 +9,7 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
+#include "riprap/solid/sphere_dem/deepest_contact.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 #include "riprap/solid/sphere_dem/time_step.hpp"
 
@@ -83,8 +84,10 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
                             bodies.name(body), norm(state.velocity[at(body.value)]), kick_time, motion.max_speed)};
     }
     if (!(sums.deepest <= settings_->laws.max_overlap)) {
-        return {fmt::format("two spheres overlap by {:.4g} of the smaller radius at t = {:.9g} s; allowed: {:.4g}",
-                            sums.deepest, kick_time, settings_->laws.max_overlap)};
+        const sphere_dem::DeepestContact deepest = deepest_contact(model(), *fields_, scratch_->buffers);
+        return {fmt::format(
+            "{} and {} overlap by {:.4g} of the smaller sphere's radius at t = {:.9g} s; allowed: {:.4g}",
+            bodies.name(deepest.a), bodies.name(deepest.b), sums.deepest, kick_time, settings_->laws.max_overlap)};
     }
     return {};
 }

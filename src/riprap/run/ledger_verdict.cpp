@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/ledger_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/mat3.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+/// Energy of motion of a body [J].
+double kinetic_energy(const sim::Model& model, const sim::State& state, std::int32_t body) {
+    const Vec3 spin = angular_velocity(model.bodies, state.bodies, BodyId{body});
+    return 0.5 * model.bodies.mass[at(body)] * norm_squared(state.bodies.velocity[at(body)]) +
+           0.5 * dot(spin, state.bodies.angular_momentum[at(body)]);
+}
+
+/// Names the free body with the largest energy of motion; empty where none moves.
+std::string most_energetic(const sim::Model& model, const sim::State& state) {
+    std::int32_t most = -1;
+    double largest = 0;
+    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+        if (is_free(model.bodies, BodyId{b}, state.time)) {
+            const double energy = kinetic_energy(model, state, b);
+            if (!(energy <= largest)) {
+                largest = energy;
+                most = b;
+            }
+        }
+    }
+    return most < 0 ? ""
+                    : fmt::format("; '{}' moves with {:.3g} {}, more than any other body",
+                                  model.bodies.name(BodyId{most}), largest, sim::unit_in("J", model.bodies.is_planar));
+}
+
+/// What falling a tenth of their inscribed radii gives to all free bodies [J].
+double short_fall(const sim::Model& model, const sim::State& state) {
+    const double gravity = norm(model.gravity.at(state.time));
+    double energy = 0;
+    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+        const std::int32_t part = model.bodies.part_begin[at(b)];
+        if (is_free(model.bodies, BodyId{b}, state.time) && part < model.bodies.part_begin[at(b) + 1]) {
+            const double radius = model.shapes.view(model.bodies.parts[at(part)].shape).inscribed_radius;
+            energy += std::isfinite(radius) ? 0.1 * radius * gravity * model.bodies.mass[at(b)] : 0;
+        }
+    }
+    return energy;
+}
+
+/// The methods whose ledgers close from the first step on: rigid polyhedra with the distance potential, alone or in
+/// SPH.
+bool books_every_step(const sim::Model& model) {
+    const coupling::ParticleFluid* const water = model.particles();
+    return model.dem() != nullptr &&
+           (!model.has_fluid() || (water != nullptr && std::holds_alternative<fluid::SphSettings>(water->scheme)));
+}
+
+}  // namespace
+
+std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
+                           std::int64_t step) {
+    constexpr double round_off = 1e-9;
+    if (!ledger.has_energy || (step <= first_steps && !books_every_step(model))) {
+        return "";
+    }
+    const double residual = std::abs(ledger.residual), kinetic = ledger.kinetic + ledger.fluid.kinetic;
+    const double grain = model.particles() != nullptr
+                             ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
+                             : 0;
+    const double counted =
+        std::max({ledger.turnover, kinetic, grain, step <= first_steps ? short_fall(model, state) : 0});
+    if (residual <= round_off * std::max(counted, std::abs(ledger.potential)) ||
+        residual <= model.output.ledger_tolerance * counted) {
+        return "";
+    }
+    const std::string unit = sim::unit_in("J", model.bodies.is_planar);
+    return fmt::format(
+        "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "
+        "output.ledger_tolerance = {:.3g} of it{}",
+        ledger.residual, unit, counted, unit, ledger.time, model.output.ledger_tolerance, most_energetic(model, state));
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/passage_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "riprap/core/index.hpp"
+#include "riprap/coupling/strays.hpp"
+#include "riprap/scene/warnings/initial_overlaps.hpp"
+#include "riprap/solid/travel_bound.hpp"
+
+namespace riprap::run {
+
+std::string water_passage(const sim::Model& model, const sim::State& state) {
+    const coupling::ParticleFluid* const water = model.particles();
+    if (water == nullptr) {
+        return "";
+    }
+    const std::int64_t particles = state.fluid.size();
+    const coupling::Strays strays = coupling::find_strays(model.shapes, model.bodies, state.bodies, water->is_dry,
+                                                          state.fluid.position, water->settings().spacing);
+    if (strays.count <= std::max<std::int64_t>(2, particles / 200)) {
+        return "";
+    }
+    return fmt::format(
+        "{} of {} particles of water lie more than a spacing deep in solids, the deepest {:.3g} m in {}, "
+        "at t = {:.6g} s",
+        strays.count, particles, strays.depth, model.bodies.name(strays.body), state.time);
+}
+
+namespace {
+
+/// The deepest contact of the distance potential, where that is too deep.
+std::string crossing_rows(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
+                          const sim::StepReport& report) {
+    if (!(report.max_potential > solid::most_overlap)) {
+        return "";
+    }
+    const contact::ContactRows rows = scratch.contacts();
+    std::size_t deepest = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        deepest = rows[i].potential > rows[deepest].potential ? i : deepest;
+    }
+    if (rows.empty() || !(rows[deepest].potential > solid::most_overlap)) {
+        return "";  // within a step of water it was, and parted again
+    }
+    const contact::ContactRow& row = rows[deepest];
+    const auto name = [&](std::int32_t part) { return model.bodies.name(model.bodies.parts[at(part)].body); };
+    return fmt::format(
+        "{} and {} are {:.3g} m deep in each other, {:.3g} of an inscribed radius, at ({:.6g}, {:.6g}, "
+        "{:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; allowed: {:.3g}",
+        name(row.parts.a), name(row.parts.b), row.overlap, row.potential, row.point.x, row.point.y, row.point.z,
+        state.time, solid::most_overlap);
+}
+
+/// The first two shapes that lie too deep in each other.
+std::string crossing_shapes(const sim::Model& model, const sim::State& state) {
+    for (const scene::InitialOverlap& overlap : scene::find_initial_overlaps(model, state, solid::most_overlap)) {
+        return fmt::format(
+            "{} and {} are {:.3g} m deep in each other, {:.3g} of the smaller inscribed radius, at t = {:.6g} s: their "
+            "contact cannot carry what they bring; allowed: {:.3g}",
+            model.bodies.name(overlap.a), model.bodies.name(overlap.b), overlap.depth, overlap.share, state.time,
+            solid::most_overlap);
+    }
+    return "";
+}
+
+bool meet_by_shapes(const sim::Model& model) {
+    const auto* spheres = std::get_if<solid::SphereDemSettings>(&model.solid);
+    return spheres == nullptr || spheres->sampling != solid::SphereSampling::one;
+}
+
+}  // namespace
+
+std::string PassageWatch::look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
+                               const sim::StepReport& report, bool is_last) {
+    if (std::string problem = model.dem() != nullptr ? crossing_rows(model, state, scratch, report) : "";
+        !problem.empty() || !meet_by_shapes(model)) {
+        return problem;
+    }
+    const double near = solid::most_approach * solid::smallest_radius(model.bodies, model.shapes);
+    approached_ += report.dt * solid::approach_limit(model.bodies, model.shapes, state.bodies);
+    const bool is_held = model.dem() != nullptr && model.time.is_automatic();  // by the depth of its contacts
+    if (!is_last && (is_held || approached_ < near)) {
+        return "";
+    }
+    approached_ = 0;
+    return crossing_shapes(model, state);
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "riprap/sim/advance.hpp"
+
+namespace riprap::run {
+
+/// Returns how water has come through a solid: more than one in two hundred of its particles, and three at least, lie
+/// more than a spacing deep in a body. Empty where it has not.
+std::string water_passage(const sim::Model& model, const sim::State& state);
+
+/// Looks for bodies that pass through each other; a member per run.
+///
+/// With the distance potential each step says how deep its contacts are. Other methods say less, so all shapes are
+/// looked at, where they are, before any two bodies can have approached each other by solid::most_approach of the
+/// thinnest since the last look; so is the end of every run. Shapes are taken as rigid: a block that has lost a quarter
+/// of its thickness has long left what its method is for. Bodies that meet by one sphere each
+/// (solid::SphereSampling::one) are let pass: their shapes do not meet. Spheres are held by solid.max_overlap.
+class PassageWatch {
+ public:
+    /// Returns which two bodies are so deep in each other that the centre of one nears the surface of the other: from
+    /// there on their contact would push them on (solid::most_overlap). Empty where none are.
+    std::string look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
+                     const sim::StepReport& report, bool is_last);
+    /// To be called where the State is put back.
+    void reset() { approached_ = infinite; }
+
+ private:
+    static constexpr double infinite = 1e300;
+    double approached_{infinite};  ///< by two bodies since the last look, at most [m]
+};
+
+}  // namespace riprap::run
