@@ -76,8 +76,9 @@ void add_render(CLI::App& app, Action& action) {
         ->check(CLI::IsMember({"corner", "front", "side", "top"}));
     command->add_option("--water", options->water, "Colour of the water")
         ->check(CLI::IsMember({"pressure", "speed", "none"}));
-    command->add_option("--blocks", options->blocks, "Colour of the blocks")
-        ->check(CLI::IsMember({"material", "speed", "displacement", "force"}));
+    command->add_option("--blocks", options->blocks,
+                        "Colour of the blocks: material, speed, displacement, force, or a field of the method "
+                        "(von_mises of DDA)");
     command->add_flag("--contacts", options->shows_contacts, "Draw contact forces");
     command->add_flag("--page", options->shows_page, "The whole page, with its plots");
     command->add_option("--theme", options->theme, "light or dark")->check(CLI::IsMember({"light", "dark"}));

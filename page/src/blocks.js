@@ -52,6 +52,8 @@ function edgesOf(shape) {
   return positions;
 }
 
+export const wordsOf = name => name.replaceAll('_', ' ');
+
 export class Blocks {
   constructor(contents, shapes, first, box) {
     this.contents = contents;
@@ -117,15 +119,23 @@ export class Blocks {
     this.paint();
   }
 
-  /** The range of what the blocks are coloured by: {unit, high}, or null for materials. */
+  /** The range of what the blocks are coloured by: {label, unit, low (0 if not given), high}, or null for materials. */
   range() {
     const bodies = this.contents.bodies;
     switch (this.colourBy) {
       case 'speed': return {label: 'speed of blocks', unit: 'm/s', high: bodies.most_speed};
       case 'displacement': return {label: 'displacement of blocks', unit: 'm', high: bodies.most_displacement};
       case 'force': return {label: 'contact force on blocks', unit: this.contents.is_planar ? 'N/m' : 'N', high: bodies.most_force};
-      default: return null;
+      default: {
+        const field = this.#field();
+        return field ? {label: `${wordsOf(field.name)} of blocks`, unit: field.unit, low: field.low, high: field.high} : null;
+      }
     }
+  }
+
+  /** The field of the solid method that blocks are coloured by, if any. */
+  #field() {
+    return this.contents.bodies.shown?.find(field => field.name === this.colourBy);
   }
 
   /** What the colours of materials mean: [[name, colour]]. */
@@ -142,7 +152,11 @@ export class Blocks {
     switch (this.colourBy) {
       case 'speed': return Math.hypot(...m.subarray(MOTION * body, MOTION * body + 3));
       case 'force': return Math.hypot(...m.subarray(MOTION * body + 6, MOTION * body + 9));
-      default: return Math.hypot(...[0, 1, 2].map(k => p[POSE * body + k] - first[POSE * body + k]));
+      case 'displacement': return Math.hypot(...[0, 1, 2].map(k => p[POSE * body + k] - first[POSE * body + k]));
+      default: {
+        const fields = this.contents.bodies.shown;
+        return this.frame.shown[fields.length * body + fields.indexOf(this.#field())];
+      }
     }
   }
 
@@ -154,7 +168,8 @@ export class Blocks {
         if (body === this.selected) {
           colour.copy(SELECTED);
         } else if (range && !isFixed) {
-          colour.setRGB(...colourAt(MAPS.cividis, this.#valueOf(body) / (range.high || 1)).map(c => c / 255),
+          const low = range.low ?? 0, share = (this.#valueOf(body) - low) / (range.high - low || 1);
+          colour.setRGB(...colourAt(MAPS.cividis, share).map(c => c / 255),
                         THREE.SRGBColorSpace);
         } else {
           colour.setHex(mesh.userData.isPlane ? 0xc9ccd0 : isFixed ? FIXED : materialColour(this.contents.bodies.material[body]));

@@ -30,7 +30,7 @@ export function showLegends(parent, {particles, blocks, forces, isPlanar}) {
   }
   const range = blocks?.range();
   if (range) {
-    parent.insertAdjacentHTML('beforeend', bar(`${range.label} [${range.unit}]`, MAPS.cividis, '0', short(range.high)));
+    parent.insertAdjacentHTML('beforeend', bar(`${range.label} [${range.unit}]`, MAPS.cividis, short(range.low ?? 0), short(range.high)));
   } else if (blocks) {
     parent.append(namesFigure(blocks.names()));
   }

@@ -2,6 +2,7 @@
 // Joins the parts: one time for the scene, the plots and the block that is selected.
 
 import './style.css';
+import {wordsOf} from './blocks.js';
 import {drawCompass} from './compass.js';
 import {showLegends} from './legends.js';
 import {reading} from './numbers.js';
@@ -79,6 +80,9 @@ class Page {
     }
     $('water-choice').hidden = !contents.water;
     $('block-choice').hidden = !contents.bodies;
+    for (const {name} of contents.bodies?.shown ?? []) {
+      $('block-by').add(new Option(wordsOf(name), name));
+    }
     $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
     try {
       this.scene = new Scene($('scene'), contents, shapes, first);
@@ -332,6 +336,7 @@ function remote(page, opened) {
     get frameCount() { return page.recording.frameCount; },
     get times() { return page.recording.times; },
     get index() { return page.index; },
+    get blockColours() { return [...$('block-by').options].map(option => option.value); },
     get scene() { return page.scene; },
     get recording() { return page.recording; },
     show: index => page.show(index),

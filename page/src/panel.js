@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The texts of the panel: one block, the case, where the run comes from.
 
+import {wordsOf} from './blocks.js';
 import {bodyOf, contactsOf} from './recording.js';
 import {reading} from './numbers.js';
 
@@ -60,6 +61,9 @@ export function showBody(parent, contents, frame, body) {
     ['turned by', reading(angle, 4), 'deg', 'angle'],
     ['mass', b.isFree || b.mass > 0 ? reading(b.mass) : 'fixed', b.mass > 0 ? perWidth('kg') : '', 'mass'],
   ]));
+  if (b.shown.length > 0) {
+    parent.append(scrolling(rows(b.shown.map(field => [wordsOf(field.name), reading(field.value), field.unit, field.name]))));
+  }
   const contacts = contactsOf(frame, body);
   parent.append(element('h3', `${contacts.length} contact${contacts.length === 1 ? '' : 's'}`));
   if (contacts.length > 0) {

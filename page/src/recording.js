@@ -38,7 +38,7 @@ export class Recording {
     return bytes ? JSON.parse(new TextDecoder().decode(bytes)) : [];
   }
 
-  /** Everything of one frame: {time, pose, motion, contacts, water}. */
+  /** Everything of one frame: {time, pose, motion, shown, contacts, water}. */
   async frame(index) {
     const group = Math.floor(index / this.contents.group), within = index % this.contents.group;
     if (!this.groups.has(group)) {
@@ -58,8 +58,10 @@ export class Recording {
   async #load(group) {
     const first = group * this.contents.group;
     const count = Math.min(this.contents.group, this.frameCount - first);
-    const [pose, motion, contacts, water] = await Promise.all([
+    const shownCount = this.contents.bodies?.shown?.length ?? 0;
+    const [pose, motion, shown, contacts, water] = await Promise.all([
       this.#rows(`poses-${group}`, Float64Array, POSE), this.#rows(`motion-${group}`, Float32Array, MOTION),
+      shownCount ? this.#rows(`shown-${group}`, Float32Array, shownCount) : null,
       takeChunk(`contacts-${group}`), takeChunk(`water-${group}`)]);
     if ((this.contents.bodies && !pose) || (this.contents.water && !water)) {
       throw new Error('the file does not hold it');
@@ -73,6 +75,7 @@ export class Recording {
         time: this.times[first + k],
         pose: pose?.subarray(k * POSE * this.bodyCount, (k + 1) * POSE * this.bodyCount),
         motion: motion?.subarray(k * MOTION * this.bodyCount, (k + 1) * MOTION * this.bodyCount),
+        shown: shown?.subarray(k * shownCount * this.bodyCount, (k + 1) * shownCount * this.bodyCount),
         contacts: contactRows?.subarray(CONTACT * contactsBefore, CONTACT * (contactsBefore + contactCount)),
       });
       contactsBefore += contactCount;
@@ -112,6 +115,7 @@ export function bodyOf(contents, frame, body) {
     angularVelocity: m.subarray(3, 6),
     contactForce: m.subarray(6, 9),
     isFree: m[9] > 0,
+    shown: (contents.bodies.shown ?? []).map((field, f, all) => ({...field, value: frame.shown?.[all.length * body + f]})),
   };
 }
 

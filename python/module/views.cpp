@@ -5,6 +5,7 @@
 
 #include "made_caster.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/sim/shown.hpp"
 #include "simulation.hpp"
 
 namespace riprap::python {
@@ -93,6 +94,17 @@ py::object contact_force(const Bodies& self) {
     return simulation.has_stepped() ? py::object(copied(simulation.scratch().contact_force())) : py::none();
 }
 
+py::dict shown(const Bodies& self) {
+    const run::Simulation& simulation = self.read();
+    const std::span<const ShownField> fields = sim::shown_fields(simulation.model());
+    py::dict values;
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+        values[py::str(std::string(fields[f].name))] =
+            copied(sim::shown_values(simulation.model(), simulation.state(), f));
+    }
+    return values;
+}
+
 py::array pressure(const Fluid& self) {
     const run::Simulation& simulation = self.read();
     std::vector<double> values;
@@ -159,6 +171,9 @@ void define_bodies(py::module_& module) {
         .def_property_readonly(
             "mass", [](const Bodies& self) { return copied(self.read().model().bodies.mass); },
             "[kg, in planar scenes kg/m], (n,); a copy.")
+        .def_property_readonly("shown", &shown,
+                               "Fields that the solid method adds, by name, such as 'stress_zz' [Pa] of DDA blocks: "
+                               "arrays (n,), copies (dict).")
         .def_property_readonly("is_free", &is_free, "Follows forces, now (bool, (n,)); a copy.")
         .def_property_readonly(
             "contact_force", &contact_force,

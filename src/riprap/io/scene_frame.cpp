@@ -6,6 +6,7 @@
 
 #include "riprap/io/csv.hpp"
 #include "riprap/sim/quantity.hpp"
+#include "riprap/sim/shown.hpp"
 
 namespace riprap::io {
 
@@ -180,6 +181,12 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
         cells.vectors([&](std::size_t b) { return body::angular_velocity(bodies, state.bodies, id(b)); }), 3);
     data.add_cell_array("displacement", cells.vectors(displacement), 3);
     data.add_cell_array("distance", cells.scalars<float>([&](std::size_t b) { return norm(displacement(b)); }));
+    const std::span<const ShownField> fields = sim::shown_fields(model);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+        const std::vector<double> values = sim::shown_values(model, state, f);
+        data.add_cell_array(std::string(fields[f].name) + " [" + std::string(fields[f].unit) + "]",
+                            cells.scalars<float>([&](std::size_t b) { return values[b]; }));
+    }
     add_poses(state, data);
     if (contact_force.size() == state.bodies.position.size()) {
         data.add_cell_array("contact_force", cells.vectors([&](std::size_t b) { return contact_force[b]; }), 3);

@@ -25,7 +25,8 @@ struct DrawnPlane {
 std::vector<DrawnPlane> draw_planes(const sim::Model& model, const sim::State& initial);
 
 /// Bodies as polygons, in world coordinates [m]. Cell arrays: body, material, is_free, velocity, speed,
-/// angular_velocity, displacement, distance, and contact_force where it is known.
+/// angular_velocity, displacement, distance, contact_force where it is known, and "NAME [UNIT]" for each field that the
+/// solid method shows (core/shown.hpp).
 /// Faces between the convex parts of one body are left out. Field arrays, one tuple per body and in double precision:
 /// body_position [m], the centre of mass, and body_orientation (w, x, y, z).
 PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const sim::State& state,

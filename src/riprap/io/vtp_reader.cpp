@@ -149,6 +149,16 @@ std::string_view VtpFile::section(VtpSection section) const {
                                                                             : all.substr(begin, end - begin);
 }
 
+std::vector<std::string> VtpFile::names(VtpSection section) const {
+    const std::string_view text = this->section(section);
+    std::vector<std::string> found;
+    for (std::size_t at = text.find("<DataArray"); at != std::string_view::npos; at = text.find("<DataArray", at + 1)) {
+        const std::size_t end = text.find('>', at);
+        found.emplace_back(attribute(text.substr(at, end == std::string_view::npos ? end : end - at), "Name"));
+    }
+    return found;
+}
+
 bool VtpFile::has(VtpSection section, std::string_view array) const {
     return data_array(this->section(section), array).has_value();
 }

@@ -28,6 +28,8 @@ class VtpFile {
     std::size_t point_count() const { return point_count_; }
     std::size_t polygon_count() const { return polygon_count_; }
     bool has(VtpSection section, std::string_view array) const;
+    /// Names of the arrays of a section, in the order of the file.
+    std::vector<std::string> names(VtpSection section) const;
 
     /// The values of an array, all components in one row. Float32, Float64, Int32, Int64 and UInt8 are converted.
     /// `expected` is the number of values that there must be. @throws FileError

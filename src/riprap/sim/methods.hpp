@@ -64,6 +64,12 @@ struct MethodList {
         return std::get<index>(variant);
     }
 
+    /// Returns the alternative of Fields or Scratch of a method, which must be the one that stands there.
+    template <class Method, class Variant>
+    static const auto& entry(const Variant& variant) {
+        return std::get<index_of<Method, 0, Methods...>()>(variant);
+    }
+
     /// Calls work.template operator()<Method>(entry) with the entry of a Settings, Fields or Scratch and its method.
     template <class Variant, class Work>
     static decltype(auto) visit(const Variant& entries, const Work& work) {

@@ -9,17 +9,22 @@
 #include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/quantity_table.hpp"
 #include "riprap/sim/scratch_data.hpp"
+#include "riprap/sim/shown.hpp"
 
 namespace riprap::sim {
 
 namespace {
 
-/// The table in the order of the manual: quantities of bodies, accounts of the energy balance, others of the scene.
+/// The table in the order of the manual: quantities of bodies, fields that methods show, accounts of the energy
+/// balance, others of the scene.
 const std::vector<QuantityInfo>& all_infos() {
     static const std::vector<QuantityInfo> infos = [] {
         std::vector<QuantityInfo> list;
         for (const Quantity& quantity : body_quantities()) {
             list.push_back(quantity.info);
+        }
+        for (const ShownField& field : all_shown_fields()) {
+            list.push_back({field.name, field.unit, 1, true, field.help});
         }
         for (const LedgerLine& line : ledger_lines()) {
             list.push_back({line.name, LedgerLine::unit, 1, false, line.help});
@@ -34,16 +39,43 @@ const std::vector<QuantityInfo>& all_infos() {
 
 std::size_t place_of(const QuantityInfo& info) { return static_cast<std::size_t>(&info - all_infos().data()); }
 
-/// The account that a quantity is; nullptr for others.
-const LedgerLine* account_behind(const QuantityInfo& info) {
-    const std::size_t first = body_quantities().size(), place = place_of(info);
-    return place >= first && place < first + ledger_lines().size() ? &ledger_lines()[place - first] : nullptr;
+/// Table of which a quantity is a line.
+enum class Owner { body_table, shown_fields, ledger, scene_table };
+struct Line {
+    Owner owner;
+    std::size_t place;  ///< in that table
+};
+
+Line line_of(const QuantityInfo& info) {
+    std::size_t place = place_of(info);
+    if (place < body_quantities().size()) {
+        return {Owner::body_table, place};
+    }
+    place -= body_quantities().size();
+    if (place < all_shown_fields().size()) {
+        return {Owner::shown_fields, place};
+    }
+    place -= all_shown_fields().size();
+    return place < ledger_lines().size() ? Line{Owner::ledger, place}
+                                         : Line{Owner::scene_table, place - ledger_lines().size()};
 }
 
-/// The function of a quantity that is no account.
-const Quantity& behind(const QuantityInfo& info) {
-    const std::size_t bodies = body_quantities().size(), place = place_of(info);
-    return place < bodies ? body_quantities()[place] : scene_quantities()[place - bodies - ledger_lines().size()];
+Vec3 read(const QuantityInfo& info, BodyId body, const Moment& moment) {
+    const Line line = line_of(info);
+    switch (line.owner) {
+        case Owner::body_table:
+            return body_quantities()[line.place].of_body(moment, body);
+        case Owner::shown_fields:
+            return {shown_value(moment.model, moment.state, info.name, body), 0, 0};
+        case Owner::ledger:
+            return {moment.report == nullptr
+                        ? std::numeric_limits<double>::quiet_NaN()
+                        : value_of(ledger_lines()[line.place], moment.model, moment.report->ledger),
+                    0, 0};
+        case Owner::scene_table:
+            break;
+    }
+    return scene_quantities()[line.place].of_scene(moment);
 }
 
 /// Splits a trailing ".x", ".y" or ".z" off; the component, or -1.
@@ -92,8 +124,13 @@ std::optional<Column> make_column(std::string_view text, BodyId body, const Quan
 std::span<const QuantityInfo> quantities() { return all_infos(); }
 
 bool has_quantity(const Model& model, const QuantityInfo& quantity) {
-    const LedgerLine* line = account_behind(quantity);
-    return line == nullptr || has_line(model, *line);
+    const Line line = line_of(quantity);
+    if (line.owner == Owner::shown_fields) {
+        const std::span<const ShownField> fields = shown_fields(model);
+        return std::any_of(fields.begin(), fields.end(),
+                           [&](const ShownField& field) { return field.name == quantity.name; });
+    }
+    return line.owner != Owner::ledger || has_line(model, ledger_lines()[line.place]);
 }
 
 const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
@@ -113,13 +150,7 @@ double evaluate(const Column& column, const Moment& moment) {
         return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
                                              : gauge)[static_cast<std::size_t>(column.component)];
     }
-    if (const LedgerLine* line = account_behind(*column.quantity)) {
-        return moment.report == nullptr ? std::numeric_limits<double>::quiet_NaN()
-                                        : value_of(*line, moment.model, moment.report->ledger);
-    }
-    const Quantity& quantity = behind(*column.quantity);
-    const Vec3 value = quantity.info.is_of_body ? quantity.of_body(moment, column.body) : quantity.of_scene(moment);
-    return value[column.component];
+    return read(*column.quantity, column.body, moment)[column.component];
 }
 
 std::string unit_in(std::string_view unit, bool is_planar) {

@@ -30,7 +30,8 @@ std::span<const QuantityInfo> quantities();
 /// Looks a quantity up by name among those of bodies or those of the scene; nullptr when there is none.
 const QuantityInfo* find_quantity(std::string_view name, bool of_body);
 
-/// Tells whether the methods of a case have a quantity of the table: accounts are named by methods.
+/// Tells whether the methods of a case have a quantity of the table: accounts and shown fields are named
+/// by methods.
 bool has_quantity(const Model& model, const QuantityInfo& quantity);
 
 /// The scene at one moment, as quantities read it.

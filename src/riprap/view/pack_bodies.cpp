@@ -155,6 +155,11 @@ DrawnBodies read_shapes(const io::VtpFile& frame) {
         bodies.first_face.push_back(faces[b].front());
         bodies.material.push_back(material[faces[b].front()]);
     }
+    for (std::string& name : frame.names(VtpSection::cell_data)) {
+        if (name.ends_with(']')) {
+            bodies.shown.push_back(std::move(name));
+        }
+    }
     return bodies;
 }
 
@@ -171,6 +176,10 @@ BodyFrame read_body_frame(const io::VtpFile& frame, const DrawnBodies& bodies) {
     const std::vector<float> force = frame.has(VtpSection::cell_data, "contact_force")
                                          ? frame.floats(VtpSection::cell_data, "contact_force", 3 * faces)
                                          : std::vector<float>(3 * faces, std::numeric_limits<float>::quiet_NaN());
+    std::vector<std::vector<float>> shown;
+    for (const std::string& name : bodies.shown) {
+        shown.push_back(frame.floats(VtpSection::cell_data, name, faces));
+    }
     BodyFrame out;
     for (std::size_t b = 0; b < count; ++b) {
         const std::size_t face = bodies.first_face[b];
@@ -180,6 +189,9 @@ BodyFrame read_body_frame(const io::VtpFile& frame, const DrawnBodies& bodies) {
             out.motion.insert(out.motion.end(), &(*values)[3 * face], &(*values)[3 * face] + 3);
         }
         out.motion.push_back(static_cast<float>(is_free[face]));
+        for (const std::vector<float>& values : shown) {
+            out.shown.push_back(values[face]);
+        }
     }
     return out;
 }

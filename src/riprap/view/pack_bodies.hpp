@@ -27,6 +27,7 @@ struct DrawnBodies {
     std::vector<DrawnShape> shapes;             ///< each once, however many bodies have it
     std::vector<std::int32_t> shape, material;  ///< of each body
     std::vector<std::size_t> first_face;        ///< of each body, among the polygons of a frame
+    std::vector<std::string> shown;             ///< "NAME [UNIT]" of the fields that the solid method shows
     std::size_t body_count() const { return shape.size(); }
 };
 
@@ -39,6 +40,7 @@ inline constexpr std::size_t motion_values = 10;
 struct BodyFrame {
     std::vector<double> pose;
     std::vector<float> motion;  ///< the contact force is NaN where it is not known
+    std::vector<float> shown;   ///< per body the values of the shown fields
 };
 
 /// Takes the shapes from a frame. @throws FileError

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "riprap/run/provenance.hpp"
@@ -102,6 +103,7 @@ class Packer {
             note_extremes(body_frame);
             poses_.push_back(std::move(body_frame.pose));
             motions_.push_back(std::move(body_frame.motion));
+            shown_fields_.push_back(std::move(body_frame.shown));
         } else if (has_bodies_) {  // poses go by the number of the frame
             throw FileError("the frame has no file of bodies");
         }
@@ -141,6 +143,34 @@ class Packer {
             }
         }
         box_first_ = is_first ? box_all_ : box_first_;
+        note_range_of_fields(frame);
+    }
+
+    /// Lowest and highest value of every shown field of free bodies.
+    void note_range_of_fields(const BodyFrame& frame) {
+        const std::size_t count = bodies_.shown.size();
+        field_ranges_.resize(count);
+        for (std::size_t body = 0; body < bodies_.body_count(); ++body) {
+            for (std::size_t f = 0; f < count && frame.motion[motion_values * body + 9] > 0; ++f) {
+                const auto value = static_cast<double>(frame.shown[count * body + f]);
+                field_ranges_[f].low = std::fmin(field_ranges_[f].low, value);
+                field_ranges_[f].high = std::fmax(field_ranges_[f].high, value);
+            }
+        }
+    }
+
+    Json shown_json() const {
+        Json fields = Json::array();
+        for (std::size_t f = 0; f < field_ranges_.size(); ++f) {
+            const std::string& name = bodies_.shown[f];
+            const std::size_t bracket = name.find(" [");
+            fields.push_back(
+                {{"name", name.substr(0, bracket)},
+                 {"unit", bracket == std::string::npos ? "-" : name.substr(bracket + 2, name.size() - bracket - 3)},
+                 {"low", field_ranges_[f].low},
+                 {"high", field_ranges_[f].high}});
+        }
+        return fields;
     }
 
     void add_contacts(const FrameFiles& files) {
@@ -169,11 +199,16 @@ class Packer {
         if (!poses_.empty()) {
             add_chunk(fmt::format("poses-{}", group), pack_rows(std::span<const std::vector<double>>(poses_)));
             add_chunk(fmt::format("motion-{}", group), pack_rows(std::span<const std::vector<float>>(motions_)));
+            if (!bodies_.shown.empty()) {
+                add_chunk(fmt::format("shown-{}", group),
+                          pack_rows(std::span<const std::vector<float>>(shown_fields_)));
+            }
         }
         add_chunk(fmt::format("contacts-{}", group),
                   compress(split_planes(bytes_of(std::span<const float>(contacts_)), sizeof(float))));
         poses_.clear();
         motions_.clear();
+        shown_fields_.clear();
         contacts_.clear();
     }
 
@@ -322,6 +357,7 @@ class Packer {
                               {"most_displacement", most_.displacement},
                               {"most_force", most_.force},
                               {"most_contact_force", most_.contact},
+                              {"shown", shown_json()},
                               {"names", has_names ? Json(run_.body_names) : Json()},
                               {"mass", has_names ? Json(run_.body_mass) : Json()}};
         }
@@ -334,7 +370,11 @@ class Packer {
     DrawnBodies bodies_;
     std::vector<FrameFiles> shown_;  ///< frames that could be read
     std::vector<std::vector<double>> poses_;
-    std::vector<std::vector<float>> motions_;
+    std::vector<std::vector<float>> motions_, shown_fields_;
+    struct FieldRange {
+        double low{std::numeric_limits<double>::quiet_NaN()}, high{std::numeric_limits<double>::quiet_NaN()};
+    };
+    std::vector<FieldRange> field_ranges_;  ///< of bodies_.shown, over all frames
     std::vector<float> contacts_;
     std::vector<std::size_t> contact_counts_;
     std::vector<double> first_pose_;

@@ -3,6 +3,7 @@
 #include "riprap/core/printable.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,6 +43,11 @@ class Stage {
         }
         browser_.evaluate(options.shows_page ? fmt::format("riprap.theme({})", quoted(options.theme))
                                              : fmt::format("riprap.picture({})", quoted(options.theme)));
+        const auto known = browser_.evaluate("riprap.blockColours").get<std::vector<std::string>>();
+        if (!options.blocks.empty() && std::find(known.begin(), known.end(), options.blocks) == known.end()) {
+            throw FileError(fmt::format("blocks of this run cannot be coloured by '{}'; allowed: {}", options.blocks,
+                                        fmt::join(known, ", ")));
+        }
         browser_.evaluate(fmt::format("riprap.choose({{water: {}, blocks: {}, contacts: {}}})", quoted(options.water),
                                       quoted(options.blocks), options.shows_contacts));
         if (!options.camera.empty()) {

@@ -56,6 +56,20 @@ std::string name_of_probe(const Value& table) {
     return name != nullptr ? name->text : (body != nullptr ? body->text + "." : "") + get_text(table, "quantity");
 }
 
+/// Quantities that only some methods have and those of this case do, of the same owner.
+std::string other_names(const sim::Model& model, const sim::QuantityInfo& quantity) {
+    const bool is_account = quantity.name.find('.') != std::string_view::npos;
+    std::string names;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        const bool is_alike =
+            info.is_of_body == quantity.is_of_body && is_account == (info.name.find('.') != std::string_view::npos);
+        if (is_alike && has_quantity(model, info)) {
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", info.name);
+        }
+    }
+    return names;
+}
+
 void read_probe(CaseBuild& build, const Value& table) {
     sim::Probe probe;
     probe.quantity = get_text(table, "quantity");
@@ -72,6 +86,13 @@ void read_probe(CaseBuild& build, const Value& table) {
             get(table, "quantity").place,
             fmt::format("'{}' is {} quantity of {}", probe.quantity, "no", body != nullptr ? "a body" : "the scene"),
             body != nullptr ? "leave out 'body'" : "give the 'body'");
+        return;
+    }
+    const sim::QuantityInfo& quantity = *sim::find_quantity(probe.quantity, body != nullptr);
+    if (!has_quantity(build.model, quantity)) {
+        build.problem(get(table, "quantity").place,
+                      fmt::format("the methods of this case do not have '{}'", probe.quantity),
+                      other_names(build.model, quantity));
         return;
     }
     const auto& probes = build.model.output.probes;
@@ -116,13 +137,8 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
         if (column->quantity == nullptr || has_quantity(build.model, *column->quantity)) {
             return true;
         }
-        std::string accounts;
-        for (const sim::QuantityInfo& info : sim::quantities()) {
-            if (info.name.find('.') != std::string_view::npos && has_quantity(build.model, info)) {
-                accounts += fmt::format("{}'{}'", accounts.empty() ? "" : ", ", info.name);
-            }
-        }
-        build.problem(place, fmt::format("the methods of this case keep no account '{}'", quantity), accounts);
+        build.problem(place, fmt::format("the methods of this case do not have '{}'", quantity),
+                      other_names(build.model, *column->quantity));
         return false;
     }
     if (may_lack_its_subject(build, quantity)) {

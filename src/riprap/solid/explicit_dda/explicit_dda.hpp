@@ -7,6 +7,7 @@
 #include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 
 namespace riprap::solid {
@@ -44,6 +45,10 @@ class ExplicitDda {
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
+    static std::span<const ShownField> shown() { return affine::shown_of_blocks(); }
+    static double show(const body::BodyState& /*bodies*/, const Fields& fields, std::size_t body, std::size_t field) {
+        return affine::show_block(fields.blocks, body, field);
+    }
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
 
  private:

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the solid method of a case shows of its bodies beyond poses and velocities (core/shown.hpp).
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "riprap/core/shown.hpp"
+#include "riprap/sim/model.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::sim {
+
+/// Returns the fields that the solid method of a case shows.
+std::span<const ShownField> shown_fields(const Model& model);
+
+/// Returns the fields of every registered solid method, each name once.
+const std::vector<ShownField>& all_shown_fields();
+
+/// Returns the value of a field of shown_fields for every body.
+std::vector<double> shown_values(const Model& model, const State& state, std::size_t field);
+
+/// Returns the value of the field called `name` for one body; NaN where the method of the case does not show it.
+double shown_value(const Model& model, const State& state, std::string_view name, BodyId body);
+
+}  // namespace riprap::sim
