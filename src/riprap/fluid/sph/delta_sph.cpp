@@ -12,6 +12,7 @@
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
+#include "riprap/fluid/sph/transposed_stress.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 
 namespace riprap::fluid {
@@ -185,6 +186,10 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     average_at_walls(settings, state, walls, s);
     find_pressure_on_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
+    if (settings.viscosity == Viscosity::laminar_sps) {
+        find_transposed_stress(settings, state, walls, s);
+        add_transposed_forces(settings, state, s);
+    }
 }
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
@@ -192,12 +197,18 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
     extrapolate_to_walls(walls, gravity, s);
     with_viscosity(settings,
                    [&](const auto& law) { find_forces_on_walls(settings, kernel_of(settings), state, walls, law, s); });
+    if (settings.viscosity == Viscosity::laminar_sps) {
+        add_transposed_forces_on_walls(settings, state, walls, s);
+    }
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                 double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
+    if (settings.viscosity == Viscosity::laminar_sps) {
+        add_transposed_forces_from_walls(settings, state, walls, s);
+    }
     scale_by_volume(s);
     const Shifting shifting = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
     report.shifted += shifting.potential;

@@ -6,6 +6,7 @@
 #include "riprap/fluid/sph/momentum.hpp"
 #include "riprap/fluid/sph/muller_kernels.hpp"
 #include "riprap/fluid/sph/pair_sums.hpp"
+#include "riprap/fluid/sph/transposed_stress.hpp"
 #include "riprap/fluid/sph/wall_averages.hpp"
 
 namespace riprap::fluid {
@@ -51,6 +52,11 @@ RIPRAP_INSTANTIATE(PressureOnWalls<WendlandC2>);
 RIPRAP_INSTANTIATE(PressureOnWalls<SpikyKernel>);
 RIPRAP_INSTANTIATE(DensitySum);
 RIPRAP_INSTANTIATE_WITHIN(DensitySum);
+RIPRAP_INSTANTIATE_WITHIN(VelocityGradient);
+RIPRAP_INSTANTIATE(VelocityGradientAtWalls);
+RIPRAP_INSTANTIATE_WITHIN(TransposedStress);
+RIPRAP_INSTANTIATE(TransposedFromWalls);
+RIPRAP_INSTANTIATE(TransposedOnWalls);
 // a comma in a template argument list would be one in the macro's
 template <class Kernel, class Viscosity>
 struct Forces {

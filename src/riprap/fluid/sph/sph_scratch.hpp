@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
@@ -17,6 +18,9 @@ struct SphScratchData {
     std::vector<double> pressure, volume;   ///< [Pa], [m^3]
     std::vector<double> mass, wall_mass;    ///< as they enter a sum of density [kg]
     std::vector<double> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
+
+    std::vector<std::array<double, 9>> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
+    std::vector<Vec3> wall_stress;                         ///< sum of TransposedOnWalls
 
     std::vector<double> diffusion, strain;       ///< sums of Continuity
     std::vector<double> squeeze;                 ///< -div v [1/s]
@@ -44,10 +48,11 @@ struct SphScratchData {
     SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, diffusion, strain, squeeze, damped_share,
-                        correction, pressure_tensor, correction_share, bareness, force, concentration_gradient,
-                        surface_direction, heat, wall_heat, wall_hold, wall_hold_power, wall_weight, wall_pressure,
-                        wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity, grip) +
+        return bytes_of(pressure, volume, mass, wall_mass, dynamic_viscosity, transposed_stress, wall_stress, diffusion,
+                        strain, squeeze, damped_share, correction, pressure_tensor, correction_share, bareness, force,
+                        concentration_gradient, surface_direction, heat, wall_heat, wall_hold, wall_hold_power,
+                        wall_weight, wall_pressure, wall_moment, wall_velocity, wall_slope, wall_push,
+                        mirrored_velocity, grip) +
                fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };
