@@ -9,7 +9,7 @@
 
 namespace riprap::bench {
 
-/// What `riprap bench [NAME]... [--full] [--json] [--threads N]` asks for.
+/// Options of `riprap bench [NAME]... [--full] [--json] [--threads N]`.
 struct BenchOptions {
     std::vector<std::string> selection;  ///< names or beginnings of names: "pile", "contact.cube_cube"; empty = all
     bool is_full{false};                 ///< also long benches

@@ -7,7 +7,7 @@
 
 namespace riprap::bench {
 
-/// How candidate pairs are searched for.
+/// Search for candidate pairs.
 enum class Search { multilevel_grid, single_grid };
 
 /// Processor time of one search [s], the median of several, for each number of bodies: bounding spheres at random in a

@@ -5,7 +5,7 @@
 
 namespace riprap::bench {
 
-/// What the machine can do with so many threads.
+/// Limits of the machine with so many threads.
 struct ThreadLimits {
     int threads{1};
     double triad{0};       ///< [B/s], 24 bytes counted per element, arrays far larger than any cache

@@ -6,8 +6,8 @@
 
 namespace riprap::bench {
 
-/// Seconds that pass: with one thread the processor time of this process, which other programs on the machine hardly
-/// disturb; with more the time on the wall.
+/// Returns a time [s]: with one thread the processor time of this process, which other programs on the machine hardly
+/// disturb; with more the wall-clock time.
 double now();
 
 /// Repeated measurements of one thing: times [s], or ratios of them [-].
@@ -16,7 +16,7 @@ struct Timing {
     int count{0};
 };
 
-/// How often to repeat a measurement.
+/// Least repetitions of a measurement.
 struct Repeat {
     int least_calls{5};
     double least_seconds{0.3};
@@ -25,12 +25,12 @@ struct Repeat {
 /// Times `call` over and over. The first call, which grows buffers, is not counted.
 Timing time_calls(const std::function<void()>& call, const Repeat& repeat = {});
 
-/// How many times as fast `second` is as `first` [-]. They are called in turn and timed on the wall, and the ratios are
-/// those of neighbouring calls: what else keeps the machine busy for longer than two calls meets both. The first call
+/// Returns the speed of `second` over that of `first` [-]. Both are called in turn, timed on the wall; the ratios are
+/// those of neighbouring calls: a load on the machine that outlasts two calls slows both. The first call
 /// of each, which grows buffers, is not counted.
 Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count = 9);
 
-/// "median of 7, spread -1 % +4 %"
+/// Writes "median of 7, spread -1 % +4 %".
 std::string spread(const Timing& timing);
 
 /// Sets the number of host threads for as long as it lives.

@@ -59,7 +59,7 @@ std::string shares(const sim::StageTimes& t) {
         t.measure * percent);
 }
 
-/// How many times as fast `threads` step a pile as one thread does.
+/// Measures the speed-up of `threads` threads over one that step a pile.
 Result speedup(const std::string& name, const Pile& pile, int warm_steps, int threads) {
     PileRun one(pile, 1, warm_steps), many(pile, threads, warm_steps);
     many.set_batch(one.batch());

@@ -19,7 +19,7 @@ struct Result {
     std::string note;  ///< repetitions and spread, sizes, what else is worth knowing
 };
 
-/// What a bench is given.
+/// Input of a bench.
 struct Setting {
     std::vector<int> thread_counts{1};  ///< to measure with, increasing, starting with 1
     MachineLimits machine{};            ///< of this machine, to compare with

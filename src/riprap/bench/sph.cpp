@@ -80,7 +80,7 @@ void add_rate(const std::string& name, int threads, double particles, const Timi
                        fmt::format("{:.0f} ns; {}; {}", 1e9 / rate, note, spread(timing))});
 }
 
-/// How many times as fast `threads` make batches of a Work on the column as one thread does.
+/// Adds the speed-up of `threads` threads over one that make batches of a Work on the column.
 template <class Work>
 void add_speedup(const std::string& name, const SphColumn& column, int threads, std::vector<Result>& results) {
     Work one(column), many(column);

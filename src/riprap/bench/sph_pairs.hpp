@@ -6,7 +6,7 @@
 
 namespace riprap::bench {
 
-/// What the two pairs below share.
+/// Constants that the two pairs below share.
 struct SphConstants {
     fluid::WendlandC2 kernel;
     double smoothing_length;   ///< h [m]

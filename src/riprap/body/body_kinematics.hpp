@@ -7,7 +7,7 @@
 
 namespace riprap::body {
 
-/// What contact laws and the kick need to know of every body at one pose: Scratch. A body that forces do not move has
+/// Kinematics of every body at one pose, for contact laws and the kick: Scratch. A body that forces do not move has
 /// inverse mass and inverse inertia zero.
 struct BodyKinematics {
     std::vector<Vec3> angular_velocity;  ///< world axes [rad/s]

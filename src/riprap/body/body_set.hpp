@@ -34,7 +34,7 @@ struct DrivenBody {
     Pose start;           ///< that the motion counts from
 };
 
-/// What does not change about the bodies: Model. All arrays have one entry per body unless said.
+/// Constant properties of the bodies: Model. All arrays have one entry per body unless said.
 struct BodySet {
     std::vector<std::int32_t> name_id;     ///< index into names
     std::vector<std::int32_t> name_index;  ///< number within the name, -1 where the name is unique
@@ -57,7 +57,7 @@ struct BodySet {
     std::string name(BodyId body) const;  ///< "block" or "block[17]"
 };
 
-/// What changes: State. Velocities and poses at the same time.
+/// Poses and velocities of the bodies: State. Both at the same time.
 struct BodyState {
     std::vector<Vec3> position;          ///< of the centre of mass [m]
     std::vector<Quat> orientation;       ///< body -> world
@@ -114,8 +114,8 @@ struct NewBody {
 /// Where a driven body is and how it moves at a time, corrections aside.
 DrivenState driven_state(const BodySet& bodies, BodyId body, double time);
 
-/// How often to look at a driven body between 0 and `end` to see its extremes: 64 times in the shortest period of its
-/// motion, 2000 times at least and 200 000 at most.
+/// Returns the number of looks at a driven body between 0 and `end` that find its extremes: 64 in the shortest period
+/// of its motion, 2000 at least and 200 000 at most.
 std::int64_t look_count(const BodySet& bodies, BodyId body, double end);
 
 /// Gives back memory kept for growth. Worth calling once the scene is read.

@@ -71,7 +71,7 @@ struct HarmonicMotion {
     double arm{0};                      ///< distance of the axis from the line that moves by s [m]
 };
 
-/// How a body is driven. Outside [start, stop] the body rests where the motion put it.
+/// Prescribed motion of a body. Outside [start, stop] the body rests where the motion put it.
 struct PrescribedMotion {
     std::variant<LinearMotion, SinusoidalMotion, TableMotion, RotatingMotion, SplineMotion, HarmonicMotion> law;
     double start{0};  ///< the law's t counts from here [s]

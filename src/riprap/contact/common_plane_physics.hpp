@@ -10,7 +10,7 @@
 
 namespace riprap::contact {
 
-/// How stiff a contact point of the common plane is, k the sum of k_n/r of both bodies [Pa/m].
+/// Stiffness of a contact point of the common plane, k the sum of k_n/r of both bodies [Pa/m].
 enum class PlaneLaw : std::uint8_t {
     penalty,  ///< k r^2, the same for every point, r the smaller inscribed radius
     soft      ///< k (A_c + r^2/100), A_c the area that the point stands for

@@ -5,7 +5,7 @@
 
 namespace riprap::contact {
 
-/// How two bodies move at a contact point, and how heavy they feel there.
+/// Motion of two bodies at a contact point, and their effective masses there.
 struct ContactKinematics {
     Vec3 relative_velocity;   ///< v_A - v_B at the point of action [m/s]
     Vec3 mean_spin;           ///< (omega_A + omega_B)/2 [rad/s]

@@ -15,7 +15,7 @@ struct PartPair {
     friend constexpr auto operator<=>(const PartPair&, const PartPair&) = default;
 };
 
-/// What a narrowphase says of one contact between parts A and B. Forces act on A; B gets the opposite.
+/// Normal contact between parts A and B, from a narrowphase. Forces act on A; B gets the opposite.
 struct NormalContact {
     Vec3 force;        ///< normal force on A [N]
     Vec3 moment;       ///< of the normal pressure on A about `point` (its residual couple) [N m]

@@ -70,7 +70,7 @@ class FoundContacts {
     std::size_t first_{0};  ///< of this pair's contacts in *found_
 };
 
-/// What happens between two parts: a narrowphase and a law. One object serves all threads; per candidate it has a
+/// Physics of a pair of parts: a narrowphase and a law. One object serves all threads; per candidate it has a
 /// SeparatingCache to remember what may save it work. A DDA reports a contact per vertex on face and edge on edge, the
 /// distance potential one per pair.
 ///

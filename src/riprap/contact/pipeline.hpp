@@ -12,7 +12,7 @@
 
 namespace riprap::contact {
 
-/// What the contact pipeline reads: all const, or fixed for the step.
+/// Input of the contact pipeline: all const, or fixed for the step.
 struct ContactScene {
     const geometry::ShapeSet& shapes;
     const material::MaterialSet& materials;
@@ -31,11 +31,11 @@ class ContactPipeline {
     ContactPipeline& operator=(const ContactPipeline&) = delete;
     ContactPipeline(ContactPipeline&&) = default;
     ContactPipeline& operator=(ContactPipeline&&) = default;
-    /// Puts every part where its body is.
+    /// Places every part with its body.
     void place_parts(const ContactScene& scene, const body::BodyState& state);
-    /// Brings the candidate pairs up to date. @returns true when they were searched afresh.
+    /// Updates the candidate pairs. @returns true when they were searched afresh.
     bool find_pairs();
-    /// The physics on every candidate; `history` is replaced by that of the contacts found now. The body is in
+    /// Evaluates the physics of every candidate and replaces `history` by that of the contacts found. The body is in
     /// find_contacts.hpp; a physics instantiates it in its own source file.
     /// @param sliding_time  time since the last evaluation [s]
     /// @returns energy of springs whose contact was lost, dissipated [J]
@@ -44,12 +44,12 @@ class ContactPipeline {
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
     void gather_loads(const ContactScene& scene, const body::BodyState& state, body::Loads& loads) const;
-    /// Energy the dashpots take in a step of length dt: force times the mean of the velocities before and after the
-    /// kick, which is what the kick did to the kinetic energy [J]. Call after the kick, `kinematics` still that before.
+    /// Returns the energy that the dashpots take in a step of length dt [J]: force times the mean of the velocities
+    /// before and after the kick, as that is its change. Call after the kick, with the kinematics before it.
     double dashpot_loss(const ContactScene& scene, const body::BodyState& state, const body::BodyKinematics& kinematics,
                         double dt) const;
-    /// The step that the contacts as they are allow, by Gershgorin's theorem (docs/theory/time-step.md) [s]; infinity
-    /// without contacts.
+    /// Returns the longest stable step of the present contacts, by Gershgorin's theorem (docs/theory/time-step.md) [s];
+    /// infinity without contacts.
     double stable_step(const ContactScene& scene) const;
 
     /// Contacts found last; valid until they are sought again.
@@ -58,13 +58,13 @@ class ContactPipeline {
     std::size_t bytes() const;
 
  private:
-    /// The contacts of the last step are those of `history`: nobody has put another State in between.
+    /// Tells whether the last contacts found are those of `history`: not so once another State has been loaded.
     bool are_rows_of(const ContactHistory& history) const;
     void map_history(const ContactHistory& history);
     template <PairPhysics Physics>
     void evaluate(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                   const body::BodyKinematics& kinematics, double sliding_time, const ContactHistory& history);
-    /// Makes rows_, contact_begin_ and the history of what the chunks hold.
+    /// Builds rows_, contact_begin_ and the history from the chunks.
     void collect(ContactHistory& history);
     double lost_energy(const ContactHistory& history) const;
     template <class Visit>

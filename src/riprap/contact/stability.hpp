@@ -7,7 +7,7 @@
 
 namespace riprap::contact {
 
-/// How easily a force at a point moves a body there: a = W f, W = I/m - [r]x J^-1 [r]x, r from the centre of mass to
+/// Mobility of a body at a point, acceleration per force: a = W f, W = I/m - [r]x J^-1 [r]x, r from centre of mass to
 /// the point, n the contact normal. Zero for a body that forces do not move.
 struct Mobility {
     double along;         ///< n . W n = 1/m + (r x n) . J^-1 (r x n) [1/kg]
@@ -19,7 +19,7 @@ struct Mobility {
 
 Mobility mobility_at(const PairSide& side, const Vec3& point, const Vec3& n);
 
-/// How the two bodies of a candidate move at a point, with their mobilities there.
+/// Returns the motion of the two bodies of a candidate at a point, with their effective masses there.
 ContactKinematics kinematics_at(const Candidate& pair, const Vec3& point, const Mobility& a, const Mobility& b);
 
 /// A contact as springs and dashpots between two points.

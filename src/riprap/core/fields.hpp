@@ -27,7 +27,7 @@ struct NoFields {
     static void visit_fields(Self& /*self*/, Visit&& /*visit*/) {}
 };
 
-/// How the entries of a field are stored.
+/// Type of the entries of a field.
 enum class FieldType : std::uint8_t { float64 = 1, int32 = 2, int64 = 3, uint64 = 4, uint8 = 5 };
 
 template <class T>

@@ -26,7 +26,7 @@ const char* backend_name();
 /// Sets the number of host threads, at least 1. May be called while loops run: they take it when they begin.
 void set_thread_count(int count);
 
-/// Whether loops may write entries of a std::vector<T> at once: not those that share a byte, as bool does.
+/// Tells whether loops may write entries of a std::vector<T> at once: not those that share a byte, as bool does.
 template <class T>
 inline constexpr bool has_own_bytes = !std::is_same_v<std::remove_cv_t<T>, bool>;
 
@@ -102,7 +102,7 @@ T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, st
     return total;
 }
 
-/// Whether is(i) for any i in [0, n).
+/// Tells whether is(i) for any i in [0, n).
 template <class Predicate>
 bool any_of(std::int64_t n, const Predicate& is) {
     return reduce(

@@ -11,7 +11,7 @@
 
 namespace riprap::geometry {
 
-/// What a `.geo` file of the 2D-DDA family holds: lines to cut blocks along and points of interest.
+/// Content of a `.geo` file of the 2D-DDA family: lines to cut blocks along and points of interest.
 struct DdaGeometry {
     double snap{0};  ///< least distance of an edge from a node [m]
     std::vector<PlanarJoint> joints;
@@ -42,7 +42,7 @@ struct DdaLoadHistory {
     std::vector<std::array<double, 3>> records;  ///< t, Fx, Fy [s, N]
 };
 
-/// What an `.ana` file holds: how to compute and with which materials.
+/// Content of an `.ana` file: control parameters and materials.
 struct DdaAnalysis {
     bool is_dynamic{true};
     bool is_plane_strain{false};

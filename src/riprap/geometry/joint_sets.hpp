@@ -32,7 +32,7 @@ struct JointSet {
     double persistence{1.0};
 };
 
-/// How a rock mass is cut, and what is refused.
+/// Options of the cutting of a rock mass, and its limits.
 struct JointingOptions {
     std::uint64_t seed{0};  ///< decides scatter and persistence; same seed, same blocks
     /// A joint that would cut a piece smaller than this off a block leaves that block whole [m^3]. Every block is then

@@ -10,7 +10,7 @@
 
 namespace riprap::geometry {
 
-/// Why a shape was refused. The reader of the case file knows the place and makes a Diagnostic of it.
+/// Reason why a shape was refused. The reader of the case file knows the place and makes a Diagnostic of it.
 struct GeometryProblem {
     std::string message;  ///< what was found and why it is refused, with vertex and face numbers from 0
     std::string allowed;  ///< what is allowed, or the remedy; may be empty

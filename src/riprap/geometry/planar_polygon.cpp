@@ -53,7 +53,7 @@ bool is_inside(std::span<const Vec2> corners, const Vec2& point) {
 
 namespace {
 
-/// Whether the segments a-b and c-d have a point in common.
+/// Tells whether the segments a-b and c-d have a point in common.
 bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
     const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);

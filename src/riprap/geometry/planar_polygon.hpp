@@ -31,7 +31,7 @@ struct PolygonMoments {
 /// clockwise has a negative area.
 PolygonMoments moments_of(std::span<const Vec2> corners);
 
-/// Whether `point` lies inside or on the outline.
+/// Tells whether `point` lies inside or on the outline.
 bool is_inside(std::span<const Vec2> corners, const Vec2& point);
 
 /// Makes a polygon of corners in either sense of turn, without repeated corners, or refuses it: fewer than three

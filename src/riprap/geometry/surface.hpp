@@ -14,7 +14,7 @@
 
 namespace riprap::geometry {
 
-/// What a surface file may hold. A file beyond any of these is refused with a message, before memory is spent on it.
+/// Limits of a surface file. A file beyond any of these is refused with a message, before memory is spent on it.
 struct SurfaceLimits {
     static constexpr std::uint64_t bytes = 512ull << 20;      ///< size of the file
     static constexpr std::size_t faces = 2'000'000;           ///< faces

@@ -9,7 +9,7 @@
 
 namespace riprap::geometry {
 
-/// What an audit may repair, and how strict it is. Every repair is reported in the notes of the result.
+/// Repairs that an audit may make, and its tolerances. Every repair is reported in the notes of the result.
 struct SurfaceAuditOptions {
     /// Vertices closer than this fraction of the diagonal of the bounding box are one; also how far a face may be from
     /// flat, a part from convex, and how thin a face or a part may get [-]. 1e-6 is ten times the round-off of the

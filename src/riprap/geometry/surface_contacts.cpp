@@ -52,7 +52,7 @@ std::string name_of(const std::vector<ConvexPart>& parts, std::size_t i) {
     return fmt::format("part {}{}", i + 1, parts[i].part.name.empty() ? "" : " " + parts[i].part.name);
 }
 
-/// What is left of a flat polygon inside a half-space.
+/// Clips a flat polygon to a half-space.
 std::vector<Vec3> clip_polygon(const std::vector<Vec3>& polygon, const Plane& plane) {
     std::vector<Vec3> inside;
     for (std::size_t k = 0; k < polygon.size(); ++k) {

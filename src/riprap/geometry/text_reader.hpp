@@ -22,7 +22,7 @@ class ProblemList {
     void add(const std::string& file, std::string message, std::string allowed);
     bool is_empty() const { return count_ == 0; }
     std::size_t count() const { return count_; }
-    /// What was found; when more than `cap`, a last entry says how many are not listed.
+    /// Returns the problems found; when there are more than `cap`, a last entry says how many are not listed.
     std::vector<Diagnostic> take() const;
     /// @throws CaseError with everything found, if anything was.
     void throw_if_any() const;
@@ -54,7 +54,7 @@ class TextReader {
     Word next_word();
     /// The next word on the current line; empty at its end.
     Word next_word_on_line();
-    /// What is left of the current line, without blanks at either end.
+    /// Returns the rest of the current line, without blanks at either end.
     Word rest_of_line();
     /// Goes to the next line; false at the end of the text.
     bool next_line();

@@ -28,7 +28,7 @@ namespace riprap::io {
 
 inline constexpr std::uint32_t checkpoint_version = 1;
 
-/// What a checkpoint says about itself.
+/// Header of a checkpoint.
 struct CheckpointHeader {
     std::uint64_t case_hash{0};  ///< of the resolved case: a checkpoint belongs to one case
     std::int64_t step{0};

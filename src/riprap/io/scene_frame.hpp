@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a viewer sees of a scene at one moment: every body as polygons, every contact as a point with its force.
+// A scene at one moment, for viewers: every body as polygons, every contact as a point with its force.
 
 #include <array>
 #include <span>

@@ -8,7 +8,7 @@
 
 namespace riprap::material {
 
-/// What a solid is made of and how its surface behaves in contact.
+/// Material of a solid and behaviour of its surface in contact.
 struct Material {
     std::string name;
     double density{0};           ///< rho [kg/m^3]
@@ -22,7 +22,7 @@ struct Material {
     bool has_torsion{false};    ///< resist spinning about the contact normal
 };
 
-/// How the values of two materials become that of a contact. Codes differ silently here, so it is a key of the case.
+/// Rule by which the values of two materials become one. Codes differ silently here, so it is a key of the case.
 enum class Mixing { minimum, maximum, mean, geometric, harmonic };
 
 /// Surface properties of one pair of materials. k_n stays with each body (its own field).

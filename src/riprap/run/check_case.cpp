@@ -70,7 +70,7 @@ double estimated_steps(const CaseCheck& check) {
     return check.steps < saturated ? static_cast<double>(check.steps) : check.end / check.time_step;
 }
 
-/// The first impact that is beyond all doubt too hard for its contact: the estimate errs by less than three times.
+/// Returns the first impact that is certainly too hard for its contact: the estimate errs by less than three times.
 std::string certain_crush(const scene::LoadedCase& loaded) {
     constexpr double doubt = 3;
     for (const scene::HardImpact& impact : scene::find_hard_impacts(loaded.model, loaded.state)) {
@@ -81,7 +81,7 @@ std::string certain_crush(const scene::LoadedCase& loaded) {
     return "";
 }
 
-/// What of the room for water is not filled, or filled twice over, by a particle or more; empty else.
+/// Returns a line on room for water that is not filled, or filled twice over, by a particle or more; empty else.
 std::string room_text(const CaseCheck& check) {
     const double room = check.filled_volume + check.trimmed_volume;
     const double particle = check.filled_volume / static_cast<double>(check.particles);

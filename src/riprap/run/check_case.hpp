@@ -12,7 +12,7 @@
 
 namespace riprap::run {
 
-/// What a run of a case would be, found out without running it: the case is read and checked whole, and one step is
+/// Extent of the run of a case, found out without running it: the case is read and checked whole, and one step is
 /// tried on a copy of its State.
 struct CaseCheck {
     std::string title;

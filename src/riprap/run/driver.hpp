@@ -15,7 +15,7 @@
 
 namespace riprap::run {
 
-/// How much a run prints.
+/// Amount of text that a run prints.
 enum class Voice {
     all,
     verdicts,  ///< and errors

@@ -70,7 +70,7 @@ void add(RunningFigures& f, double time, double value) {
     f.previous = value;
 }
 
-/// Whether the lowest value is farther from zero than the highest.
+/// Tells whether the lowest value is farther from zero than the highest.
 bool is_lower_extreme(const RunningFigures& f) { return -f.minimum > f.maximum; }
 
 double reduce(const RunningFigures& f, const std::string& how) {
@@ -107,12 +107,12 @@ double time_of(const RunningFigures& f, const std::string& how) {
     return how == "mean" || std::isnan(f.at) ? missing : f.at_time;
 }
 
-/// Whether the run goes on for as long as an expected answer looks at it.
+/// Tells whether the run lasts as long as an expected answer looks at it.
 bool is_reached(const sim::Expect& expect, double end) {
     return expect.at <= end && expect.from <= end && (std::isinf(expect.to) || expect.to <= end);
 }
 
-/// Why there is no value.
+/// Returns the reason why there is no value.
 std::string cause_of_none(const ExpectResult& result) {
     return result.reduce == "when" ? "its 'when' did not reach its level"
            : result.reduce == "at" ? "there was none at that time"

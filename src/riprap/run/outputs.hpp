@@ -12,7 +12,7 @@
 
 namespace riprap::run {
 
-/// What is to be written at one step.
+/// Outputs that are to be written at one step.
 struct Due {
     bool row{false};    ///< of the tables: the ledger must be complete
     bool frame{false};  ///< for ParaView
@@ -26,8 +26,8 @@ class Outputs {
     Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, const RunRecord& record,
             bool is_continued);
 
-    /// What is due once a step of length dt has ended at `time` [s]. Asked before the step is taken, so that it is
-    /// known what must be measured in it.
+    /// Returns the outputs due once a step of length dt has ended at `time` [s]. Asked before the step is taken, so
+    /// that it is known which quantities must be measured in it.
     Due due_at(double time, double dt) const;
 
     /// Writes what is due at this step. Called for step 0 and after every step.

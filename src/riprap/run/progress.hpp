@@ -8,7 +8,7 @@
 
 namespace riprap::run {
 
-/// How far a run is and what it costs: one line that is written over on a terminal, a line per tenth (and at least
+/// Reports the progress and cost of a run: one line that is written over on a terminal, a line per tenth (and at least
 /// every half minute) anywhere else.
 class Progress {
  public:

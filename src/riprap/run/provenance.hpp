@@ -5,7 +5,7 @@
 
 namespace riprap::run {
 
-/// How the program was built.
+/// Build of the program.
 struct BuildInfo {
     std::string version;     ///< "0.2.0"
     std::string commit;      ///< of the sources, "+" behind it where they were changed; empty = not known
@@ -17,7 +17,7 @@ struct BuildInfo {
 };
 BuildInfo build_info();
 
-/// What it runs on.
+/// Machine and system that the program runs on.
 struct MachineInfo {
     std::string processor;    ///< model name of the system
     int hardware_threads;     ///< that this process may use

@@ -37,8 +37,8 @@ struct RunFolder {
 
     /// A run was started here: its case is complete.
     bool has_run() const { return std::filesystem::exists(ticket()); }
-    /// What lies here under the names of a run was written by Riprap: there is a ticket of ours, or a run was killed
-    /// while it was being put here.
+    /// Tells whether Riprap wrote the files that lie here under the names of a run: there is its ticket, or a run was
+    /// killed while it was being put here.
     bool is_ours() const;
     bool has_checkpoint() const {
         return std::filesystem::exists(checkpoint_latest()) || std::filesystem::exists(checkpoint_previous());
@@ -55,7 +55,7 @@ class FolderLock {
     io::FileDescriptor file_;
 };
 
-/// What a run folder may hold already.
+/// Contents that a run folder may hold already.
 enum class Existing {
     refuse,   ///< nothing
     replace,  ///< a run, which is removed first, and other files, which stay

@@ -11,7 +11,7 @@
 
 namespace riprap::run {
 
-/// What happened during a run and when: run.log for people, run.jsonl (one JSON object per line) for programs. Both
+/// Records events of a run with their time: run.log for people, run.jsonl (one JSON object per line) for programs. Both
 /// grow; a resumed run adds to them.
 class RunLog {
  public:

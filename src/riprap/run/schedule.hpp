@@ -30,7 +30,7 @@ class Schedule {
     std::int64_t next_;
 };
 
-/// How many times are met by `steps` equal steps from time 0 on, the times of step 0 included.
+/// Returns how many times are met by `steps` equal steps from time 0 on, the times of step 0 included.
 inline double due_count(double interval, double dt, double steps) {
     return 1 + std::min(steps, std::floor((steps + 1e-9) * dt / interval));
 }

@@ -15,7 +15,7 @@
 
 namespace riprap::run {
 
-/// What became of one step.
+/// Result of one step.
 struct StepOutcome {
     enum class Kind {
         accepted,
@@ -75,7 +75,7 @@ class Simulation {
     std::vector<ExpectResult> judge() const { return judge(is_at_end()); }
     std::vector<ExpectResult> judge(bool at_end) const { return watch_.judge(at_end); }
 
-    /// What a checkpoint must know besides the State, and back. @throws CheckpointError
+    /// Writes to and reads from a checkpoint all that it holds besides the State. @throws CheckpointError
     void note(RunRecord& record) const;
     void restore(sim::State state, const RunRecord& record);
 

@@ -10,7 +10,7 @@
 
 namespace riprap::run {
 
-/// What is counted of the steps of a run, over all processes that ran it.
+/// Counts of the steps of a run, over all processes that ran it.
 struct StepCounts {
     std::int64_t above_bound{0};    ///< longer than what the contacts, or the water, allowed
     std::int64_t unsettled{0};      ///< in which the added-mass iteration ended for want of passes
@@ -30,7 +30,7 @@ struct StepCounts {
     }
 };
 
-/// What to tell of a step that was taken all the same.
+/// A warning about a step that was accepted all the same.
 struct Notice {
     std::string text;
     std::string_view number_name;  ///< of the number that goes with it
@@ -41,7 +41,7 @@ struct Notice {
 /// a step that is too long again whenever its excess has doubled.
 class StepWatch {
  public:
-    /// What is to be told of the last step, which is in `counts`.
+    /// Returns warnings about the last step, which is in `counts`.
     std::vector<Notice> look(const sim::StepReport& report, const sim::State& state, const StepCounts& counts);
 
     /// The counts in words, for the end of the run; empty where there is nothing to tell.

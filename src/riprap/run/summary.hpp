@@ -12,7 +12,7 @@
 
 namespace riprap::run {
 
-/// What is left of a run when it is over.
+/// Record of a run when it is over.
 struct Summary {
     std::string status;  ///< "finished", "interrupted" or "failed"
     std::string reason;  ///< why it is not finished, empty else

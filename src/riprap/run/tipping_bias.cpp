@@ -62,7 +62,7 @@ void measure_foot(const std::vector<Vec3>& foot, bool is_planar, Standing& stand
     }
 }
 
-/// How a part stands; width 0 where it has no face within 60 degrees of the ground.
+/// Returns the base that a part stands on; width 0 where it has no face within 60 degrees of the ground.
 Standing stand(const sim::Model& model, const sim::State& state, const body::Part& part, const Vec3& down) {
     const auto b = static_cast<std::size_t>(part.body.value);
     const geometry::ConvexView shape = model.shapes.view(part.shape);

@@ -41,8 +41,8 @@ bool is_planar_case(const Value& root) {
     return dimension != nullptr && dimension->kind == ValueKind::integer && dimension->integer == 2;
 }
 
-/// What decides the motion: the resolved case without what only says how long to run and what to write, and the
-/// other files. A checkpoint belongs to all cases that agree in this.
+/// Hashes all that decides the motion: the other files and the resolved case, without the length of the run and its
+/// outputs. A checkpoint belongs to all cases that agree in this.
 std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
     constexpr std::array<std::string_view, 5> bystanders{"title", "end", "max_steps", "output", "expect"};
     std::erase_if(root.entries, [&](const Entry& entry) {

@@ -28,7 +28,7 @@ void add_compensated(double& sum, double& rest, double term) {
     sum = next;
 }
 
-/// How often a refused piece may be cut in halves: 1024 times over.
+/// Most halvings of a refused piece: 2^10 = 1024 parts.
 constexpr int most_cuts = 10;
 
 template <class Solid>
@@ -36,7 +36,7 @@ inline constexpr bool takes_back = requires {
     requires Solid::takes_back;
 };
 
-/// What a refused piece of the solids may have changed.
+/// Fields that a refused piece of the solids may have changed.
 struct Kept {
     body::BodyState bodies;
     contact::ContactHistory contacts;

@@ -48,13 +48,13 @@ struct StageTimes {
     double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, water{0}, measure{0};
 };
 
-/// Why a step could not be accepted; `text` empty = all is well.
+/// Reason why a step could not be accepted; `text` empty = all is well.
 struct StepStatus {
     std::string text;  ///< quantity, body and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
     bool ok() const { return text.empty(); }
 };
 
-/// What one step reports.
+/// Report of one step.
 struct StepReport {
     StepStatus status;
     Ledger ledger;            ///< complete where Measure asks for it

@@ -7,8 +7,8 @@
 
 namespace riprap::sim {
 
-/// How both sides share one step: spans of the fluid, then pieces of the solids. All spans are equal, and all pieces;
-/// one of both counts is 1.
+/// Division of one step between both sides: spans of the fluid, then pieces of the solids. All spans are equal, and all
+/// pieces; one of both counts is 1.
 struct Cycle {
     double time{0};          ///< at the beginning [s]
     double dt{0};            ///< of the whole step [s]

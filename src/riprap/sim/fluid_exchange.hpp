@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What bodies and a fluid tell each other in a step, whatever their methods: for the sources of this folder only.
+// Exchange between bodies and a fluid in a step, whatever their methods: for the sources of this folder only.
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace riprap::sim {
 
-/// What one span of the fluid brought.
+/// Result of one span of the fluid.
 struct FluidSpan {
     coupling::FluidStep step;
     double work_on_free{0};  ///< on free bodies, as the fluid sees it [J]

@@ -116,7 +116,7 @@ OwnSums add_up(std::span<const Account> accounts, const std::vector<double>& val
     return sums;
 }
 
-/// How far each of a step's energies has ranged since the start, the widest of them. Kept as low, high, low, high, ...
+/// Returns the widest range of a step's energies since the start. Kept as low, high, low, high, ...
 template <std::size_t count>
 double widest_range(std::vector<double>& totals, const std::array<double, count>& values, bool is_first) {
     static_assert(ranges + 2 * count == ranges_end);

@@ -20,7 +20,7 @@ struct Accounts {
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.
 Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerState& state);
 
-/// What one step of the fluid brings to its ledger.
+/// Contribution of one step of the fluid to its ledger.
 struct FluidLedgerStep {
     const coupling::FluidStep& step;
     double work_seen;   ///< on free bodies, as the fluid says [J]

@@ -49,7 +49,7 @@ struct OutputSettings {
     std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 
-/// How the values of an expected answer become one number.
+/// Reductions of the values of an expected answer to one number.
 inline constexpr std::array<std::string_view, 7> reduces{"last", "min", "max", "extreme", "mean", "at", "when"};
 
 /// An expected answer: a case is also a test.
@@ -67,7 +67,7 @@ struct Expect {
     double from{0}, to{std::numeric_limits<double>::infinity()};  ///< steps looked at, not for at and when [s]
 };
 
-/// What the case says. Built once by scene/, then const.
+/// Model: the content of the case. Built once by scene/, then const.
 struct Model {
     std::string title;
     std::uint64_t case_hash{0};  ///< of the resolved case: a checkpoint belongs to one case

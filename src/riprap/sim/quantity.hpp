@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What can be asked of a run: the one table of quantities behind probes, [[expect]], bodies.csv and the manual.
+// Quantities of a run: the one table behind probes, [[expect]], bodies.csv and the manual.
 // A quantity of one body is written "name.quantity", one of the scene by its name alone; a component of a vector
 // adds ".x", ".y" or ".z": "block.displacement.x", "wall[2].contact_force.z", "solid.kinetic".
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a Scratch holds: for the sources of this folder only.
+// Content of a Scratch: for the sources of this folder only.
 
 #include <optional>
 

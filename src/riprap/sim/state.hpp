@@ -18,7 +18,7 @@ struct LedgerState {
     }
 };
 
-/// What decides the length of the next step besides the fields themselves; see time_step.hpp.
+/// Decides the length of the next step, besides the fields themselves; see time_step.hpp.
 struct StepControl {
     std::int64_t halvings{0};  ///< the automatic step is 2^-halvings of what is allowed
     std::int64_t accepted{0};  ///< steps accepted since `halvings` changed; counted while it is not 0

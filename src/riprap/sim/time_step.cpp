@@ -17,7 +17,7 @@ constexpr const char* other_steps = "use \"auto\", a smaller step, or force_time
 
 namespace {
 
-/// What both sides allow from this State.
+/// Steps that solids and fluid allow from this State.
 struct Limits {
     StepLimit solids, fluid;
     bool fluid_leads{false};  ///< the fluid's step is that of the run; else the solids'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How long the next step is. Everything here is a function of Model and State alone, so a resumed run takes the same
+// Length of the next step. Everything here is a function of Model and State alone, so a resumed run takes the same
 // steps as one that was never stopped, at any number of threads.
 
 #include <cstdint>
@@ -30,8 +30,8 @@ double largest_time_step(const Model& model, const TimeStepBound& bound);
 /// The same with water: what it allows from this State, whose step the solids cut into steps of their own.
 TimeStepBound step_bound(const Model& model, const State& state);
 
-/// Why a step that the case fixes cannot be taken from this State: it is longer than what the water allows and not
-/// forced. Empty where it can, and where the step is automatic.
+/// Returns the reason why a step that the case fixes cannot be taken from this State: it is longer than the water
+/// allows and not forced. Empty where it can be taken, and where the step is automatic.
 std::string fixed_step_problem(const Model& model, const State& state);
 std::string fixed_step_problem(const Model& model, const State& state, const StepLimit& fluid);
 
@@ -63,7 +63,7 @@ TimeStep choose_time_step(const Model& model, const State& state, Scratch& scrat
 /// positive; saturates at 9e18.
 std::int64_t steps_across(double span, double dt);
 
-/// How often a step is halved before a run gives up, and after how many accepted steps it is doubled again.
+/// Number of halvings of a step before a run gives up, and number of accepted steps before it is doubled again.
 inline constexpr std::int64_t max_halvings = 5;
 inline constexpr std::int64_t steps_until_doubling = 32;
 

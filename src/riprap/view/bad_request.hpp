@@ -5,7 +5,7 @@
 
 namespace riprap::view {
 
-/// What was asked of a run cannot be answered from it: a bad command line.
+/// A request that cannot be answered from the run: a bad command line.
 class BadRequest : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;

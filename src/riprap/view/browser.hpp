@@ -18,7 +18,7 @@ namespace riprap::view {
 /// A program on PATH. @returns nothing when there is none
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// What $RIPRAP_CHROMIUM names, else Debian's chromium or a Chrome on PATH. @throws FileError with what to install
+/// Returns $RIPRAP_CHROMIUM, else Debian's chromium or a Chrome on PATH. @throws FileError with what to install
 std::filesystem::path find_browser();
 
 /// A folder that goes with the object.

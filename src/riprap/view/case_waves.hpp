@@ -9,7 +9,7 @@
 
 namespace riprap::view {
 
-/// What the case of a run says of its waves.
+/// Waves as the case of a run states them.
 struct CaseWaves {
     struct Place {
         std::string gauge;

@@ -60,7 +60,7 @@ bool are_same(const DrawnShape& a, const DrawnShape& b) {
                       [&](const Vec3& x, const Vec3& y) { return norm(x - y) <= tolerance; });
 }
 
-/// What may be the same is looked for among shapes with this key only.
+/// Returns a key that equal shapes share: only shapes with the same key are compared.
 std::pair<std::size_t, std::int64_t> key_of(const DrawnShape& shape) {
     double sum = 0;
     for (const Vec3& x : shape.corners) {

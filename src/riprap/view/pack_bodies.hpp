@@ -22,7 +22,7 @@ struct DrawnShape {
     std::vector<std::vector<std::int32_t>> faces;  ///< corners of every polygon, counter-clockwise seen from outside
 };
 
-/// What all frames of a run have in common.
+/// Bodies as all frames of a run share them.
 struct DrawnBodies {
     std::vector<DrawnShape> shapes;             ///< each once, however many bodies have it
     std::vector<std::int32_t> shape, material;  ///< of each body

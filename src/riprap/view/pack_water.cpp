@@ -106,7 +106,7 @@ bool pack_groups(const WaterSource& source, std::size_t frame_count, std::size_t
     return true;
 }
 
-/// Whether the group in the middle promises that all of them fit; it is a cheap answer before an expensive one.
+/// Tells whether the group in the middle promises that all of them fit: a cheap answer before an expensive one.
 bool may_fit(const WaterSource& source, std::size_t frame_count, std::size_t budget, const PackedWater& water) {
     const std::size_t groups = (frame_count + frames_per_group - 1) / frames_per_group;
     const std::size_t begin = groups / 2 * frames_per_group;

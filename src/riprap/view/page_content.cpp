@@ -28,7 +28,7 @@ constexpr std::size_t escape_growth = 5;       // "<" becomes "\\u003c"
 constexpr std::size_t bytes_per_piece = 100;   // its element and its name
 constexpr std::size_t room_for_words = 2'000;  // about the water, in the contents
 
-/// What a scene reaches over.
+/// Bounding box of a scene.
 struct Box {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};  // [m]
     void add(const Vec3& x) {

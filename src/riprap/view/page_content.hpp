@@ -16,7 +16,7 @@ struct Chunk {
     std::string packed;  ///< zlib stream
 };
 
-/// What a page shows: a table of contents and packed pieces. page/src/recording.js reads the same.
+/// Content of a page: a table of contents and packed pieces. page/src/recording.js reads the same.
 struct PageContent {
     std::string contents_json;
     std::vector<Chunk> chunks;

@@ -45,7 +45,7 @@ bool is_there(const fs::path& path) {
     return fs::exists(path, ignored);
 }
 
-/// How many brackets are open at once, at most, outside of texts.
+/// Returns the largest number of brackets open at once, outside of texts.
 std::size_t depth_of(std::string_view json) {
     std::size_t depth = 0, most = 0;
     bool is_quoted = false;
@@ -222,7 +222,7 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
     }
 }
 
-/// What the log of the run says, where the summary does not.
+/// Events in the log of the run, used where the summary lacks them.
 struct Events {
     std::vector<std::string> warnings;
     std::string end;  ///< of the last sitting; empty when it did not come to one

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What is in a run folder, for looking at it. Reads what is there: a file that is missing, cut or not ours is left out
+// Reads a run folder for looking at it. Takes what is there: a file that is missing, cut or not of Riprap is left out
 // with a notice, and everything else still works.
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 
 namespace riprap::view {
 
-/// What a picture shows, and how.
+/// Contents and look of a picture.
 struct RenderOptions {
     std::filesystem::path folder;  ///< of the run
     std::filesystem::path out;     ///< empty: picture.png or movie.mp4 in the folder of the run

@@ -146,7 +146,7 @@ struct Meaning {
     const char *verdict, *words;
 };
 
-/// What the verdicts say, as in validation/README.md.
+/// Meanings of the verdicts, as in validation/README.md.
 constexpr std::array<Meaning, 4> meanings{{
     {"reproduced", "inside the accepted band"},
     {"close", "outside it, inside a wider band that the case states with its reason; the note says which"},

@@ -21,7 +21,7 @@ constexpr double largest_value = 255;
 /// A bound on what a group unpacks to: a damaged stream may not fill the memory.
 constexpr std::size_t group_limit = std::size_t{1} << 31U;
 
-/// How a channel of a frame is guessed.
+/// Prediction of a channel of a frame.
 struct Guess {
     int past{0};  ///< frames it looks back to: 0, 1, 2
     bool uses_neighbour{false};
@@ -94,7 +94,7 @@ Coded code_channel(const Numbers& numbers, const Past& past) {
     return best;
 }
 
-/// What is not finite becomes 0.
+/// Rounds to an integer in [0, largest]; numbers that are not finite become 0.
 std::uint16_t rounded(double value, double largest) {
     return static_cast<std::uint16_t>(std::lround(std::clamp(std::isfinite(value) ? value : 0.0, 0.0, largest)));
 }
@@ -146,7 +146,7 @@ Numbers restore_channel(const Guess& guess, std::string_view low, std::string_vi
     return numbers;
 }
 
-/// How many frames before frame `f` of the group hold the same particles: at most 2.
+/// Returns how many frames before frame `f` of the group hold the same particles: at most 2.
 int common_past(std::span<const WaterNumbers> frames, std::size_t f) {
     int depth = 0;
     while (depth < 2 && static_cast<std::size_t>(depth) < f &&

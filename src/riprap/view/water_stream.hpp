@@ -30,7 +30,7 @@ struct WaterFrame {
     std::vector<float> speed;     ///< [m/s]
 };
 
-/// What the stored numbers stand for.
+/// Scale of the stored integers.
 struct WaterScale {
     Vec3 origin;                               ///< of number 0 of each coordinate [m]
     double step{0};                            ///< of a coordinate [m]

@@ -13,7 +13,7 @@
 
 namespace riprap::view {
 
-/// What is asked for. What is not given comes from the case of the run.
+/// Request for an analysis of waves. Members that are not given come from the case of the run.
 struct WaveRequest {
     std::vector<std::string> gauges{};   ///< of kind level or surface; empty: all
     std::optional<double> from{}, to{};  ///< stretch of the record [s]; default: the second half of it
@@ -22,7 +22,7 @@ struct WaveRequest {
     std::optional<Vec3> direction{};     ///< of the waves; default: that of the wave maker, or +x
 };
 
-/// What one gauge saw.
+/// Waves at one gauge.
 struct GaugeWaves {
     std::string name;
     double place;                      ///< along the waves [m]

@@ -46,7 +46,7 @@ class GiantPlanes {
         return true;
     }
 
-    /// How far a part's ball may have come closer to the giant since `before` was assigned, parts standing still [m]:
+    /// Bounds how far a part's ball may have come closer to the giant since `before` was assigned, parts at rest [m]:
     ///
     ///     D = max(|o' - o|, max_j |h'_j(c) - h_j(c)| + |n'_j - n_j| rho),
     ///

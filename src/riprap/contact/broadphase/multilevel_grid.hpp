@@ -37,7 +37,7 @@ class MultilevelGrid {
     std::size_t bytes() const;
 
  private:
-    /// What one task searches: a run of occupied cells of one level against their
+    /// Work of one task: a run of occupied cells of one level against their
     /// own level, or a run of queries into coarser levels.
     struct Piece {
         std::size_t level, begin, end;

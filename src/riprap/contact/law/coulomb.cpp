@@ -29,7 +29,7 @@ Vec3 turn_with_contact(const Vec3& force, const Vec3& old_normal, const Vec3& no
 /// Factor that brings a trial force to its limit [-].
 double cut_off(double trial, double limit) { return trial <= limit ? 1 : limit / trial; }
 
-/// What leaves through friction in one step: the energy that the springs held, plus the work that the motion does on
+/// Springs after a step. friction_loss [J] leaves through friction: what the springs held, plus the work done on
 /// them, minus what they hold afterwards. The ledger sees a force before and after the motion x and books their mean:
 /// W = -(f_old + f_new).x / 2 with x = (f_old - f_trial)/k. So sliding, a strength that falls under a loaded spring,
 /// and a stiffness that changes with the patch are all accounted for, to round-off. What sliding draws the anchor in
@@ -48,7 +48,7 @@ Vec3 carry_anchor(const ShearState& before, const Vec3& point, const Vec3& n, co
     return moved - dot(moved, n) * n;
 }
 
-/// How stiff and how strong a contact is across its normal in this step.
+/// Stiffness and strength of a contact across its normal in this step.
 struct Tangential {
     double stiffness;  ///< K_s [N/m]
     double strength;   ///< largest force [N]

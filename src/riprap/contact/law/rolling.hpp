@@ -42,7 +42,7 @@ inline RollingResponse<T> rolling_spring(const Vec3T<T>& couple, const Vec3T<T>&
     const T share = choose(size > limit, limit / larger(size, tiny), T(1.0));
     const Vec3T<T> kept = trial * share;
     const T compliance = choose(stiffness > T(0.0), T(0.5) / larger(stiffness, tiny), T(0.0));
-    // What the couple held, the work on it, what it holds: see advance_spring.
+    // energy held before, plus the work on the couple, minus the energy held after: see advance_spring.
     const T loss =
         dot(couple, couple) * compliance - T(0.5) * dt * dot(couple + kept, rolling) - dot(kept, kept) * compliance;
     return {kept, loss, dot(kept, kept) * compliance};

@@ -17,7 +17,7 @@ struct HullEdge {
     std::int32_t left, right;  ///< `left` runs from -> to, `right` runs to -> from
 };
 
-/// What a contact search asks about the surface of a convex polyhedron, from its half-edge structure once per shape:
+/// Surface of a convex polyhedron as contact searches use it, made from its half-edge structure once per shape:
 /// deformation and motion do not change it.
 struct HullTopology {
     std::vector<std::int32_t> face_start, face_vertex;     ///< loops, counter-clockwise seen from outside

@@ -22,7 +22,7 @@ struct SurfaceIntegrals {
     double depth{0};       ///< largest distance of a point of S below the face whose cell it is in [m]
 };
 
-/// What each side of a pair adds to a contact: its integrals, the factor k of the field [Pa] and the axes that turn
+/// Contribution of one side of a pair to a contact: its integrals, factor k of the field [Pa] and the axes that turn
 /// the field body's frame into the world.
 struct ContactSide {
     const SurfaceIntegrals& integrals;

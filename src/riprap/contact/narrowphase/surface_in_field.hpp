@@ -10,7 +10,7 @@
 
 namespace riprap::contact {
 
-/// What a cell of the field collects from the surface pieces in it, for the energy.
+/// Sums over the surface pieces in a cell of the field, for the energy.
 struct CellSum {
     double offset{0};  ///< sum of (n . x on the face, from the reference) * int phi dS
     Vec3 normal{};     ///< sum of n * int phi dS

@@ -25,7 +25,7 @@ struct WavePaddle {
     PaddleWave wave;
 };
 
-/// What the functions below share while a checked case becomes Model and State. They append problems and go on.
+/// A checked case while it becomes Model and State. The functions below share it, append problems and go on.
 struct CaseBuild {
     const Value& root;  ///< resolved: every key has passed the key table
     bool is_planar;
@@ -72,8 +72,8 @@ void build_rock_masses(CaseBuild& build);
 void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
 /// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
 void build_openings(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid);
-/// Whether water in joints is asked for, and whether periods of the domain are long enough for it; after the fluid's
-/// settings.
+/// Reads whether water in joints is asked for, and checks that periods of the domain are long enough for it; after the
+/// settings of the fluid.
 void build_joints(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid);
 void build_gauges(CaseBuild& build, const Value& list);  ///< after the fluid
 void warn_of_densities(CaseBuild& build);                ///< of free bodies and of the water
@@ -107,7 +107,7 @@ std::int32_t add_motion(CaseBuild& build, const Value& motion);
 std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table);
 /// The wave of that table.
 PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
-/// How that paddle takes up waves that come back; nothing where it does not.
+/// Returns the absorption of that paddle; nothing where it absorbs no waves.
 std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
 
 /// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.

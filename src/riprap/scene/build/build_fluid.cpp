@@ -65,7 +65,7 @@ void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, 
     }
 }
 
-/// What limits.hpp accepts and the memory of this machine holds.
+/// Returns the number of particles that limits.hpp accepts and the memory of this machine holds.
 coupling::FillLimit most_particles() {
     constexpr double bytes_each = 800;  // with lists of neighbours and the copies that a refused step is taken back to
     const double available = available_memory();

@@ -23,7 +23,7 @@ std::uint64_t seed_for(const CaseBuild& build, const Value& owner, const std::st
     return seed != nullptr ? static_cast<std::uint64_t>(seed->integer) : seed_of(build.model.seed, name);
 }
 
-/// What all blocks of a pack or rock mass have in common.
+/// Returns a block with all that the blocks of a pack or rock mass have in common.
 body::NewBody common_block(CaseBuild& build, const Value& table) {
     body::NewBody block;
     block.name = get_text(table, "name");

@@ -103,7 +103,7 @@ void read_probe(CaseBuild& build, const Value& table) {
     build.model.output.probes.push_back(std::move(probe));
 }
 
-/// Whether `quantity` may be missing only because the record or the body that it names has a problem of its own.
+/// Tells whether `quantity` may be missing only because the record or body that it names has a problem of its own.
 bool may_lack_its_subject(const CaseBuild& build, const std::string& quantity) {
     if (build.problems.empty()) {
         return false;
@@ -131,7 +131,7 @@ void add_quantities_of(const std::string& body, std::vector<std::string>& names)
     }
 }
 
-/// Whether `quantity` names one number of the run; a problem with the nearest name otherwise.
+/// Tells whether `quantity` names one number of the run; adds a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
     if (const std::optional<sim::Column> column = sim::find_column(build.model, quantity)) {
         if (column->quantity == nullptr || has_quantity(build.model, *column->quantity)) {
@@ -162,7 +162,7 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     return false;
 }
 
-/// What the run does not reach, say because --end shortens it, is not judged.
+/// Warns of an expected answer that is not judged as the run ends before it, say because --end shortens the run.
 void warn_of_late(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect, std::string_view key,
                   double time) {
     if (time > build.model.time.end) {

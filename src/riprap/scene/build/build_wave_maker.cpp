@@ -23,7 +23,7 @@ constexpr double least_kd = 1e-4, most_kd = 300;
 
 WaveKind wave_of(const Value& table) { return get_word(table, "wave", wave_kinds()); }
 
-/// Whether a regular wave of the period of `table` can be made at all. A problem, and false, where not.
+/// Tells whether a regular wave of the period of `table` can be made at all; adds a problem where not.
 bool check_length(CaseBuild& build, const Value& period, const wave::LinearWave& wave) {
     const double kd = wave.kd();
     if (kd >= least_kd && kd <= most_kd) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much water regions have room for, by cutting convex pieces.
+// Measures the room for water in regions, by cutting convex pieces.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ std::vector<Plane> planes_of(const geometry::ConvexView& shape, const Pose& pose
     return planes;
 }
 
-/// What of `piece` is outside of `planes`, as convex pieces that do not overlap, added to `out`.
+/// Adds the part of `piece` outside of `planes` to `out`, as convex pieces that do not overlap.
 void add_outside(Polyhedron piece, const std::vector<Plane>& planes, std::vector<Polyhedron>& out) {
     std::vector<Polyhedron> found;
     const Polyhedron whole = piece;

@@ -25,7 +25,7 @@ std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance)
 /// Solids that water does not enter, placed once to be asked about many places.
 class PlacedSolids {
  public:
-    /// Those that may reach into the box from `low` to `high` [m]. @param is_dry per body
+    /// Gathers the solids that may reach into the box from `low` to `high` [m]. @param is_dry per body
     PlacedSolids(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& low, const Vec3& high);
     /// The solid that x is at least `depth` inside of [m]; invalid where there is none.
     BodyId at(const Vec3& x, double depth) const;

@@ -9,7 +9,7 @@ namespace riprap::scene {
 
 namespace {
 
-/// How far a body reaches from its centre; nothing for half-spaces, which do not turn [m].
+/// Returns the farthest reach of a body from its centre; nothing for half-spaces, which do not turn [m].
 double rim_of(const CaseBuild& build, std::size_t body) {
     double rim = 0;
     const body::BodySet& bodies = build.model.bodies;

@@ -20,7 +20,7 @@ namespace riprap::scene {
 
 struct Table;
 
-/// What kind of value a key takes.
+/// Kind of value that a key takes.
 enum class FormKind {
     boolean,
     integer,
@@ -62,7 +62,7 @@ struct Key {
     bool is_of(std::string_view word) const;
 };
 
-/// How many keys of a group may be given.
+/// Number of keys of a group that may be given.
 enum class GroupRule { exactly_one, at_most_one, all_or_none };
 struct Group {
     GroupRule rule;

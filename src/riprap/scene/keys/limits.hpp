@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What a case may ask for. Counts are checked before anything is allocated; the message names the limit.
+/// Limits of a case. Counts are checked before anything is allocated; the message names the limit.
 namespace riprap::scene::limits {
 
 inline constexpr std::size_t case_bytes = 4U << 20U;       ///< size of a case file

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Why a path is refused; empty when it stays in the folder.
+/// Returns the reason why a path is refused; empty when it stays in the folder.
 std::string path_problem(const fs::path& folder, const std::string& path) {
     const fs::path relative(path);
     if (path.find('\0') != std::string::npos || path.size() > 1024) {

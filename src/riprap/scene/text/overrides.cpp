@@ -81,7 +81,7 @@ Value* list_entry(Value& list, const std::vector<std::string>& steps, std::size_
     return nullptr;
 }
 
-/// What a step that no entry of `list` is called by could have been.
+/// Returns the entries that a step which names no entry of `list` could have meant.
 std::string what_entries(const Value& list, const std::string& step) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;

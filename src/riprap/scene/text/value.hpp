@@ -11,7 +11,7 @@
 
 namespace riprap::scene {
 
-/// What a TOML value is. Dates and times are refused by the reader: no key takes one.
+/// A TOML value. Dates and times are refused by the reader: no key takes one.
 enum class ValueKind { none, boolean, integer, number, text, array, table };
 
 struct Entry;
@@ -77,7 +77,7 @@ std::string write_json(const Value& value);
 /// Shortest decimal text that reads back to the same double, always with '.', 'e', "inf" or "nan" in it.
 std::string number_text(double value);
 
-// What follows reads values that have passed the key table: a missing key is a bug of Riprap, not of the case.
+// The functions below read values that have passed the key table: a missing key is a bug of Riprap, not of the case.
 
 const Value& get(const Value& table, std::string_view key);  ///< @throws InternalError
 double get_number(const Value& table, std::string_view key);

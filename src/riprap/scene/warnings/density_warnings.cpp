@@ -15,7 +15,7 @@ namespace {
 /// Foam starts at some 10 kg/m^3, liquids at 500; osmium has 22 600, mercury 13 600.
 constexpr double lightest_solid = 5, lightest_liquid = 300, heaviest_solid = 23000, heaviest_liquid = 14000;
 
-/// What a density outside of such limits may have been meant for.
+/// Returns the unit that a density outside of such limits may have been meant in.
 std::string_view likely_unit(double density, double lightest) {
     return density < lightest ? "kg/m^3 are meant; others have their unit with them: \"2.4 t/m^3\""
                               : "kg/m^3 are meant, not the weight of a volume in N/m^3";

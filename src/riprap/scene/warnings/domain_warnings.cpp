@@ -40,14 +40,14 @@ Vec3 outward(int axis, bool is_high) {
     return n;
 }
 
-/// What of a piece of a region lies beyond a side of the domain, below the level.
+/// Cuts from a piece of a region the part beyond a side of the domain, below the level.
 geometry::Polyhedron beyond(const geometry::Polyhedron& piece, double level, const Vec3& up, const Vec3& outward,
                             double side) {
     geometry::Polyhedron cut = std::isfinite(level) ? geometry::clip_convex(piece, {up, level}) : piece;
     return cut.faces.empty() ? cut : geometry::clip_convex(cut, {-outward, -side});
 }
 
-/// Whether some place in it is in no solid. At most 48 places along an axis are looked at.
+/// Tells whether some place in the piece is in no solid. Looks at no more than 48 places along an axis.
 bool has_room(const CaseBuild& build, const geometry::Polyhedron& piece, const std::vector<std::uint8_t>& is_dry,
               int dimension, double spacing) {
     Vec3 low = piece.vertices.front(), high = low;

@@ -13,7 +13,7 @@ namespace riprap::scene {
 
 namespace {
 
-/// Whether water touches two opposite faces that are less than `thickness` apart.
+/// Tells whether water touches two opposite faces that are less than `thickness` apart.
 bool is_between_water(const PlacedPart& part, const std::vector<Vec3>& water, double spacing, double thickness) {
     const std::int32_t count = part.shape.face_count;
     std::vector<std::uint8_t> is_wet(static_cast<std::size_t>(count), 0);
@@ -117,7 +117,7 @@ void warn_of_courant(CaseBuild& build, const fluid::SphSettings& sph) {
     }
 }
 
-/// What Müller's scheme leaves out, and where it is known to fail (docs/theory/sph.md, 9).
+/// Warns of the limits of Müller's scheme (docs/theory/sph.md, 9).
 void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     if (sph.scheme != fluid::SphScheme::muller) {
         return;

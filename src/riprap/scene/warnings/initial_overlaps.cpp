@@ -20,7 +20,7 @@ using geometry::ConvexView;
 
 namespace {
 
-/// How deep a point lies inside a part, below the nearest face that carries a field; negative outside [m].
+/// Returns the depth of a point inside a part, below the nearest face that carries a field; negative outside [m].
 double depth_of_point(const ConvexView& shape, const Frame& frame, const Vec3& point) {
     const Vec3 local = transpose_times(frame.axes, point - frame.origin);
     double inside = std::numeric_limits<double>::infinity(), below = inside;

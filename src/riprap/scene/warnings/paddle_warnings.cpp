@@ -95,7 +95,7 @@ void warn_of_height(CaseBuild& build, const WavePaddle& paddle, double spacing) 
     }
 }
 
-/// How far the paddle reaches towards its waves at the start [m]; nothing for a plane that does not face that way.
+/// Returns the reach of the paddle towards its waves at the start [m]; nothing for a plane that does not face that way.
 std::optional<double> face_of(const CaseBuild& build, const WavePaddle& paddle) {
     double face = -infinity;
     for (const body::Part& part : build.model.bodies.parts) {
@@ -117,7 +117,7 @@ std::optional<double> face_of(const CaseBuild& build, const WavePaddle& paddle) 
     return face;
 }
 
-/// How far back, against its waves, a point that moves with the paddle comes, corrections by absorption aside [m].
+/// Returns how far a point of the paddle draws back, against its waves, corrections by absorption aside [m].
 double farthest_back(const CaseBuild& build, const WavePaddle& paddle, const Vec3& point) {
     const body::BodySet& bodies = build.model.bodies;
     const Vec3 local = to_body(driven_state(bodies, paddle.body, 0).pose, point);

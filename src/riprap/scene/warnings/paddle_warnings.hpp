@@ -6,7 +6,7 @@
 
 namespace riprap::scene {
 
-/// What is worth knowing of paddles that make waves:
+/// Warns of paddles that make waves with
 /// - a depth other than that of the water at their face, by more than a spacing. Says nothing where no water touches
 ///   the face, or regions of different levels do;
 /// - a wave of less than four spacings from crest to trough, which the water can hardly carry;
