@@ -44,7 +44,7 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
     EXPECT_THAT(check_text(check), HasSubstr("0.0025 m^2 (2.4 %) of the room outside of solids holds none"));
 }
 
-TEST(CheckCase, the_face_that_a_gauge_found_is_told) {
+TEST(CheckCase, the_face_of_a_gauge_is_reported) {
     const CaseCheck check = check_of(tank +
                                      "[[output.gauge]]\nname = \"transducer\"\nkind = \"wall_pressure\"\n"
                                      "point = [0.25, 0.001]\n[[output.gauge]]\nname = \"level\"\nkind = \"level\"\n"
@@ -74,7 +74,7 @@ TEST(CheckCase, gaps_that_are_neither_joints_nor_hold_particles_are_counted) {
     EXPECT_EQ(check_of(blocks(0.5, 0) + "wet = false\n").gaps.pairs, 0);
 }
 
-TEST(CheckCase, the_memory_it_tells_is_that_of_a_run_within_a_fifth) {
+TEST(CheckCase, the_memory_it_reports_is_that_of_a_run_within_a_fifth) {
     const scene::LoadedCase loaded = scene::read_case_text(tank, "case.toml", "/nonexistent", {});
     sim::State state = loaded.state;
     sim::initialise(loaded.model, state);

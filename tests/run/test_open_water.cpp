@@ -128,7 +128,7 @@ TEST(OpenWater, a_channel_that_starts_from_rest_comes_to_the_level_it_is_given) 
     EXPECT_LE(most, 12U * (4 + 1));               // rows, and the layers of a support with one on its way out
 }
 
-TEST(OpenWater, a_block_that_drifts_into_an_outflow_is_told_when_it_gets_there) {
+TEST(OpenWater, warns_of_a_block_that_drifts_into_an_outflow_when_it_arrives) {
     FlumeRun run(replaced(channel, "[fluid]", R"([[body]]
 name = "block"
 material = "wood"

@@ -117,7 +117,7 @@ TEST_F(Retries, ARunWithRetriesHasTheSameBitsWhereverItIsStoppedAndOnAnyThreads)
     }
 }
 
-TEST_F(Retries, WhatNoStepHelpsIsGivenUpAfterTheStatedNumberAndTheLastGoodStateIsKept) {
+TEST_F(Retries, GivesUpAfterTheStatedNumberOfRetriesAndKeepsTheLastGoodState) {
     const std::string shallow = limit(0.25 * deepest(16));
     EXPECT_EQ(run("deep", {shallow}), static_cast<int>(ExitCode::numerical));
     const nlohmann::json summary = summary_of("deep");

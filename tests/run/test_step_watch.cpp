@@ -34,7 +34,7 @@ sim::StepReport quiet() {
     return report;
 }
 
-TEST(StepWatch, added_mass_that_does_not_settle_is_told_once_and_counted) {
+TEST(StepWatch, warns_once_of_added_mass_that_does_not_converge_and_counts_the_steps) {
     Watched run;
     EXPECT_THAT(run.look(quiet()), IsEmpty());
     sim::StepReport open = quiet();
@@ -64,7 +64,7 @@ TEST(StepWatch, the_step_that_meets_the_end_is_not_among_the_shortest) {
     EXPECT_EQ(counts.longest, 4e-3);
 }
 
-TEST(StepWatch, a_body_behind_an_opening_is_told_once_and_counted) {
+TEST(StepWatch, warns_once_of_a_body_behind_an_opening_and_counts_the_steps) {
     Watched run;
     sim::StepReport report = quiet();
     report.intruder = "'block' stands behind the opening 'out'";
@@ -73,7 +73,7 @@ TEST(StepWatch, a_body_behind_an_opening_is_told_once_and_counted) {
     EXPECT_EQ(run.counts.with_intruder, 2);
 }
 
-TEST(StepWatch, a_step_above_its_bound_is_told_again_when_the_excess_has_doubled) {
+TEST(StepWatch, warns_again_of_a_step_above_its_bound_when_the_excess_has_doubled) {
     Watched run;
     const auto step_of = [&](double times) {
         sim::StepReport report = quiet();

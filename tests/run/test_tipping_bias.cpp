@@ -49,7 +49,8 @@ TEST(TippingBias, the_lowest_brick_of_a_column_tips_earliest_with_all_that_it_ca
     EXPECT_NEAR(bias->rigid, std::atan(0.1 / 0.75), 1e-9);
 }
 
-TEST(TippingBias, falls_with_the_cube_root_of_the_stiffness_and_the_stiffness_told_brings_it_to_a_tenth_of_a_degree) {
+TEST(TippingBias,
+     falls_with_the_cube_root_of_the_stiffness_and_the_stiffness_reported_brings_it_to_a_tenth_of_a_degree) {
     const auto soft = bricks(5, 1e9), stiff = bricks(5, 1e12);
     const double a = largest_tipping_bias(soft.model, soft.state)->bias();
     const double b = largest_tipping_bias(stiff.model, stiff.state)->bias();
@@ -59,7 +60,7 @@ TEST(TippingBias, falls_with_the_cube_root_of_the_stiffness_and_the_stiffness_to
                 0.1 * tolerated_tipping_bias);
 }
 
-TEST(TippingBias, is_told_by_check_with_the_stiffness_that_would_do) {
+TEST(TippingBias, is_reported_by_check_with_a_sufficient_stiffness) {
     const CaseCheck check = check_case(bricks(5, 1e9));
     EXPECT_THAT(check_text(check), HasSubstr("  tipping       'brick[0]' and the 4 above it tip at "));
     EXPECT_THAT(check_text(check), HasSubstr("0.1 deg takes normal_stiffness = "));

@@ -81,7 +81,7 @@ TEST(AllProblems, a_breaking_wave_a_second_gauge_an_overlap_and_an_unknown_quant
                              AllOf(HasSubstr("there is no quantity 'high.positon.y'"), HasSubstr("positi"))));
 }
 
-TEST(AllProblems, what_a_missing_body_or_record_drags_along_is_not_told) {
+TEST(AllProblems, errors_that_follow_from_a_missing_body_or_record_are_not_reported) {
     // 'paddle' and its position exist but for the wave; a probe of a body with a problem has its column in no table
     // yet.
     std::string text = test::with(flume, "height = 0.05", "height = 0.45") +

@@ -62,7 +62,7 @@ TEST(FluidCase, the_sound_speed_heeds_the_rim_of_a_body_that_spins) {
     EXPECT_GE(test::read(spinning).model.particles()->settings().sound_speed, 10 * spin * rim * (1 - 1e-9));
 }
 
-TEST(FluidCase, the_scheme_of_muller_says_what_it_leaves_out_and_where_it_fails) {
+TEST(FluidCase, warns_of_the_limits_of_the_scheme_of_muller) {
     const auto about_muller = [](const LoadedCase& loaded) {
         return std::count_if(loaded.warnings.begin(), loaded.warnings.end(),
                              [](const std::string& text) { return text.find("muller") != std::string::npos; });
@@ -153,7 +153,7 @@ TEST(FluidCase, a_spacing_beyond_all_counting_is_refused_for_what_it_is) {
     }
 }
 
-TEST(FluidCase, a_period_within_which_a_loose_block_meets_its_own_joints_is_refused) {
+TEST(FluidCase, a_period_within_which_a_free_block_meets_its_own_joints_is_refused) {
     // 8 spacings; joints look 4.5 to either side.
     const std::string coarse = test::with(tank, "\"2 cm\"", "0.125");
     EXPECT_THAT(test::problems_of(coarse), ElementsAre(HasSubstr("joints")));
@@ -232,7 +232,7 @@ TEST(FluidCase, a_gauge_may_go_with_a_body_that_it_names) {
     EXPECT_EQ(test::read(gauge(wall + "\"bottom\"\n")).model.output.faces.at(0).body, BodyId{0});
 }
 
-TEST(FluidCase, a_step_beyond_what_sound_on_a_lattice_bears_is_warned_of) {
+TEST(FluidCase, warns_of_a_step_above_the_acoustic_limit_of_a_lattice) {
     const auto about_courant = [](const std::vector<std::string>& settings) {
         const auto all = test::read(tank, settings).warnings;
         return std::count_if(all.begin(), all.end(),
@@ -271,7 +271,7 @@ point = )";
     }
 }
 
-TEST(FluidCase, a_gauge_inside_a_block_is_warned_of) {
+TEST(FluidCase, warns_of_a_gauge_inside_a_block) {
     const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"velocity\"\npoint = ";
     EXPECT_THAT(test::read(gauge + "[0.5, 0.5]\n").warnings,
                 Contains(HasSubstr("'g' lies inside 'block' at the start")));
@@ -280,7 +280,7 @@ TEST(FluidCase, a_gauge_inside_a_block_is_warned_of) {
                 Contains(HasSubstr("'g' lies inside 'block' at the start")));
 }
 
-TEST(FluidCase, a_run_up_that_ends_at_a_block_is_warned_of) {
+TEST(FluidCase, warns_of_a_run_up_line_that_ends_at_a_block) {
     const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"run_up\"\npoint = ";
     EXPECT_THAT(test::read(gauge + "[0.2, 0.5]\nend = [0.9, 0.5]\n").warnings,
                 Contains(HasSubstr("the run_up gauge 'g' meets 'block' at the start")));
@@ -293,7 +293,7 @@ TEST(FluidCase, a_run_up_line_of_any_length_is_looked_along_at_a_bounded_cost) {
     EXPECT_THAT(test::problems_of(gauge + "[0.2, 1e300]\n"), Contains(HasSubstr("a line that ends at (0.2, 1e+300")));
 }
 
-TEST(FluidCase, a_gauge_that_something_lies_on_is_warned_of) {
+TEST(FluidCase, warns_of_a_covered_gauge) {
     const auto warnings = [](const char* point) {
         const auto all =
             test::read(tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"wall_pressure\"\npoint = " + point).warnings;
@@ -380,7 +380,7 @@ TEST(FluidCase, absorption_looks_at_the_water_from_the_foot_of_the_paddle) {
     EXPECT_THAT(problems("[0.5, 0.0]"), testing::Contains(HasSubstr("more than a spacing from the faces of 'paddle'")));
 }
 
-TEST(FluidCase, a_free_body_outside_of_the_water_s_domain_is_told_of) {
+TEST(FluidCase, warns_of_a_free_body_outside_the_domain) {
     const std::string block =
         "[[body]]\nname = \"far\"\nmaterial = \"wood\"\nshape = { box = [0.1, 0.1] }\nposition = ";
     EXPECT_THAT(test::read(std::string(tank) + block + "[0.2, 7.0]\n").warnings,

@@ -124,7 +124,7 @@ TEST(FluidWarnings, a_paddle_that_draws_back_out_of_the_domain) {
     EXPECT_THAT(test::read(domain_from("0.0")).warnings, ElementsAre(HasSubstr("which ends at 0 m")));
 }
 
-TEST(FluidWarnings, the_wave_that_a_paddle_makes_is_told) {
+TEST(FluidWarnings, the_wave_of_a_paddle_is_reported) {
     const std::vector<PaddleWave> waves = test::read(flume + paddle("0.5")).waves;
     ASSERT_EQ(waves.size(), 1);
     EXPECT_EQ(waves[0].paddle, "paddle");
@@ -137,7 +137,7 @@ TEST(FluidWarnings, the_wave_that_a_paddle_makes_is_told) {
                 AllOf(HasSubstr("regular, 0.2 m high in 0.5 m of water, 1.5 s, 2.8"), HasSubstr("stroke 0.1")));
 }
 
-TEST(FluidWarnings, all_thin_bodies_are_named_with_the_spacing_that_would_do) {
+TEST(FluidWarnings, all_thin_bodies_are_named_with_a_sufficient_spacing) {
     const std::string bodies = body("gate", "[0.16, 1.0]", "[1.0, 0.6]", "fixed = true") +
                                body("raft", "[0.4, 0.155]", "[0.5, 0.5]") + body("block", "[0.2, 0.2]", "[1.5, 0.3]");
     EXPECT_THAT(test::read(flume + bodies).warnings,

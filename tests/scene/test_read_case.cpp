@@ -344,7 +344,7 @@ friction_mixing = "maximum"
     EXPECT_EQ(given.pair(MaterialId{1}, MaterialId{1}).friction, 0.3);
 }
 
-TEST(ReadCase, densities_that_no_solid_and_no_liquid_has_are_warned_of) {
+TEST(ReadCase, warns_of_densities_that_no_solid_and_no_liquid_has) {
     const auto warnings_of = [](std::string_view density) {
         return read(with(minimal_case, "density = 2500.0", "density = " + std::string(density))).warnings;
     };

@@ -116,7 +116,7 @@ TEST(Unions, a_union_of_unions_nests_and_a_planar_union_stays_planar) {
     }
 }
 
-TEST(Unions, parts_that_meet_but_for_round_off_are_not_worth_a_word) {
+TEST(Unions, parts_that_meet_within_round_off_give_no_warning) {
     const LoadedCase tank =
         read(with_shape("{ union = [ { shape = { box = [0.7, 1, 1] }, position = [0.1, 0, 0] }, { shape = { box = "
                         "[0.1, 1, 1] }, position = "

@@ -89,7 +89,7 @@ TEST_F(AReport, SaysWhereMoreCasesAreToCome) {
     EXPECT_THAT(text_of(true), Not(HasSubstr("the cases so far")));
 }
 
-TEST_F(AReport, BeginsWithWhatEveryCaseCameTo) {
+TEST_F(AReport, BeginsWithTheVerdictOfEveryCase) {
     const std::size_t red = at("<a href=\"#water/leak\">water/leak</a></td><td>physics: <b class=not_reproduced");
     EXPECT_LT(red, at("<h2>"));
 }
