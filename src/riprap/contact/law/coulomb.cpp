@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "riprap/contact/law/normal_push.hpp"
+
 namespace riprap::contact {
 
 namespace {
@@ -121,18 +123,10 @@ double share_within(const Vec3& spring, const Vec3& drag, double strength) {
 LinearContact coulomb(const NormalContact& normal, const material::PairProperties& pair,
                       const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
                       ContactRow& row) {
-    const double elastic = norm(normal.force);
-    const Vec3 n = elastic > 0 ? -normal.force / elastic : Vec3{0, 0, 1};
-    const double closing = dot(kinematics.relative_velocity, n);
-    const Vec3 sliding = kinematics.relative_velocity - closing * n;
-    LinearContact linear{.normal_stiffness = normal.stiffness};
-
-    double normal_force = elastic;
-    if (pair.damping_ratio > 0) {
-        linear.normal_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.effective_mass * normal.stiffness);
-        normal_force = std::max(0.0, elastic + linear.normal_damping * closing);
-    }
-    const Tangential shear = tangential(normal, pair, normal_force);
+    const NormalPush push = push_along_normal(normal, pair, kinematics);
+    const Vec3 &n = push.n, &sliding = push.sliding;
+    LinearContact linear{.normal_stiffness = normal.stiffness, .normal_damping = push.damping};
+    const Tangential shear = tangential(normal, pair, push.force);
     linear.shear_stiffness = shear.stiffness;
     linear.torsion_stiffness = shear.torsion_stiffness;
     after = {n, {}, 0, 0, normal.point};
@@ -160,21 +154,13 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
         drag_couple = std::clamp(wanted, -limit, limit) - held;
     }
 
-    row.point = normal.point;
-    row.force = tangential_force - normal_force * n;
+    fill_row(normal, push, tangential_force, drag, kinematics, row);
     row.moment = normal.moment + (after.torsion + springs.anchor_couple + drag_couple) * n;
-    row.elastic_energy = normal.energy;
     row.friction_loss = springs.friction_loss;
-    const Vec3 dashpot = drag - (normal_force - elastic) * n, dashpot_couple = drag_couple * n;
-    row.dashpot = narrow(dashpot);
+    const Vec3 dashpot = drag - (push.force - push.elastic) * n, dashpot_couple = drag_couple * n;
     row.dashpot_couple = narrow(dashpot_couple);
     row.dashpot_power =
         static_cast<float>(dot(dashpot, kinematics.relative_velocity) + dot(dashpot_couple, kinematics.relative_spin));
-    row.normal_force = static_cast<float>(normal_force);
-    row.shear_force = static_cast<float>(norm(tangential_force));
-    row.overlap = static_cast<float>(normal.depth);
-    row.potential = static_cast<float>(normal.potential);
-    row.area = static_cast<float>(normal.area);
     row.is_sliding = springs.is_sliding ? 1 : 0;
     return linear;
 }
