@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 
 #include "riprap/core/memory.hpp"
 #include "riprap/coupling/face_gauge.hpp"
@@ -172,11 +173,16 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     build_particles(build, &table, settings);
 }
 
-/// Reads where a fluid without particles is. False with a problem.
+/// Reads where a fluid without particles is: everywhere where its method has no "domain". False with a problem.
 bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     scene.up = build.up();
-    if (!read_domain(build, get(table, "domain"), scene.domain) ||
-        !read_regions(build, get(table, "region"), scene.regions)) {
+    scene.domain = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}, {}, build.is_planar ? 2 : 3};
+    if (const Value* domain = table.find("domain"); domain != nullptr && !read_domain(build, *domain, scene.domain)) {
+        return false;
+    }
+    if (const Value* regions = table.find("region");
+        regions != nullptr && !read_regions(build, *regions, scene.regions)) {
         return false;
     }
     build.domain = scene.domain;
@@ -196,7 +202,9 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     if (coupling::FieldScene scene; read_field_scene(build, table, scene)) {
-        settings.prepare(scene);
+        if constexpr (requires { settings.prepare(scene); }) {
+            settings.prepare(scene);
+        }
         build.model.fluid = settings;
     }
 }
