@@ -26,7 +26,9 @@ struct CouplingState {
     std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
     std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to the fluid [m/s^2]
     std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
-    std::vector<std::int32_t> near_samples;      ///< that water or joints may feel, see coupling::near_samples
+    /// Of bodies that deform: mean change of the stretch rate D over the last step, world axes; else empty [1/s^2].
+    std::vector<Sym3> stretch_acceleration;
+    std::vector<std::int32_t> near_samples;  ///< that water or joints may feel, see coupling::near_samples
     double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
 
     template <class Self, class Visit>
@@ -36,6 +38,9 @@ struct CouplingState {
         visit("coupling.angular_acceleration", self.angular_acceleration);
         visit("coupling.dry_acceleration", self.dry_acceleration);
         visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
+        if (!self.stretch_acceleration.empty()) {
+            visit("coupling.stretch_acceleration", self.stretch_acceleration);
+        }
         visit("coupling.near_samples", self.near_samples);
         visit("coupling.near_travel", self.near_travel);
     }

@@ -89,7 +89,7 @@ Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const b
 
 /// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
 template <class Fluid>
-void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double ahead,
+void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double since,
                          ScratchData& data, StepReport& report) {
     Prediction& prediction = data.prediction;
     const auto count = at(model.bodies.size());
@@ -102,8 +102,7 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
     coupling::AddedMassIteration iteration(model.bodies.mass, inertia, kappa);
     std::vector<body::Acceleration> found(count);
     for (bool is_settled = false; !is_settled;) {
-        fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
-                    span.middle(), ahead, span.dt, prediction.middle);
+        predict_middle(model, state, span, since, prediction);
         fluid.load(span, prediction.middle, data.fluid_loads);
         add_up(model.bodies, data.fluid_loads, data.span_loads);
         for (std::size_t b = 0; b < count; ++b) {
@@ -128,7 +127,7 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     if (!outcome.ok()) {
         return outcome;
     }
-    settle_light_bodies(model, state, fluid, span, since + 0.5 * span.dt, data, report);
+    settle_light_bodies(model, state, fluid, span, since, data, report);
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
     if (report.intruder.empty()) {
@@ -286,6 +285,9 @@ void initialise(const Model& model, State& state) {
     }
     ScratchData unused;
     with_methods(model, state, unused, [](auto& /*solids*/, auto& /*fluid*/) {});  // makes the fields of the methods
+    if (model.has_fluid() && state.bodies.deforms()) {
+        state.coupling.stretch_acceleration.assign(at(model.bodies.size()), {});
+    }
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;

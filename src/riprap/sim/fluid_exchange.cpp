@@ -2,8 +2,20 @@
 #include "riprap/sim/fluid_exchange.hpp"
 
 #include "riprap/core/index.hpp"
+#include "riprap/core/mat3.hpp"
 
 namespace riprap::sim {
+
+namespace {
+
+/// Lets blocks go on to strain ever faster or slower as they did in the last step.
+void add_stretching(const coupling::CouplingState& coupling, double ahead, body::Motion& motion) {
+    for (std::size_t b = 0; b < coupling.stretch_acceleration.size() && motion.deforms(); ++b) {
+        motion.stretch_rate[b] += ahead * coupling.stretch_acceleration[b];
+    }
+}
+
+}  // namespace
 
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction) {
     const body::BodySet& bodies = model.bodies;
@@ -14,10 +26,18 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
     update_kinematics(bodies, prediction.bodies, span.time, prediction.kinematics);
     fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction, span.time,
                 since, span.dt, prediction.now);
+    add_stretching(state.coupling, since, prediction.now);
     solid::drift(bodies, prediction.bodies, span.middle(), 0.5 * span.dt);
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
-    fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
-                span.middle(), since + 0.5 * span.dt, span.dt, prediction.middle);
+    predict_middle(model, state, span, since, prediction);
+}
+
+void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since,
+                    Prediction& prediction) {
+    const double ahead = since + 0.5 * span.dt;
+    fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
+                span.middle(), ahead, span.dt, prediction.middle);
+    add_stretching(state.coupling, ahead, prediction.middle);
 }
 
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
@@ -82,6 +102,26 @@ double work_on_free(const Prediction& prediction, const body::Loads& loads, doub
     return work;
 }
 
+namespace {
+
+/// Returns the strain of a body between two states, R (U_after - U_before) R^T with R halfway, world axes: exact to the
+/// product of the strain and its change [-].
+Sym3 strain_between(const body::BodyState& before, const body::BodyState& after, std::size_t b) {
+    Sym3 change = after.stretch[b];
+    change += -1.0 * before.stretch[b];
+    Quat sum = before.orientation[b];
+    const Quat& other = after.orientation[b];
+    const double sign = sum.w * other.w + sum.x * other.x + sum.y * other.y + sum.z * other.z < 0 ? -1 : 1;
+    sum = {sum.w + sign * other.w, sum.x + sign * other.x, sum.y + sign * other.y, sum.z + sign * other.z};
+    const Mat3 turn = to_matrix(normalized(sum));
+    const Mat3 body{
+        {{change.xx, change.xy, change.xz}, {change.xy, change.yy, change.yz}, {change.xz, change.yz, change.zz}}};
+    const Mat3 world = turn * body * transpose(turn);
+    return {world(0, 0), world(1, 1), world(2, 2), world(0, 1), world(0, 2), world(1, 2)};
+}
+
+}  // namespace
+
 double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
                  const body::Loads& loads) {
     double work = 0;
@@ -89,6 +129,9 @@ double work_done(const body::BodyState& before, const body::BodyState& after, co
         if (kinematics.inverse_mass[b] > 0) {
             const Vec3 turn = to_rotation_vector(after.orientation[b] * conjugate(before.orientation[b]));
             work += dot(loads.force[b], after.position[b] - before.position[b]) + dot(loads.torque[b], turn);
+            if (!loads.pull.empty() && before.deforms() && after.deforms()) {
+                work += contract(loads.pull[b], strain_between(before, after, b));
+            }
         }
     }
     return work;
@@ -103,6 +146,9 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
             coupling.acceleration[b] = coupling.angular_acceleration[b] = {};
             coupling.dry_acceleration[b] = model.gravity.at(state.time + dt);  // should it be released next
             coupling.dry_angular_acceleration[b] = {};
+            if (!coupling.stretch_acceleration.empty()) {
+                coupling.stretch_acceleration[b] = {};
+            }
             continue;
         }
         coupling.acceleration[b] = (state.bodies.velocity[b] - before.velocity[b]) / dt;
@@ -112,6 +158,11 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
         coupling.dry_acceleration[b] = coupling.acceleration[b] - kinematics.inverse_mass[b] * loads.force[b];
         coupling.dry_angular_acceleration[b] =
             coupling.angular_acceleration[b] - kinematics.inverse_inertia[b] * loads.torque[b];
+        if (!coupling.stretch_acceleration.empty()) {
+            Sym3 change = state.bodies.stretch_rate[b];
+            change += -1.0 * before.stretch_rate[b];
+            coupling.stretch_acceleration[b] = (1 / dt) * change;
+        }
     }
 }
 
@@ -137,6 +188,7 @@ void reset(const Model& model, coupling::CouplingState& coupling) {
     coupling.angular_acceleration.assign(count, {});
     coupling.dry_acceleration.assign(count, model.gravity.at(0));
     coupling.dry_angular_acceleration.assign(count, {});
+    coupling.stretch_acceleration.clear();
 }
 
 }  // namespace riprap::sim

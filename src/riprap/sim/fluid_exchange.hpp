@@ -22,6 +22,8 @@ struct FluidSpan {
 /// Predicts the motion of all bodies at the beginning and in the middle of a span that begins `since` seconds after the
 /// State, from its velocities and the guessed accelerations.
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
+/// Fills the motion in the middle of the span anew, from the present guess.
+void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
 
 /// Returns the accelerations over the last step: the first guess of this one.
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);
@@ -42,7 +44,8 @@ void add_share(const body::Loads& span, std::int64_t spans, body::Loads& step);
 /// Returns the work of the loads on free bodies that move as predicted [J].
 double work_on_free(const Prediction& prediction, const body::Loads& loads, double dt);
 
-/// Returns the work that loads held over a step did on free bodies that went from `before` to `after` [J].
+/// Returns the work that loads held over a step did on free bodies that went from `before` to `after`, their strain
+/// included [J].
 double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
                  const body::Loads& loads);
 

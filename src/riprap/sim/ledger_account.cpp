@@ -51,16 +51,16 @@ void put(std::vector<double>& totals, std::size_t first, const Vec3& value) {
     totals[first + 2] = value.z;
 }
 
-/// Adds a rate's half before the kick, reads the value there, adds the half after it.
-double add_across(double& total, double step) {
-    const double at_kick = total + 0.5 * step;
+/// Adds the share of a step before the kick, reads the value there, adds the rest.
+double add_across(double& total, double step, double share = 0.5) {
+    const double at_kick = total + share * step;
     total += step;
     return at_kick;
 }
-Vec3 add_across(std::vector<double>& totals, std::size_t first, const Vec3& step) {
+Vec3 add_across(std::vector<double>& totals, std::size_t first, const Vec3& step, double share = 0.5) {
     const Vec3 before = get(totals, first);
     put(totals, first, before + step);
-    return before + 0.5 * step;
+    return before + share * step;
 }
 
 /// Sums over the own accounts of a method, by their side of the balance [J].
@@ -71,9 +71,9 @@ struct OwnSums {
     double closure() const { return stored + lost + given - gained; }
 };
 
-/// Books the amounts of a step and returns the values at the kick.
+/// Books the amounts of a step and returns the values at the kick, before which its `share` lies.
 std::vector<double> book(std::span<const Account> accounts, const std::vector<double>& amounts, double* totals,
-                         bool is_first) {
+                         bool is_first, double share) {
     std::vector<double> values(accounts.size(), 0.0);
     for (std::size_t i = 0; i < accounts.size(); ++i) {
         const double amount = i < amounts.size() ? amounts[i] : 0;
@@ -85,7 +85,7 @@ std::vector<double> book(std::span<const Account> accounts, const std::vector<do
                 values[i] = totals[i] += is_first ? 0 : amount;
                 break;
             case Booking::across_kick:
-                values[i] = add_across(totals[i], amount);
+                values[i] = add_across(totals[i], amount, share);
                 break;
         }
     }
@@ -159,16 +159,16 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
     put(totals, mass_moment, kick.mass_moment);
     put(totals, gravity, step.gravity);
     ledger.friction = totals[friction];
-    ledger.contact_damping = add_across(totals[contact_damping], step.damping_loss);
-    ledger.damping = add_across(totals[body_damping], kick.damping_loss);
-    ledger.driven = add_across(totals[driven_work], kick.work_driven);
-    ledger.external = add_across(totals[external_work], kick.external_work);
+    ledger.contact_damping = add_across(totals[contact_damping], step.damping_loss, step.kick_share);
+    ledger.damping = add_across(totals[body_damping], kick.damping_loss, step.kick_share);
+    ledger.driven = add_across(totals[driven_work], kick.work_driven, step.kick_share);
+    ledger.external = add_across(totals[external_work], kick.external_work, step.kick_share);
     ledger.gravity_change = totals[gravity_change];
     ledger.released = totals[released];
     ledger.momentum = kick.momentum;
     ledger.angular_momentum = kick.angular_momentum;
-    ledger.impulse = add_across(totals, impulse, kick.impulse);
-    ledger.angular_impulse = add_across(totals, angular_impulse, kick.angular_impulse);
+    ledger.impulse = add_across(totals, impulse, kick.impulse, step.kick_share);
+    ledger.angular_impulse = add_across(totals, angular_impulse, kick.angular_impulse, step.kick_share);
     if (!is_first) {
         put(totals, impulse, get(totals, impulse) + kick.released_momentum);
         put(totals, angular_impulse, get(totals, angular_impulse) + kick.released_angular_momentum);
@@ -176,7 +176,7 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
         ledger.angular_impulse += kick.released_angular_momentum;
     }
 
-    ledger.own = book(accounts.solid, step.own, totals.data() + own_accounts, is_first);
+    ledger.own = book(accounts.solid, step.own, totals.data() + own_accounts, is_first, step.kick_share);
     const OwnSums own = add_up(accounts.solid, ledger.own);
     const double work = ledger.driven + ledger.external + ledger.gravity_change + ledger.released;
     const double lost = ledger.friction + ledger.contact_damping + ledger.damping + own.lost;
@@ -212,7 +212,7 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.internal = step.internal;
     fluid.work_on_solids = add_across(totals[fluid_on_solids], step.work_on_solids);
     fluid.work_external = add_across(totals[fluid_external], step.work_external);
-    fluid.own = book(accounts.fluid, all.step.own, totals.data() + own_accounts + accounts.solid.size(), is_first);
+    fluid.own = book(accounts.fluid, all.step.own, totals.data() + own_accounts + accounts.solid.size(), is_first, 0.5);
     const OwnSums own = add_up(accounts.fluid, fluid.own);
     fluid.artificial = own.artificial;
     fluid.transported = totals[fluid_transported];

@@ -15,6 +15,7 @@
 #include "riprap/coupling/particle_walls/particle_method.hpp"
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 #include "riprap/solid/implicit_dda/implicit_dda.hpp"
+#include "riprap/solid/planar_dda/planar_dda.hpp"
 #include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem.hpp"
 
@@ -105,7 +106,8 @@ using Solids = MethodList<  //
     solid::PolyhedralDem,   //
     solid::SphereDem,       //
     solid::ExplicitDda,     //
-    solid::ImplicitDda      //
+    solid::ImplicitDda,     //
+    solid::PlanarDda        //
     >;
 using Fluids = MethodList<      //
     coupling::NoFluid,          //

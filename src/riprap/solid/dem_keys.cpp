@@ -22,6 +22,13 @@ KeyList<contact::DistancePotentialOptions> contact_keys() {
 MethodKeys<DemSettings> DemSettings::keys() {
     using S = DemSettings;
     const KeyList<S> keys{
+        choice(&S::pair_contact, "contact",
+               {{"distance_potential", PairContact::distance_potential},
+                {"common_plane_soft", PairContact::common_plane_soft},
+                {"common_plane_penalty", PairContact::common_plane_penalty}},
+               "One contact a pair from the overlap of fields; or springs at the points where faces meet across the "
+               "common "
+               "plane, as stiff as the area that they stand for or all alike."),
         number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
                "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
         number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),

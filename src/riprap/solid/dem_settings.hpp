@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "riprap/contact/narrowphase/distance_potential.hpp"
@@ -12,11 +13,19 @@ struct MethodKeys;  // core/key.hpp
 
 namespace riprap::solid {
 
-/// Explicit DEM of polyhedra with the distance potential.
+/// How two polyhedra meet.
+enum class PairContact : std::uint8_t {
+    distance_potential,    ///< contact::DistancePotentialPhysics
+    common_plane_soft,     ///< contact::CommonPlanePhysics, springs by area
+    common_plane_penalty,  ///< contact::CommonPlanePhysics, equal springs
+};
+
+/// Explicit DEM of polyhedra, with the distance potential or across the common plane.
 struct DemSettings {
     static constexpr std::string_view method_name = "distance_potential_dem";
     static MethodKeys<DemSettings> keys();
 
+    PairContact pair_contact{PairContact::distance_potential};
     contact::DistancePotentialOptions contact;
     double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
     double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]

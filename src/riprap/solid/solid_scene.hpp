@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "riprap/body/gravity.hpp"
@@ -22,6 +23,12 @@ struct SolidScene {
     std::span<const body::PointLoad> point_loads;
 };
 
+/// Why a method cannot move a scene.
+struct SceneProblem {
+    BodyId body{};  ///< at fault; invalid: the scene as a whole
+    std::string message, allowed;
+};
+
 /// What every solid method may change: State. Methods with fields of their own get them besides.
 struct SolidState {
     body::BodyState& bodies;
@@ -39,14 +46,17 @@ enum class Measure {
 
 /// What a solid method brings in one piece of a step.
 struct SolidReport {
-    KickReport kick;          ///< energies, momenta and work of the bodies
-    double kick_time{0};      ///< at which the energies hold [s]
+    KickReport kick;      ///< energies, momenta and work of the bodies
+    double kick_time{0};  ///< at which the energies hold [s]
+    /// Share of the works, losses and impulses of the piece that lies before kick_time: 1/2 where energies hold in the
+    /// middle of a piece, 1 where they hold at its end [-].
+    double kick_share{0.5};
     Vec3 gravity{};           ///< then [m/s^2]
     bool has_stored{true};    ///< the stored energies were measured
     double elastic{0};        ///< stored in overlaps [J]
     double shear{0};          ///< stored in tangential springs [J]
     double friction_loss{0};  ///< since the last kick [J]
-    double damping_loss{0};   ///< of contact dashpots in this piece, half of it after the kick [J]
+    double damping_loss{0};   ///< of contact dashpots in this piece [J]
     std::vector<double> own;  ///< amounts of the accounts that the method names itself, in their order [J]
     double dt_bound{std::numeric_limits<double>::infinity()};  ///< step that the contacts as they are allow [s]
     double max_potential{0};                                   ///< deepest normalised overlap [-]

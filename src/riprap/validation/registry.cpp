@@ -116,6 +116,8 @@ std::span<const ValidationCase> all_cases() {
                        water::other_schemes},
         ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
                        mikola::sliding_wedge},
+        ValidationCase{"mikola", "wedge_methods", "The wedge into water by rigid polyhedra and by three DDAs", false,
+                       mikola::wedge_methods},
         ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},
         ValidationCase{"mikola", "submarine_wedge", "A wedge slides under water (Heinrich)", false,
                        mikola::submarine_wedge},

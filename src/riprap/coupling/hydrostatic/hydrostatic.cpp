@@ -139,6 +139,9 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
     for (std::size_t b = 0; b < bodies; ++b) {
         scratch_->power += dot(loads.pressure.force[b], middle.velocity[b]) +
                            dot(loads.pressure.torque[b], middle.angular_velocity[b]);
+        if (middle.deforms()) {
+            scratch_->power += contract(loads.pressure.pull[b], middle.stretch_rate[b]);
+        }
     }
 }
 

@@ -97,6 +97,9 @@ class Lattice {
 /// Refuses bodies that start inside each other.
 void check_overlaps(CaseBuild& build);
 
+/// Refuses what the solid method cannot move.
+void check_solid_method(CaseBuild& build);
+
 /// The turn that an orientation table means; the identity for null.
 Quat orientation_of(const Value* table);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/core/index.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/suggest.hpp"
@@ -274,6 +275,28 @@ void build_settings(CaseBuild& build) {
     read_keys(root, time_keys(), model.time);
 
     model.solid = SolidMethods::read(get(root, "solid"), build.problems);
+}
+
+void check_solid_method(CaseBuild& build) {
+    const sim::Model& model = build.model;
+    const solid::SolidScene scene{model.shapes, model.materials, model.bodies, model.gravity, model.loads};
+    const auto problems = sim::Solids::visit(
+        model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
+            if constexpr (requires { Solid::problems_of(scene, settings, build.state.bodies); }) {
+                return Solid::problems_of(scene, settings, build.state.bodies);
+            } else {
+                return {};
+            }
+        });
+    const Value& solid = get(build.root, "solid");
+    const Value* method = solid.find("method");
+    for (const solid::SceneProblem& problem : problems) {
+        SourcePlace place = method != nullptr ? method->place : solid.place;
+        if (problem.body.is_valid()) {
+            place = build.names[model.bodies.names[at(model.bodies.name_id[at(problem.body.value)])]];
+        }
+        build.problem(place, problem.message, problem.allowed);
+    }
 }
 
 void build_output(CaseBuild& build) {

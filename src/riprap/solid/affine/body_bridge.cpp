@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/affine/body_bridge.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "riprap/core/index.hpp"
@@ -40,8 +42,22 @@ std::int32_t shape_of_body(const SolidScene& scene, const body::Part& part, Bloc
 
 }  // namespace
 
+std::vector<SceneProblem> scene_problems(const SolidScene& scene) {
+    std::vector<SceneProblem> problems;
+    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.bodies.part_begin[at(b) + 1] - scene.bodies.part_begin[at(b)] != 1) {
+            problems.push_back({BodyId{b}, fmt::format("'{}' has several parts", scene.bodies.name(BodyId{b})),
+                                "one convex polyhedron, as a deformable block is"});
+        }
+    }
+    return problems;
+}
+
 std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system) {
     system = {};
+    if (const std::vector<SceneProblem> problems = scene_problems(scene); !problems.empty()) {
+        return problems.front().message + "; a deformable block is one convex polyhedron";
+    }
     for (int m = 0; m < scene.materials.size(); ++m) {
         system.materials.push_back(
             {scene.materials[MaterialId{m}].density, elasticity.youngs_modulus, elasticity.poisson_ratio});
@@ -54,15 +70,19 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
     const body::BodySet& bodies = scene.bodies;
     BlockState unused;
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
-        if (bodies.part_begin[at(b) + 1] - bodies.part_begin[at(b)] != 1) {
-            return bodies.name(BodyId{b}) + " has several parts; a deformable block is one convex polyhedron";
-        }
         NewBlock block;
         block.shape = shape_of_body(scene, bodies.parts[at(bodies.part_begin[at(b)])], system);
         block.material = bodies.material[at(b)].value;
         add_block(system, unused, block);
     }
     return {};
+}
+
+void start_stretching(body::BodyState& bodies) {
+    if (!bodies.deforms()) {
+        bodies.stretch.assign(at(bodies.size()), {1, 1, 1, 0, 0, 0});
+        bodies.stretch_rate.assign(at(bodies.size()), {});
+    }
 }
 
 void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks) {

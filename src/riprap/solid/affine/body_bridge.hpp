@@ -18,9 +18,15 @@ struct Elasticity {
     double contact_stiffness{1e8};  ///< k_n of a contact point [N/m]; k_s by the shear ratio of the pair
 };
 
+/// Returns the bodies that no block can be made of: those of several parts.
+std::vector<SceneProblem> scene_problems(const SolidScene& scene);
+
 /// Blocks for the bodies of a scene: shapes in the axes of the body, densities, pair properties.
 /// @returns what a block cannot be made of: a body of several parts; empty = done
 std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system);
+
+/// Says that bodies deform, none of them stretched so far; leaves bodies alone that already do. Loads have a pull then.
+void start_stretching(body::BodyState& bodies);
 
 /// Poses, velocities and stretches of the bodies as x = x_c + F X, F = R U.
 void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks);

@@ -34,6 +34,11 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
                     within(&ExplicitDdaSettings::elasticity, elastic_keys)};
 }
 
+std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& /*settings*/,
+                                                   const body::BodyState& /*bodies*/) {
+    return affine::scene_problems(scene);
+}
+
 std::size_t ExplicitDda::Scratch::bytes() const {
     return loads.bytes() +
            bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.contacts, engine.forces);
@@ -45,6 +50,7 @@ ExplicitDda::ExplicitDda(const SolidScene& scene, const Settings& settings, cons
     if (scratch.system.size() != scene.bodies.size()) {
         scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
     }
+    affine::start_stretching(state_.bodies);
     if (fields.blocks.size() != scene.bodies.size()) {
         read_bodies(state.bodies, scene.bodies, fields.blocks);
     }

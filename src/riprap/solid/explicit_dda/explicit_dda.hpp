@@ -39,6 +39,9 @@ class ExplicitDda {
     ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);
 
+    /// Returns why the method cannot move the scene: bodies of several parts.
+    static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
+                                                 const body::BodyState& bodies);
     /// Returns the step that strain modes and eight contact points a block allow (explicit_dda::stable_step).
     StepLimit limit() const;
     /// Moves the blocks over a piece of a step under loads that are held over it.

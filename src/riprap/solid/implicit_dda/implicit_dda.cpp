@@ -38,6 +38,11 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                                       "Time step; shorter where contacts do not settle.")}};
 }
 
+std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, const Settings& /*settings*/,
+                                                   const body::BodyState& /*bodies*/) {
+    return affine::scene_problems(scene);
+}
+
 std::size_t ImplicitDda::Scratch::bytes() const {
     return loads.bytes() + engine.equations.matrix.bytes() + engine.equations.pcg.bytes() +
            bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.found, engine.contacts,
@@ -50,6 +55,7 @@ ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, cons
     if (scratch.system.size() != scene.bodies.size()) {
         scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
     }
+    affine::start_stretching(state_.bodies);
     if (fields.blocks.size() != scene.bodies.size()) {
         read_bodies(state.bodies, scene.bodies, fields.blocks);
     }
@@ -138,6 +144,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     write_bodies(system, fields_->blocks, state_.bodies);
     report.gravity = system.gravity;
     report.kick_time = span.end();
+    report.kick_share = 1;
     report.kick.mass = step.sums.mass;
     report.kick.kinetic = step.sums.kinetic;
     report.kick.potential = step.sums.potential;

@@ -40,6 +40,9 @@ class ImplicitDda {
     ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);
 
+    /// Returns why the method cannot move the scene: bodies of several parts.
+    static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
+                                                 const body::BodyState& bodies);
     /// Returns the step of the settings, which the method wants for itself.
     StepLimit limit() const { return {settings_->step, true, "step of implicit DDA"}; }
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.

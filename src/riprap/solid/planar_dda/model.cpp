@@ -11,6 +11,10 @@
 
 namespace riprap::solid::planar_dda {
 
+std::string Model::name_of(std::int32_t block) const {
+    return at(block) < names.size() ? names[at(block)] : fmt::format("block {}", block);
+}
+
 void Model::set_joint(std::int32_t material_a, std::int32_t material_b, const Joint& joint) {
     joints.resize(materials.size() * materials.size());
     joints[at(material_a) * materials.size() + at(material_b)] = joint;

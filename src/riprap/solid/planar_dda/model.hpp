@@ -81,6 +81,8 @@ struct Model {
     std::vector<double> width;  ///< twice the area over the perimeter: half the side of a square, about the thickness
                                 ///< of a slab [m]
 
+    std::vector<std::string> names;  ///< of blocks, for messages; empty = their numbers
+
     std::vector<FixedPoint> fixed_points;
     std::vector<Bolt> bolts;
     std::vector<MeasuredPoint> measured_points;
@@ -91,6 +93,8 @@ struct Model {
         return joints[static_cast<std::size_t>(material[static_cast<std::size_t>(block_a)]) * materials.size() +
                       static_cast<std::size_t>(material[static_cast<std::size_t>(block_b)])];
     }
+    /// Returns "block 3", or the name that the block was given.
+    std::string name_of(std::int32_t block) const;
     /// Sets the joint of two materials in both orders.
     void set_joint(std::int32_t material_a, std::int32_t material_b, const Joint& joint);
 };

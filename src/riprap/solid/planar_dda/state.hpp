@@ -75,6 +75,24 @@ struct State {
     }
 };
 
+/// Forgets the contacts that is_dropped(place in the list) tells.
+template <class IsDropped>
+void drop_contacts(State& state, const IsDropped& is_dropped) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < state.contact_corner.size(); ++k) {
+        if (is_dropped(k)) {
+            continue;
+        }
+        const auto keep = [k, kept](auto&... field) { ((field[kept] = field[k]), ...); };
+        keep(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
+             state.contact_multiplier, state.contact_force);
+        ++kept;
+    }
+    const auto cut = [kept](auto&... field) { (field.resize(kept), ...); };
+    cut(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
+        state.contact_multiplier, state.contact_force);
+}
+
 /// Offset from the centroid of a point with the offset X in the reference shape: R U X [m].
 Vec2 offset_of(const State& state, std::int32_t block, const Vec2& local);
 /// Its place [m].

@@ -23,7 +23,7 @@ Outcome solve(const Model& model, const State& state, double dt, bool has_new_ma
         assemble_matrix(model, state, dt, scratch);
         ++report.factorizations;
         if (const std::int32_t row = scratch.matrix.factorize(); row >= 0) {
-            return {fmt::format("the equations of block {} are singular", scratch.block_of_row[at(row)]), 0};
+            return {fmt::format("the equations of {} are singular", model.name_of(scratch.block_of_row[at(row)])), 0};
         }
     }
     ++report.iterations;
@@ -36,9 +36,11 @@ Outcome solve(const Model& model, const State& state, double dt, bool has_new_ma
     return {};
 }
 
-std::string name_of(const Contact& contact) {
-    return fmt::format("corner {} of block {} and edge {} of block {}", contact.corner, contact.a, contact.edge,
-                       contact.b);
+/// Names the corner and the edge by their place in their blocks.
+std::string name_of(const Model& model, const Contact& contact) {
+    return fmt::format("corner {} of {} and edge {} of {}", contact.corner - model.corner_begin[at(contact.a)],
+                       model.name_of(contact.a), contact.edge - model.corner_begin[at(contact.b)],
+                       model.name_of(contact.b));
 }
 
 /// Open-close iteration: solves until no contact opens, closes, locks or slides and no bond breaks. A front of closing
@@ -59,7 +61,7 @@ Outcome settle_contacts(const Model& model, const Settings& settings, const Stat
             rounds += changes.returned > 0 ? 1 : 0;
             if (rounds >= settings.max_iterations) {
                 const Contact& contact = scratch.contacts[at(changes.worst)];
-                return {fmt::format("open-close iteration does not settle: {}", name_of(contact)), 0.3};
+                return {fmt::format("open-close iteration does not settle: {}", name_of(model, contact)), 0.3};
             }
             friction_rounds = 0;
             continue;
@@ -90,7 +92,7 @@ double largest_displacement(const Model& model, const State& state, const Scratc
     return std::sqrt(largest);
 }
 
-Outcome accept_or_refuse(const Settings& settings, const Scratch& scratch, StepReport& report) {
+Outcome accept_or_refuse(const Model& model, const Settings& settings, const Scratch& scratch, StepReport& report) {
     const double ratio = report.largest_displacement / settings.displacement_limit;
     if (!(ratio <= 3)) {
         return {fmt::format("a corner moves by {:.3g} m in one step, {:.2g} times the limit",
@@ -105,8 +107,8 @@ Outcome accept_or_refuse(const Settings& settings, const Scratch& scratch, StepR
         ++report.closed_contacts;
         report.largest_overlap = std::max(report.largest_overlap, -trial.gap);
         if (settings.largest_overlap > 0 && -trial.gap > settings.largest_overlap) {
-            return {fmt::format("{} overlap by {:.3g} m, above the limit of {:.3g} m", name_of(scratch.contacts[k]),
-                                -trial.gap, settings.largest_overlap),
+            return {fmt::format("{} overlap by {:.3g} m, above the limit of {:.3g} m",
+                                name_of(model, scratch.contacts[k]), -trial.gap, settings.largest_overlap),
                     0.3};
         }
     }
@@ -169,7 +171,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
     }
     if (outcome.ok()) {
         report.largest_displacement = largest_displacement(model, state, scratch);
-        outcome = accept_or_refuse(settings, scratch, report);
+        outcome = accept_or_refuse(model, settings, scratch, report);
     }
     if (outcome.ok()) {
         accept(model, settings, step, state, scratch);

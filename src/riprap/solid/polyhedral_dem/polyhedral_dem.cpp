@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/contact/common_plane_physics.hpp"
 #include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -70,6 +71,26 @@ Outcome judge(const body::BodySet& bodies, const DemSettings& settings, const bo
     return {};
 }
 
+/// Finds contacts by the physics of the settings. @returns the friction loss of springs that were lost [J]
+double find_contacts(const contact::ContactScene& scene, const DemSettings& settings, const SolidState& state,
+                     double sliding_time, bool with_energy, PolyhedralDem::Scratch& scratch) {
+    const auto find = [&](const auto& physics) {
+        return scratch.pipeline.find_contacts(physics, scene, state.bodies, scratch.kinematics, sliding_time,
+                                              state.contacts);
+    };
+    if (settings.pair_contact == PairContact::distance_potential) {
+        contact::DistancePotentialPhysics physics{settings.contact};
+        physics.options.with_energy = with_energy;
+        return find(physics);
+    }
+    if (scratch.topologies.empty()) {
+        scratch.topologies = contact::hull_topologies(scene.shapes);
+    }
+    const bool is_soft = settings.pair_contact == PairContact::common_plane_soft;
+    return find(contact::CommonPlanePhysics{scratch.topologies, scene.bodies,
+                                            is_soft ? contact::PlaneLaw::soft : contact::PlaneLaw::penalty});
+}
+
 }  // namespace
 
 std::size_t PolyhedralDem::Scratch::bytes() const {
@@ -97,8 +118,7 @@ Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads
     const double sliding_time = 0.5 * (state_.previous_dt + span.dt);
     const bool is_first = state_.previous_dt == 0;
     const double previous_kick = !is_first ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
-    contact::DistancePotentialPhysics physics{settings_->contact};
-    physics.options.with_energy = report.has_stored = measure == Measure::energy || is_first;
+    report.has_stored = measure == Measure::energy || is_first;
     {
         const ScopedTimer timer(times.move_bodies);
         drift(bodies, state, kick_time, 0.5 * span.dt);
@@ -111,8 +131,8 @@ Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads
     }
     {
         const ScopedTimer timer(times.find_contacts);
-        report.friction_loss = contacts.find_contacts(physics, scene, state, scratch_->kinematics, sliding_time,
-                                                      state_.contacts);  // of springs that were lost
+        report.friction_loss =
+            find_contacts(scene, *settings_, state_, sliding_time, report.has_stored, *scratch_);  // of lost springs
     }
     {
         const ScopedTimer timer(times.contact_loads);

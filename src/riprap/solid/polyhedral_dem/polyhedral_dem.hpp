@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "riprap/contact/narrowphase/hull.hpp"
 #include "riprap/contact/pipeline.hpp"
 #include "riprap/core/fields.hpp"
 #include "riprap/core/step.hpp"
@@ -12,15 +13,16 @@
 
 namespace riprap::solid {
 
-/// Rigid polyhedra that repel by the distance potential, moved by drift, kick and drift, bound to Model, State and
-/// Scratch for one step: SolidMethod.
+/// Rigid polyhedra that repel by the distance potential or across the common plane, moved by drift, kick and drift,
+/// bound to Model, State and Scratch for one step: SolidMethod.
 class PolyhedralDem {
  public:
     using Settings = DemSettings;
     using Fields = NoFields;
     struct Scratch {
         contact::ContactPipeline pipeline;
-        body::Loads loads;  ///< of contacts, in the last piece
+        std::vector<contact::HullTopology> topologies;  ///< by shape, for the common plane: a function of Model
+        body::Loads loads;                              ///< of contacts, in the last piece
         body::BodyKinematics kinematics;
         body::PointLoadSum point_loads;
         SolidTimes times;

@@ -12,6 +12,8 @@ void wave_maker(const CaseSetting& setting, CaseReport& report);
 void submarine_wedge(const CaseSetting& setting, CaseReport& report);
 void scott_russell(const CaseSetting& setting, CaseReport& report);
 
+// wedge_methods.cpp
+void wedge_methods(const CaseSetting& setting, CaseReport& report);
 // common_plane.cpp
 void common_plane(const CaseSetting& setting, CaseReport& report);
 // deformable_blocks.cpp

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "riprap/core/account.hpp"
+#include "riprap/core/key.hpp"
+#include "riprap/core/shown.hpp"
+#include "riprap/solid/planar_dda/scene_bridge.hpp"
+#include "riprap/solid/planar_dda/step.hpp"
+
+namespace riprap::solid {
+
+/// Keys of `solid.method = "planar_dda"`.
+struct PlanarDdaSettings {
+    static constexpr std::string_view method_name = "planar_dda";
+    static MethodKeys<PlanarDdaSettings> keys();
+    planar_dda::Settings engine;  ///< its lengths follow the smallest block
+    planar_dda::PlaneState plane{planar_dda::PlaneState::stress};
+    affine::Elasticity elasticity;
+    double max_displacement{0.1};  ///< displacement limit over the side of the smallest block [-]
+    double step{1e-3};  ///< that the method wants; shorter where the open-close iteration does not settle [s]
+};
+
+/// Deformable polygons moved by Shi's planar DDA, bound to Model, State and Scratch for one step: SolidMethod. The
+/// whole step is that of planar_dda::advance; works and losses are those of planar_dda::Accounts.
+class PlanarDda {
+ public:
+    using Settings = PlanarDdaSettings;
+    struct Fields {
+        planar_dda::State blocks;
+        std::vector<std::uint8_t> was_held;  ///< per block: not moved by forces in the last piece
+        std::vector<double> around;          ///< centre and radius of the bodies at the start: see make_blocks [m]
+
+        template <class Self, class Visit>
+        static void visit_fields(Self& self, Visit&& visit) {
+            planar_dda::State::visit_fields(self.blocks, visit);
+            visit("was_held", self.was_held);
+            visit("around", self.around);
+        }
+    };
+    struct Scratch {
+        planar_dda::SceneBlocks scene;
+        planar_dda::Settings settings;  ///< with the lengths of the scene
+        bool is_made{false};
+        planar_dda::Scratch engine;
+        std::vector<planar_dda::Unknowns> driven, given;
+        body::Loads loads;  ///< of contacts, in the last piece
+        body::PointLoadSum point_loads;
+        std::size_t bytes() const;
+    };
+    static constexpr bool takes_back = true;
+
+    PlanarDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
+              Scratch& scratch);
+
+    /// Returns why the method cannot move the scene: one that is not planar, outlines that are no polygon, stiffnesses
+    /// out of range.
+    static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
+                                                 const body::BodyState& bodies);
+    /// Returns the step of the settings, which the method wants for itself.
+    StepLimit limit() const { return {settings_->step, true, "step of planar DDA"}; }
+    /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    /// Sum of the contact forces and of their moments on every body in the last piece.
+    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+    static std::span<const Account> accounts();
+    /// Stress and strain in the plane, with von Mises' stress: as of blocks in space.
+    static std::span<const ShownField> shown();
+    static double show(const body::BodyState& bodies, const Fields& fields, std::size_t body, std::size_t field);
+
+ private:
+    const SolidScene* scene_;
+    const Settings* settings_;
+    SolidState state_;
+    Fields* fields_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::solid
