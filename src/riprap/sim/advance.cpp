@@ -169,6 +169,12 @@ Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cy
     const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
     note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
     const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
+    if constexpr (!Fluid::leads) {
+        // Such a fluid does not move by itself: its work is what the bodies say, whatever was predicted of them.
+        for (FluidSpan& span : spans) {
+            span.work_on_free = work_given / static_cast<double>(spans.size());
+        }
+    }
     book_fluid(spans, work_given, accounts_of(model), state.ledger, report.ledger);
     return outcome;
 }

@@ -132,6 +132,8 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"ding", "free_fall_3d", "3D-DDA: free fall and tumbling", false, ding::free_fall_3d},
         ValidationCase{"ding", "incline_3d", "3D-DDA: a block on an incline", false, ding::incline_3d},
         ValidationCase{"ding", "arch_3d", "3D-DDA: an arch against the same in two dimensions", false, ding::arch_3d},
+        ValidationCase{"ding", "dam_uplift", "The top of a dam under rising water, with uplift and cohesion", false,
+                       ding::dam_uplift},
         ValidationCase{"ding", "gravity_dam", "3D-DDA: a cracked gravity dam as the water rises", false,
                        ding::gravity_dam},
         ValidationCase{"dda", "rock_wedges_3d", "3D-DDA: wedges on two joint planes hold or slide (Hoek and Bray)",

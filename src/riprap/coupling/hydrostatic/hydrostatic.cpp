@@ -117,8 +117,11 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
         const HydrostaticSettings::Basin* basin = nearest_basin(*settings_, place);
         const double share = cover.empty() ? 1 : cover[at(index)];
         const bool is_open = share >= 1 && basin != nullptr && distance_from(*basin, *settings_, place) > 0;
-        if (basin == nullptr || (is_open && settings_->uplift != Uplift::full) || share <= 0) {
+        if (basin == nullptr || share <= 0) {
             return;
+        }
+        if (is_open && (settings_->uplift != Uplift::full || !lies_on_another(*scene_, *settings_, middle, panel))) {
+            return;  // a dry face
         }
         const double level = settings_->level_at(*basin, span.middle()) - dot(center, settings_->up);
         pushes[at(index)] = {share * pressure_on_polygon(arms, settings_->up, level, weight), normal_of(arms)};

@@ -101,6 +101,14 @@ double from_water(const HydrostaticSettings& settings, const Vec3& x) {
     return least;
 }
 
+Vec3 middle_of(const body::Motion& motion, const Panel& panel) {
+    Vec3 middle{};
+    for (const Vec3& corner : panel.corner) {
+        middle += corner / static_cast<double>(panel.corner.size());
+    }
+    return motion.pose[at(panel.body)].position + arm_of(motion, at(panel.body), middle);
+}
+
 }  // namespace
 
 std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
@@ -126,21 +134,20 @@ std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
     return panels;
 }
 
+bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
+                     const Panel& panel) {
+    constexpr double gap = 0.05;  // of a panel: closer than that faces lie on each other
+    const Vec3 outward = rotate(motion.pose[at(panel.body)].orientation, panel.normal);
+    return is_covered(scene, motion, panel.body, middle_of(motion, panel) + (gap * settings.spacing) * outward);
+}
+
 std::vector<double> joint_shares(const FluidScene& scene, const HydrostaticSettings& settings,
                                  const body::Motion& motion, const std::vector<Panel>& panels) {
-    constexpr double gap = 0.05;                      // of a panel: closer than that faces lie on each other
     std::vector<double> distance(panels.size(), -1);  // of covered panels from the water
     parallel::for_each_uneven(static_cast<std::int64_t>(panels.size()), 16, [&](std::int64_t index) {
         const Panel& panel = panels[at(index)];
-        const auto b = at(panel.body);
-        Vec3 middle{};
-        for (const Vec3& corner : panel.corner) {
-            middle += corner / static_cast<double>(panel.corner.size());
-        }
-        const Vec3 place = motion.pose[b].position + arm_of(motion, b, middle);
-        const Vec3 outward = rotate(motion.pose[b].orientation, panel.normal);
-        if (is_covered(scene, motion, panel.body, place + (gap * settings.spacing) * outward)) {
-            distance[at(index)] = from_water(settings, place);
+        if (lies_on_another(scene, settings, motion, panel)) {
+            distance[at(index)] = from_water(settings, middle_of(motion, panel));
         }
     });
     std::vector<double> farthest(motion.pose.size(), 0);

@@ -11,6 +11,10 @@ namespace riprap::coupling {
 /// whole where it is infinite. Faces between parts of one body and end faces of planar prisms are left out.
 std::vector<HydrostaticFluid::Panel> cut_faces(const FluidScene& scene, double size);
 
+/// Tells whether the middle of a panel lies on another body.
+bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
+                     const HydrostaticFluid::Panel& panel);
+
 /// Returns the share of the hydrostatic pressure that each panel feels [-]: 1 where it is open; where it lies on
 /// another body 0 without uplift, and with linear uplift 1 - d/L, d its distance from the water sideways and L that of
 /// the farthest covered panel of its body.

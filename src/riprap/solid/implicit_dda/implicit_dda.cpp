@@ -106,6 +106,16 @@ void book_outside(const affine::BlockSystem& system, const affine::BlockState& b
     }
 }
 
+/// Writes the mean rates of stretching over the step. Those of the method at the end of a step change their sign from
+/// step to step where a block is stiff.
+void write_mean_rates(const implicit_dda::Scratch& engine, double dt, body::BodyState& bodies) {
+    for (std::size_t row = 0; row < engine.block.size(); ++row) {
+        const Mat3 d =
+            (1 / dt) * affine::symmetric_part(implicit_dda::gradient_of(&engine.equations.solution[12 * row]));
+        bodies.stretch_rate[at(engine.block[row])] = {d(0, 0), d(1, 1), d(2, 2), d(0, 1), d(0, 2), d(1, 2)};
+    }
+}
+
 }  // namespace
 
 std::span<const Account> ImplicitDda::accounts() {
@@ -142,6 +152,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     sum_contacts(scratch_->engine, scratch_->loads);
     book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
     write_bodies(system, fields_->blocks, state_.bodies);
+    write_mean_rates(scratch_->engine, span.dt, state_.bodies);
     report.gravity = system.gravity;
     report.kick_time = span.end();
     report.kick_share = 1;

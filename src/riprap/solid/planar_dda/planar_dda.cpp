@@ -206,17 +206,27 @@ void book_accounts(const planar_dda::Accounts& before, const planar_dda::Account
                   before.constraint_work - after.constraint_work};
 }
 
+/// Writes the mean rates of stretching over the step, world axes. Those of the method at the end of a step change their
+/// sign from step to step where a block is stiff.
+void write_mean_rates(const std::vector<Unknowns>& motion, double dt, body::BodyState& bodies) {
+    for (std::size_t b = 0; b < motion.size(); ++b) {
+        bodies.stretch_rate[b] = {motion[b][3] / dt, motion[b][4] / dt, 0, 0.5 * motion[b][5] / dt, 0, 0};
+    }
+}
+
 }  // namespace
 
 std::span<const Account> PlanarDda::accounts() {
     static constexpr std::array table{
-        Account{"strain", Balance::stored, Booking::at_kick, "in strained blocks"},
-        Account{"bonds", Balance::lost, Booking::since_kick, "by bonds that broke"},
-        Account{"numerical_damping", Balance::lost, Booking::since_kick, "by Newmark's rule", true},
-        Account{"static_damping", Balance::lost, Booking::since_kick, "by velocities that dynamic_factor takes"},
+        Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
+        Account{"bonds", Balance::lost, Booking::since_kick, "lost by bonds that broke, since time 0"},
+        Account{"numerical_damping", Balance::lost, Booking::since_kick,
+                "lost by the integration of motion and strain since time 0", true},
+        Account{"static_damping", Balance::lost, Booking::since_kick, "lost to dynamic_factor since time 0"},
         Account{"linearization", Balance::lost, Booking::since_kick,
-                "where the linear displacement of a step is replaced by the exact turn", true},
-        Account{"multipliers", Balance::lost, Booking::since_kick, "by the multipliers of augmented_lagrange", true}};
+                "lost where exact turns replace the linear displacements of steps, since time 0", true},
+        Account{"multipliers", Balance::lost, Booking::since_kick, "lost to the multipliers of contacts since time 0",
+                true}};
     return table;
 }
 
@@ -225,7 +235,7 @@ std::span<const ShownField> PlanarDda::shown() {
         ShownField{"stress_xx", "Pa", "of the Cauchy stress of the block, tension positive, world axes"},
         ShownField{"stress_yy", "Pa", "likewise"},
         ShownField{"stress_xy", "Pa", "likewise"},
-        ShownField{"von_mises", "Pa", "von Mises' stress of the block"},
+        ShownField{"von_mises", "Pa", "von Mises' stress of the stresses in the plane"},
         ShownField{"strain_xx", "-", "of the strain (F F^T - I)/2 of the block, world axes"},
         ShownField{"strain_yy", "-", "likewise"},
         ShownField{"strain_xy", "-", "likewise"},
@@ -286,6 +296,7 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     report.contact_count = taken.closed_contacts;
     report.pair_count = static_cast<std::int64_t>(scratch_->engine.search.pairs.size());
     write_bodies(scene, fields_->blocks, state_.bodies);
+    write_mean_rates(scratch_->engine.motion, span.dt, state_.bodies);
     state_.previous_dt = span.dt;
     return {};
 }

@@ -177,8 +177,8 @@ void write_bodies(const SceneBlocks& blocks, const State& state, body::BodyState
         bodies.velocity[i] = {velocity.x, velocity.y, 0};
         bodies.orientation[i] = turn_of(state.angle[i]);
         bodies.stretch[i] = {state.stretch_xx[i], state.stretch_yy[i], 1, state.stretch_xy[i], 0, 0};
-        bodies.stretch_rate[i] = {rates[3], rates[4], 0, 0.5 * rates[5], 0, 0};
         const Block6 mass = mass_block(blocks.model.mass[i], spread_of(blocks.model, state, b));
+        bodies.stretch_rate[i] = {rates[3], rates[4], 0, 0.5 * rates[5], 0, 0};
         bodies.angular_momentum[i] = {0, 0, multiply(mass, rates)[2]};
     }
 }
