@@ -43,6 +43,8 @@ void add_run(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::RunOptions>();
     auto out = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("run", "Run a case into a folder");
+    command->footer(
+        "Example:\n  riprap run jointed_slope --end 2 --set material.rock.cohesion=\"1 kPa\" --out runs/trial");
     command->add_option("CASE", options->case_path, case_help)->required();
     command->add_option("--out", *out, "The run folder (default: runs/NAME)");
     command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
@@ -78,6 +80,7 @@ void add_run(CLI::App& app, Action& action) {
 void add_resume(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::ResumeOptions>();
     CLI::App* command = app.add_subcommand("resume", "Continue a run from its last checkpoint");
+    command->footer("Example:\n  riprap resume runs/jointed_slope --end 12");
     command->add_option("DIR", options->folder, "The run folder")->required();
     command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
     command->add_option("--end", options->end, "Run to this time instead [s]")->check(CLI::PositiveNumber);
@@ -95,6 +98,7 @@ void add_check(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
         "check", "Read a case, report every problem, and predict time step, steps, memory and output");
+    command->footer("Example:\n  riprap check dam_break_floes --set fluid.spacing=\"3 mm\"");
     command->add_option("CASE", options->case_text, case_help)->required();
     command->add_option("--set", options->overrides, "Replace a key of the case")
         ->type_name("KEY=VALUE")
@@ -129,12 +133,13 @@ void add_validate(CLI::App& app, Action& action) {
 
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
-    auto as_json = std::make_shared<bool>(false);
-    command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, as_json] {
-        action = [as_json] {
+    auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
+    CLI::Option* json = command->add_flag("--json", *as_json, "As JSON");
+    command->add_flag("--names", *as_names, "Names of cases only, one a line")->excludes(json);
+    command->callback([&action, as_json, as_names] {
+        action = [as_json, as_names] {
             end_with_reader();
-            return print_list(*as_json);
+            return *as_names ? print_case_names() : print_list(*as_json);
         };
     });
 }
@@ -188,12 +193,21 @@ int command_line(int argument_count, char** arguments) {
     add_run(app, action);
     add_check(app, action);
     add_resume(app, action);
+    add_new(app, action);
+    add_sweep(app, action);
     add_validate(app, action);
     add_commands_of_runs(app, action);
     add_list(app, action);
     add_schema(app, action);
     add_bench(app, action);
     add_version(app, action);
+    add_completion(app, action);
+    add_man(app, action);
+    if (argument_count <= 1) {
+        end_with_reader();
+        fmt::print("{}", app.help());
+        return static_cast<int>(ExitCode::success);
+    }
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -17,6 +17,12 @@ void end_with_reader();
 /// Adds the commands that look at the folder of a run: view, render, plot and waves.
 void add_commands_of_runs(CLI::App& app, Action& action);
 
+/// Adds single commands: a study of many runs, a case to start from, and texts made from all commands.
+void add_sweep(CLI::App& app, Action& action);
+void add_new(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
+
 /// Says what is wrong with `words`, all that follows the name of the program: a command or an option that there is
 /// not, and the nearest there is, or else what `error` says. @returns the exit code for a bad command line.
 int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words);

@@ -74,8 +74,8 @@ void add_render(CLI::App& app, Action& action) {
         "--size", [options](const std::string& text) { read_size(text, *options); }, "WIDTHxHEIGHT [pixels]");
     command->add_option("--camera", options->camera, "Where from")
         ->check(CLI::IsMember({"corner", "front", "side", "top"}));
-    command->add_option("--water", options->water, "Colour of the water")
-        ->check(CLI::IsMember({"pressure", "speed", "none"}));
+    command->add_option("--water", options->water, "Water as a surface, or as particles of this colour")
+        ->check(CLI::IsMember({"surface", "pressure", "speed", "none"}));
     command->add_option("--blocks", options->blocks,
                         "Colour of the blocks: material, speed, displacement, force, or a field of the method "
                         "(von_mises of DDA)");

@@ -21,6 +21,8 @@ int print_version(bool as_json);
 
 /// The cases and suites that `riprap run` and `riprap validate` find by name.
 int print_list(bool as_json);
+/// Their names alone, one a line: for the completion of shells.
+int print_case_names();
 
 /// Everything about a case short of stepping. With `as_json` a bad case is an answer as well: its problems, and the
 /// exit code for a bad case.

@@ -67,6 +67,13 @@ void print(const std::string& heading, const std::vector<Entry>& entries) {
 
 }  // namespace
 
+int print_case_names() {
+    for (const Entry& entry : examples()) {
+        fmt::print("{}\n", entry.name);
+    }
+    return 0;
+}
+
 int print_list(bool as_json) {
     const std::vector<Entry> cases = examples(), suites = validations();
     if (as_json) {

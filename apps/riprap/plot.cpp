@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
@@ -97,6 +98,47 @@ std::vector<Source> usual(const view::RecordedRun& run) {
     return chosen;
 }
 
+/// Columns of one unit each, in the order in which the units first appear.
+std::vector<std::vector<Source>> by_unit(const std::vector<Source>& sources) {
+    std::vector<std::vector<Source>> panels;
+    for (const Source& source : sources) {
+        const auto same = std::find_if(panels.begin(), panels.end(), [&source](const std::vector<Source>& panel) {
+            return panel.front().heading().unit == source.heading().unit;
+        });
+        if (same == panels.end()) {
+            panels.push_back({source});
+        } else {
+            same->push_back(source);
+        }
+    }
+    return panels;
+}
+
+/// The number of an attribute of the root element of an SVG.
+double attribute_of(const std::string& svg, const std::string& name) {
+    const std::size_t at = svg.find(fmt::format("{}='", name), svg.find("<svg"));
+    return at == std::string::npos ? 0 : std::atof(svg.c_str() + at + name.size() + 2);
+}
+
+/// Plots below each other as one.
+std::string stacked(const std::vector<std::string>& panels) {
+    if (panels.size() == 1) {
+        return panels.front();
+    }
+    double width = 0, height = 0;
+    std::string inside;
+    for (std::string panel : panels) {
+        width = std::max(width, attribute_of(panel, "width"));
+        const double own = attribute_of(panel, "height");
+        panel.erase(0, panel.find("<svg"));
+        inside += panel.insert(4, fmt::format(" y='{}'", height));
+        height += own;
+    }
+    return fmt::format(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}'>\n{2}</svg>\n", width,
+        height, inside);
+}
+
 /// `is_change` draws what has changed since the first row: a large constant would flatten everything else.
 validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>& sources, bool is_change) {
     validation::Plot plot;
@@ -106,12 +148,6 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
     plot.y.label = fmt::format("{}{}[{}]", sources.size() == 1 ? sources.front().heading().name + ' ' : "",
                                is_change ? "change since the start " : "", sources.front().heading().unit);
     for (const Source& source : sources) {
-        const std::string& unit = source.heading().unit;
-        if (unit != sources.front().heading().unit) {
-            throw view::BadRequest(fmt::format("'{}' is in {} and '{}' in {}: one plot has one unit",
-                                               sources.front().heading().name, sources.front().heading().unit,
-                                               source.heading().name, unit));
-        }
         validation::Curve curve;
         curve.label = source.heading().name;
         const std::vector<double>& values = source.table->values[source.column];
@@ -151,7 +187,11 @@ int plot_run(const PlotOptions& options) {
     const bool is_asked = !options.columns.empty();
     const std::vector<Source> sources = is_asked ? choose(run, options.columns) : usual(run);
     const bool is_change = !is_asked && sources.front().table == &run.ledger;
-    const std::string svg = validation::to_svg(plot_of(run, sources, is_change));
+    std::vector<std::string> panels;
+    for (const std::vector<Source>& panel : by_unit(sources)) {
+        panels.push_back(validation::to_svg(plot_of(run, panel, is_change)));
+    }
+    const std::string svg = stacked(panels);
     const std::filesystem::path out = options.out.empty() ? options.folder / "plot.svg" : options.out;
     io::write_file(out, out.extension() == ".png" ? png_of(svg) : svg);
     fmt::print("{}{}\n", out.string(),

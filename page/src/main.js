@@ -92,6 +92,7 @@ class Page {
     }
     this.scene.onView = (camera, scale) => drawCompass($('compass'), camera, contents.gravity, scale);
     this.scene.setTheme(this.theme);
+    this.scene.showWater($('water-by').value);
     $('camera').value = this.scene.preset;
     requestAnimationFrame(() => requestAnimationFrame(() => note('drawn')));  // the second one follows the picture
   }
@@ -201,7 +202,7 @@ class Page {
   #namePaces() {
     const {times} = this.recording, span = times.at(-1) - times[0];
     for (const option of $('pace').options) {
-      option.textContent = `${option.textContent}\u00d7 = ${reading(option.value * span / this.#length, 2)} s/s`;
+      option.textContent = `${option.textContent}\u00d7 (${reading(option.value * span / this.#length, 2)} s of the run per second)`;
     }
   }
 
@@ -235,9 +236,8 @@ class Page {
   colourWater(by) {
     if (this.scene?.particles) {
       $('water-by').value = by;
-      this.scene.particles.colourBy(by);
+      this.scene.showWater(by);
       this.#legends();
-      this.scene.redraw();
     }
   }
 

@@ -21,6 +21,16 @@ export function tickText(value, step) {
   return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1));
 }
 
+/** The same with a power of ten from a million on and below a thousandth: short enough to stand beside an axis. */
+export function axisText(value, step) {
+  const largest = Math.max(Math.abs(value), step);
+  if (value === 0 || Math.abs(value) < 1e-9 * step || (largest < 1e6 && step >= 1e-4)) {
+    return tickText(value, step);
+  }
+  const power = Math.floor(Math.log10(Math.abs(value)));
+  return `${tickText(value / 10 ** power, step / 10 ** power)}e${power}`;
+}
+
 /** Round numbers that cut an interval into about `count` parts. */
 export function ticks(low, high, count) {
   const rough = (high - low) / Math.max(count, 1);

@@ -71,7 +71,7 @@ export class Particles {
 
   colourBy(quantity) {
     this.by = quantity;
-    this.points.visible = quantity !== 'none';
+    this.points.visible = quantity === 'pressure' || quantity === 'speed';
     this.material.uniforms.bySpeed.value = quantity === 'speed';
   }
 

@@ -3,7 +3,7 @@
 // quantities of one kind: positions do not flatten levels, nor water the blocks.
 
 import {LINES} from './colours.js';
-import {reading, tickText, ticks} from './numbers.js';
+import {axisText, reading, tickText, ticks} from './numbers.js';
 
 const MARGIN = {left: 58, right: 10, top: 8, bottom: 24};  // pixels
 const HEIGHT = 150;
@@ -75,7 +75,8 @@ class Chart {
     this.details.addEventListener('toggle', () => this.draw());
     const point = event => {
       if (event.buttons === 1) {
-        const share = (event.offsetX - MARGIN.left) / (this.canvas.clientWidth - MARGIN.left - MARGIN.right);
+        const share = (event.offsetX - (this.left ?? MARGIN.left)) /
+            (this.canvas.clientWidth - (this.left ?? MARGIN.left) - MARGIN.right);
         onTime(this.time[0] + Math.min(Math.max(share, 0), 1) * (this.time.at(-1) - this.time[0]));
       }
     };
@@ -134,7 +135,7 @@ class Chart {
     this.#drawAxes(pen, width);
     pen.save();
     pen.beginPath();
-    pen.rect(MARGIN.left, 0, width - MARGIN.left - MARGIN.right, HEIGHT - MARGIN.bottom);
+    pen.rect(this.left, 0, width - this.left - MARGIN.right, HEIGHT - MARGIN.bottom);
     pen.clip();
     for (const curve of this.curves.filter(c => c.isShown)) {
       this.#drawCurve(pen, curve);
@@ -147,22 +148,24 @@ class Chart {
     const shown = this.curves.filter(c => c.isShown);
     const [low, high] = rangeOf(shown), first = this.time[0], last = this.time.at(-1);
     const right = width - MARGIN.right, bottom = HEIGHT - MARGIN.bottom;
-    this.x = t => MARGIN.left + (last > first ? (t - first) / (last - first) : 0.5) * (right - MARGIN.left);
-    this.y = v => bottom - (v - low) / (high - low) * (bottom - MARGIN.top);
     const style = getComputedStyle(document.documentElement);
     pen.font = '11px system-ui, sans-serif';
+    const levels = ticks(low, high, 4), gap = marks => marks.length > 1 ? marks[1] - marks[0] : Math.abs(marks[0]) || 1;
+    const widest = Math.max(...levels.map(v => pen.measureText(axisText(v, gap(levels))).width));
+    this.left = Math.max(MARGIN.left, Math.ceil(widest) + 12);
+    this.x = t => this.left + (last > first ? (t - first) / (last - first) : 0.5) * (right - this.left);
+    this.y = v => bottom - (v - low) / (high - low) * (bottom - MARGIN.top);
     pen.fillStyle = style.getPropertyValue('--faint-text');
     pen.strokeStyle = style.getPropertyValue('--grid');
     pen.lineWidth = 1;
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
-    const levels = ticks(low, high, 4), gap = marks => marks.length > 1 ? marks[1] - marks[0] : Math.abs(marks[0]) || 1;
     for (const v of levels) {
       pen.beginPath();
-      pen.moveTo(MARGIN.left, this.y(v));
+      pen.moveTo(this.left, this.y(v));
       pen.lineTo(right, this.y(v));
       pen.stroke();
-      pen.fillText(tickText(v, gap(levels)), MARGIN.left - 5, this.y(v));
+      pen.fillText(axisText(v, gap(levels)), this.left - 5, this.y(v));
     }
     pen.textAlign = 'center';
     pen.textBaseline = 'top';
@@ -236,6 +239,10 @@ export class Plots {
   }
 }
 
+/** Columns of the whole scene, which no gauge has measured. */
+const SCENE = new Set(['max_speed', 'max_displacement', 'tilt', 'max_overlap', 'momentum', 'impulse', 'mass', 'angular_momentum',
+                       'angular_impulse', 'coupling_gap', 'max_water_speed', 'momentum_residual']);
+
 /** Of joules, in planar scenes per metre of width. */
 const isEnergy = unit => unit === 'J' || unit === 'J/m';
 
@@ -247,7 +254,8 @@ function kindOf({name, unit}) {
     return parts[0] === 'fluid' ? 'energy of the fluid since the start'
       : parts[0] === 'solid' ? 'energy of the solids since the start' : 'balance of energy';
   }
-  return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' : 'gauges';
+  return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' :
+      SCENE.has(name) ? 'scene' : 'gauges';
 }
 
 /** An energy is drawn as its change: a large one that is constant would flatten all others. */

@@ -6,6 +6,7 @@ import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {Blocks} from './blocks.js';
 import {Forces} from './forces.js';
 import {Particles} from './particles.js';
+import {WaterSurface} from './surface.js';
 
 const FIELD_OF_VIEW = 35;  // degrees
 const MARGIN = 1.12;       // around the scene
@@ -81,6 +82,7 @@ export class Scene {
     if (contents.water) {
       this.particles = new Particles(contents.water);
       this.world.add(this.particles.points);
+      this.surface = new WaterSurface(this.particles, contents.is_planar);
     }
   }
 
@@ -109,6 +111,7 @@ export class Scene {
         .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
     this.lamp.target.position.copy(this.controls.target);
     this.renderer.render(this.world, camera);
+    this.surface?.draw(this.renderer, camera, this.up);
     this.onView?.(camera, this.#pixelsPerMetre());
   }
 
@@ -148,6 +151,15 @@ export class Scene {
     camera.aspect = aspect;
     [camera.left, camera.right] = [-camera.top * aspect, camera.top * aspect];  // of one with perspective, not looked at
     camera.updateProjectionMatrix();
+  }
+
+  /** Water as "surface", as particles coloured by their "pressure" or "speed", or as "none". */
+  showWater(by) {
+    if (this.particles) {
+      this.particles.colourBy(by);
+      this.surface.isOn = by === 'surface';
+      this.redraw();
+    }
   }
 
   setTheme(theme) {

@@ -39,6 +39,7 @@ from .errors import (  # noqa: E402
     NumericalError,
     Problem,
 )
+from .records import Run, Table, open, sweep  # noqa: E402, A004
 
 _add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples that came with the package
 
@@ -46,9 +47,9 @@ _add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples tha
 if hasattr(_os, "register_at_fork"):
     _os.register_at_fork(after_in_child=lambda: set_threads(1))
 
-# Without `list`, which `from riprap import *` would put over Python's own.
+# Without `list` and `open`, which `from riprap import *` would put over Python's own.
 __all__ = [
     "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
-    "Problem", "Simulation", "__version__", "build", "build_info", "load", "loads", "run", "set_threads", "threads",
-    "waves",
+    "Problem", "Run", "Simulation", "Table", "__version__", "build", "build_info", "load", "loads", "run", "set_threads",
+    "sweep", "threads", "waves",
 ]

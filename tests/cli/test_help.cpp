@@ -45,6 +45,38 @@ TEST_F(Help, EveryCommandAndOptionIsOnThePageAndThePageNamesNoOther) {
     EXPECT_EQ(options, matches(page, "(--[a-z][a-z-]*)"));
 }
 
+TEST_F(Help, StandsWhereNothingIsAskedFor) {
+    const Ending bare = run_program(folder.path(), {});
+    EXPECT_EQ(bare.code, 0);
+    EXPECT_EQ(bare.out, help({"--help"}));
+}
+
+TEST_F(Help, CompletionAndManualPagesNameEveryCommandAndOption) {
+    const std::set<std::string> commands = matches(section(help({"--help"}), "Subcommands:"), "\n  ([a-z]+) ");
+    for (const std::string shell : {"bash", "zsh", "fish"}) {
+        const std::string script = help({"completion", shell});
+        for (const std::string& command : commands) {
+            EXPECT_THAT(script, HasSubstr(command)) << shell;
+        }
+        EXPECT_THAT(script, HasSubstr("max-steps")) << shell;
+    }
+    EXPECT_THAT(help({"man"}), HasSubstr(".B resume\n"));
+    EXPECT_THAT(help({"man", "run"}), HasSubstr("\\-\\-max\\-steps"));
+}
+
+TEST_F(Help, ANewCaseChecksWithoutAWord) {
+    for (const std::string kind : {"dry", "wet"}) {
+        std::vector<std::string> words{"new", (folder.path() / kind).string()};
+        if (kind == "wet") {
+            words.emplace_back("--water");
+        }
+        ASSERT_EQ(run_program(folder.path(), words).code, 0);
+        const Ending check = run_program(folder.path(), {"check", (folder.path() / kind).string()});
+        EXPECT_EQ(check.code, 0) << check.err << check.out;
+        EXPECT_EQ(run_program(folder.path(), words).code, 5);  // never over another
+    }
+}
+
 TEST_F(Help, EveryExitCodeIsOnThePageWithTheSameWords) {
     const std::string codes = section(help({"--help"}), "Exit codes:");
     std::istringstream lines(codes.substr(codes.find('\n') + 1));

@@ -79,11 +79,13 @@ TEST_F(Looking, WavesOfARunWithoutLevelGaugesAreABadCommandLine) {
     EXPECT_EQ(run({"waves", out("nothing")}).code, 5);
 }
 
-TEST_F(Looking, ColumnsOfUnlikeUnitsAreABadCommandLine) {
+TEST_F(Looking, ColumnsOfUnlikeUnitsAreDrawnBelowEachOther) {
     have_run();
     const Ending ending = plot({"--column", "solid.kinetic", "--column", "max_speed"});
-    EXPECT_EQ(ending.code, 2);
-    EXPECT_THAT(ending.err, HasSubstr("'solid.kinetic' is in J and 'max_speed' in m/s: one plot has one unit"));
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    const std::string svg = text_of(in("run", "plot.svg"));
+    EXPECT_THAT(svg, HasSubstr("solid.kinetic [J]"));
+    EXPECT_THAT(svg, HasSubstr("max_speed [m/s]"));
 }
 
 TEST_F(Looking, ATableThatCannotBeReadIsTold) {

@@ -31,7 +31,9 @@ TEST_P(Cases, loads_says_what_it_shows_and_expects_an_answer) {
     const LoadedCase loaded = read_case(file());
     EXPECT_FALSE(loaded.model.title.empty());
     EXPECT_FALSE(loaded.model.expects.empty());
-    EXPECT_TRUE(loaded.warnings.empty()) << loaded.warnings.front();
+    // Hundreds of blocks in a lake that runs in minutes are two spacings thick, and the case says so.
+    const std::size_t known = GetParam() == "rock_slide" ? 1 : 0;
+    EXPECT_EQ(loaded.warnings.size(), known) << (loaded.warnings.empty() ? "" : loaded.warnings.back());
 }
 
 TEST_P(Cases, reads_back_from_its_resolved_text) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/body/ground.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
@@ -164,9 +165,18 @@ class Solids {
  public:
     Solids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
            double keep_away)
-        : keep_away_(keep_away) {
+        : grounds_(body::find_grounds(bodies, shapes)), keep_away_(keep_away) {
+        std::vector<std::uint8_t> is_ground(at(bodies.size()), 0);
+        for (const body::Ground& ground : grounds_) {
+            const auto b = at(ground.body.value);
+            is_ground[b] = 1;
+            poses_.push_back({state.position[b], state.orientation[b]});
+        }
         for (const body::Part& part : bodies.parts) {
             const auto b = at(part.body.value);
+            if (is_ground[b] != 0) {
+                continue;
+            }
             const Pose pose{state.position[b], state.orientation[b]};
             const geometry::ConvexView view = shapes.view(part.shape);
             parts_.push_back({view,
@@ -175,6 +185,12 @@ class Solids {
         }
     }
     bool touch(const Vec3& x) const {
+        for (std::size_t g = 0; g < grounds_.size(); ++g) {
+            const Vec3 local = to_body(poses_[g], x);
+            if (grounds_[g].field.is_inside(local) || grounds_[g].field.nearest(local, keep_away_)) {
+                return true;
+            }
+        }
         return std::any_of(parts_.begin(), parts_.end(), [&](const Placed& part) {
             if (norm_squared(x - part.pose.position) > part.reach * part.reach) {
                 return false;
@@ -192,6 +208,8 @@ class Solids {
         double reach;
     };
     std::vector<Placed> parts_;
+    std::vector<body::Ground> grounds_;
+    std::vector<Pose> poses_;  ///< of the grounds
     double keep_away_;
 };
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 
+#include "riprap/body/ground.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -26,11 +28,13 @@ struct PlacedPart {
 };
 
 std::vector<PlacedPart> place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
-                                    const body::Motion& motion, std::span<const std::uint8_t> is_dry, double reach) {
+                                    const body::Motion& motion, std::span<const std::uint8_t> is_dry,
+                                    std::span<const body::Ground> grounds, double reach) {
     std::vector<PlacedPart> parts;
     for (const body::Part& part : bodies.parts) {
         const auto b = at(part.body.value);
-        if (!is_dry.empty() && is_dry[b] != 0) {
+        const bool is_ground = std::ranges::find(grounds, part.body, &body::Ground::body) != grounds.end();
+        if (is_ground || (!is_dry.empty() && is_dry[b] != 0)) {
             continue;
         }
         const geometry::ConvexView view = shapes.view(part.shape);
@@ -82,6 +86,20 @@ std::optional<Touch> deepest_touch(const PlacedPart& part, const Vec3& x, double
     return deepest;
 }
 
+/// The push of ground: of its surface as one, so that no edge between two triangles is felt.
+std::optional<Touch> touch_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double within,
+                                  const fluid::PeriodicImages& images) {
+    std::optional<Touch> deepest;
+    for (const Vec3& shift : images.shifts()) {
+        const auto near = ground.field.nearest(to_body(pose, x + shift), within);
+        if (near && near->distance < within && (!deepest || near->distance < deepest->distance)) {
+            deepest = Touch{x + shift, rotate(pose.orientation, near->normal), near->distance, 0.5 * within,
+                            ground.body.value};
+        }
+    }
+    return deepest;
+}
+
 /// Between faces that look at each other neither pushes beyond the middle.
 void meet_in_the_middle(std::vector<Touch>& touches) {
     constexpr double looking = -0.5;
@@ -121,7 +139,8 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                         std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
                         FluidLoads& loads) {
     const double within = 2 * settings.reach;  // where a face on the other side may limit the push
-    const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, within);
+    const std::vector<body::Ground> grounds = body::find_grounds(bodies, shapes);
+    const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, grounds, within);
     force.assign(at(particles.size()), {});
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
     count_.assign(at(particles.size()), 0);
@@ -138,6 +157,15 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
             touches.clear();
             for (const PlacedPart& part : parts) {
                 if (const auto touch = deepest_touch(part, particles.position[at(i)], within, images)) {
+                    touches.push_back(*touch);
+                }
+            }
+            for (const body::Ground& ground : grounds) {
+                if (!is_dry.empty() && is_dry[at(ground.body.value)] != 0) {
+                    continue;
+                }
+                if (const auto touch = touch_ground(ground, motion.pose[at(ground.body.value)],
+                                                    particles.position[at(i)], within, images)) {
                     touches.push_back(*touch);
                 }
             }

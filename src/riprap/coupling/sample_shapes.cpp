@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/face_layers.hpp"
+#include "riprap/coupling/ground_samples.hpp"
 #include "riprap/coupling/seams.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/geometry/chebyshev.hpp"
@@ -235,6 +237,7 @@ void sort_by_place(const SampleSettings& settings, SampleSet& samples) {
 SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
                         const SampleSettings& settings) {
     const Box box = grown_domain(settings);
+    const std::vector<body::Ground> grounds = body::find_grounds(bodies, shapes);
     SampleSet samples;
     double estimate = 0;
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
@@ -243,6 +246,11 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
         }
         const BodyId body{b};
         const Pose pose{initial.position[at(b)], initial.orientation[at(b)]};
+        const auto ground = std::ranges::find(grounds, body, &body::Ground::body);
+        if (ground != grounds.end()) {
+            sample_ground(*ground, pose, {box.low, box.high}, bodies.is_planar, settings, samples);
+            continue;
+        }
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
             const bool is_bounded = is_still(bodies, body) || shapes.is_half_space(part.shape);
@@ -258,7 +266,7 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
             append(shapes, bodies, body, cut, settings, samples);
         }
     }
-    share_seams(shapes, bodies, initial, settings, samples);
+    share_seams(shapes, bodies, initial, settings, grounds, samples);
     sort_by_place(settings, samples);
     return samples;
 }

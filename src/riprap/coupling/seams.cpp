@@ -48,12 +48,26 @@ Depth find_depth(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     return deepest;
 }
 
+/// The same of ground, given up beyond `reach` of its surface.
+Depth depth_in_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double reach) {
+    const Vec3 in_body = to_body(pose, x);
+    if (const auto near = ground.field.nearest(in_body, reach)) {
+        return {-near->distance, rotate(pose.orientation, near->normal)};
+    }
+    return {ground.field.is_inside(in_body) ? reach : -reach, {0, 0, 1}};
+}
+
 /// Decides what of a cell belongs to whom.
 class Seams {
  public:
     Seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-          const SampleSettings& settings)
-        : shapes_(shapes), bodies_(bodies), state_(state), settings_(settings), dimension_(bodies.is_planar ? 2 : 3) {
+          const SampleSettings& settings, std::span<const body::Ground> grounds)
+        : shapes_(shapes),
+          bodies_(bodies),
+          state_(state),
+          settings_(settings),
+          grounds_(grounds),
+          dimension_(bodies.is_planar ? 2 : 3) {
         for (std::int32_t b = 0; b < bodies.size(); ++b) {
             const bool is_dry = !settings.is_dry.empty() && settings.is_dry[at(b)] != 0;
             if (is_still(bodies, BodyId{b}) && !is_dry) {
@@ -102,7 +116,15 @@ class Seams {
     };
 
     double tolerance() const { return same_depth * settings_.spacing; }
-    Depth depth(BodyId body, const Vec3& x) const { return find_depth(shapes_, bodies_, state_, body, x); }
+    Depth depth(BodyId body, const Vec3& x) const {
+        for (const body::Ground& ground : grounds_) {
+            if (ground.body == body) {
+                const Pose pose{state_.position[at(body.value)], state_.orientation[at(body.value)]};
+                return depth_in_ground(ground, pose, x, 2 * (settings_.reach + settings_.spacing));
+            }
+        }
+        return find_depth(shapes_, bodies_, state_, body, x);
+    }
     double radius_of(BodyId body) const {
         double radius = 0;
         for (std::int32_t p = bodies_.part_begin[at(body.value)]; p < bodies_.part_begin[at(body.value) + 1]; ++p) {
@@ -162,6 +184,7 @@ class Seams {
     const body::BodySet& bodies_;
     const body::BodyState& state_;
     const SampleSettings& settings_;
+    std::span<const body::Ground> grounds_;
     int dimension_;
     std::vector<Still> still_;
 };
@@ -173,8 +196,8 @@ bool is_still(const body::BodySet& bodies, BodyId body) {
 }
 
 void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                 const SampleSettings& settings, SampleSet& samples) {
-    const Seams seams(shapes, bodies, state, settings);
+                 const SampleSettings& settings, std::span<const body::Ground> grounds, SampleSet& samples) {
+    const Seams seams(shapes, bodies, state, settings, grounds);
     std::vector<double> share(at(samples.size()), 1);
     parallel::for_each_uneven(samples.size(), 256, [&](std::int64_t i) {
         const BodyId owner = samples.body[at(i)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/body/ground.hpp"
 #include "riprap/coupling/sample_shapes.hpp"
 
 namespace riprap::coupling {
@@ -17,7 +18,8 @@ namespace riprap::coupling {
 ///
 /// Differs from keeping whole samples where they lie deepest: then a seam gains or lacks up to a row of samples in each
 /// layer, and water under pressure goes through the gap.
+/// @param grounds  of the scene (body::find_grounds)
 void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                 const SampleSettings& settings, SampleSet& samples);
+                 const SampleSettings& settings, std::span<const body::Ground> grounds, SampleSet& samples);
 
 }  // namespace riprap::coupling

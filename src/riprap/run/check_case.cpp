@@ -224,13 +224,13 @@ std::string check_text(const CaseCheck& check) {
     std::string text = fmt::format(
         "{}\n  bodies        {} ({} free, {:.6g} {}), {} convex parts, {} shapes\n"
         "  time step     {:.6g} s of at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
-        "  at time 0     {} contacts, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
+        "  at time 0     {} contact{}, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
         "  memory        {}\n  output        {} in {} frames and the tables\n",
         check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, mass_unit,
         check.parts, check.shapes, check.time_step, check.time_step_limit, check.limited_by,
         has_countable_steps(check) ? fmt::format("{}", check.steps)
                                    : fmt::format("about {:.2g}", estimated_steps(check)),
-        check.end, check.contacts, check.max_overlap, 100 * check.max_potential,
+        check.end, check.contacts, check.contacts == 1 ? "" : "s", check.max_overlap, 100 * check.max_potential,
         size_text(static_cast<double>(check.memory_bytes)), size_text(static_cast<double>(check.output_bytes)),
         check.frames);
     if (check.particles > 0) {

@@ -30,6 +30,12 @@ std::string signal_name(int signal) {
     }
 }
 
+/// "1 thread", "2 threads".
+std::string counted(std::int64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+std::string counted_bodies(std::int64_t count) { return fmt::format("{} {}", count, count == 1 ? "body" : "bodies"); }
+
 /// A run does not go back.
 void refuse_earlier_end(double end, const sim::State& reached, const RunFolder& folder) {
     constexpr double slack = 1e-9;  // of the time: the last step may miss the end by round-off
@@ -100,9 +106,9 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
 void Driver::announce(const std::string& beginning) {
     const std::int64_t steps = state().step + simulation_.steps_left();
     log_->add("start",
-              fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {} threads", beginning,
+              fmt::format("{}: '{}', {} bodies, time step {:.6g} s, {} steps to t = {:.6g} s, {}", beginning,
                           model().title, model().bodies.size(), simulation_.next_dt(), steps, simulation_.end(),
-                          parallel::thread_count()),
+                          counted(parallel::thread_count(), "thread")),
               {{"step", static_cast<double>(state().step)},
                {"steps", static_cast<double>(steps)},
                {"time_step", simulation_.next_dt()},
@@ -112,11 +118,12 @@ void Driver::announce(const std::string& beginning) {
     }
     const sim::TimeStepBound limit = sim::step_bound(model(), state());
     say(
-        fmt::format("{}\n  {} bodies, {} convex parts, {} threads\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
+        fmt::format("{}\n  {}, {}, {}\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
-                    model().title.empty() ? "(untitled)" : model().title, model().bodies.size(),
-                    model().bodies.part_count(), parallel::thread_count(), water_text(), simulation_.next_dt(),
-                    limit.limit, limit.reason, steps, simulation_.end(), state().step, folder_.root.string()));
+                    model().title.empty() ? "(untitled)" : model().title, counted_bodies(model().bodies.size()),
+                    counted(model().bodies.part_count(), "convex part"), counted(parallel::thread_count(), "thread"),
+                    water_text(), simulation_.next_dt(), limit.limit, limit.reason, steps, simulation_.end(),
+                    state().step, folder_.root.string()));
 }
 
 /// The line of the beginning that is about water, where there is any.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "riprap/core/parallel.hpp"
@@ -24,6 +25,16 @@ void refuse_case_inside(const RunFolder& folder, const std::string& case_folder)
     }
 }
 
+/// A trial run, which the same run without the limit goes on with: `run --max-steps N`, then `run`.
+bool was_stopped_by_max_steps(const RunFolder& folder) {
+    constexpr std::size_t most = std::size_t{16} << 20U;
+    if (!folder.has_run() || !folder.is_ours() || !std::filesystem::exists(folder.summary())) {
+        return false;
+    }
+    const auto summary = nlohmann::json::parse(io::read_file(folder.summary(), most), nullptr, false);
+    return summary.is_object() && summary.value("reason", "") == "stopped by max_steps";
+}
+
 }  // namespace
 
 void use_threads(int threads) {
@@ -39,7 +50,8 @@ int run_loaded(scene::LoadedCase loaded, const RunOptions& options) {
     use_threads(options.threads);
     const RunFolder folder{options.out};
     refuse_case_inside(folder, loaded.folder);
-    const Existing existing = options.resume ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
+    const bool is_resumed = options.resume || (!options.force && was_stopped_by_max_steps(folder));
+    const Existing existing = is_resumed ? Existing::resume : options.force ? Existing::replace : Existing::refuse;
     const Voice voice = options.silent ? Voice::none : options.quiet ? Voice::verdicts : Voice::all;
     Driver driver(folder, std::move(loaded), voice);  // refuses a bad case before any file is touched
     claim(folder, existing);

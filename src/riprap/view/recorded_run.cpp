@@ -224,6 +224,7 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
 
 /// Events in the log of the run, used where the summary lacks them.
 struct Events {
+    bool goes_on{false};  ///< begun and not ended
     std::vector<std::string> warnings;
     std::string end;  ///< of the last sitting; empty when it did not come to one
 };
@@ -243,8 +244,10 @@ Events read_events(const fs::path& log) {
         const std::string kind = text_of(event, "event"), words = text_of(event, "text");
         if (kind == "start") {
             events.end.clear();
+            events.goes_on = true;
         } else if (kind == "end") {
             events.end = words;
+            events.goes_on = false;
         } else if (kind == "warning" &&
                    std::find(events.warnings.begin(), events.warnings.end(), words) == events.warnings.end()) {
             events.warnings.push_back(words);  // a resumed run says it again
@@ -278,6 +281,7 @@ void read_status(RecordedRun& run, const run::RunFolder& folder) {
     run.warnings = events.warnings;
     if (is_there(folder.summary())) {
         attempt(run, [&] { read_summary(run, folder.summary()); });
+        run.status = events.goes_on ? "not finished" : run.status;  // taken up since the summary was written
     } else if (!events.end.empty()) {
         run.status = events.end.starts_with("finished") ? "finished"
                      : events.end.starts_with("failed") ? "failed"

@@ -60,7 +60,11 @@ std::string shown(const Json& result, const char* key) {
 }
 
 std::string band(const Json& result) {
-    const std::string low = shown(result, "low"), high = shown(result, "high");
+    std::string low = shown(result, "low"), high = shown(result, "high");
+    if (low == high && !low.empty() && result["low"] != result["high"]) {  // a band that six digits do not show
+        low = fmt::format("{:.10g}", result["low"].get<double>());
+        high = fmt::format("{:.10g}", result["high"].get<double>());
+    }
     return low.empty() && high.empty() ? "" : fmt::format("{} to {}", low, high);
 }
 

@@ -149,6 +149,17 @@ void separate(double depth, double gravity, WaveReport& report) {
     }
 }
 
+/// The highest value of a record, above the first: what there is to say of a single wave.
+void set_rise(const Record& record, GaugeWaves& waves) {
+    const auto first = std::find_if(record.level.begin(), record.level.end(), [](double v) { return !std::isnan(v); });
+    for (auto v = first; v != record.level.end(); ++v) {
+        if (*v - *first > waves.rise) {
+            waves.rise = *v - *first;
+            waves.rise_time = record.time[static_cast<std::size_t>(v - record.level.begin())];
+        }
+    }
+}
+
 }  // namespace
 
 WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request) {
@@ -163,13 +174,14 @@ WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request) {
     for (const CaseWaves::Place& gauge : gauges) {
         const Record record = record_of(run.probes, gauge.gauge, report.from, report.to);
         GaugeWaves waves{
-            gauge.gauge, dot(direction, gauge.point), wave::statistics_of(record.time, record.level), 0, {}};
+            gauge.gauge, dot(direction, gauge.point), wave::statistics_of(record.time, record.level), 0, {}, 0, 0};
         waves.missing = std::count_if(record.level.begin(), record.level.end(), [](double v) { return std::isnan(v); });
         if (waves.missing > 0) {
             report.notices.push_back(
                 fmt::format("'{}' has no value in {} of {} rows: waves with such rows are not counted", gauge.gauge,
                             waves.missing, record.level.size()));
         }
+        set_rise(record, waves);
         if (report.period) {
             const Record whole = record_of(run.probes, gauge.gauge, report.whole_from, report.to);
             waves.amplitude = wave::harmonic(whole.time, whole.level, 2 * std::numbers::pi / *report.period);

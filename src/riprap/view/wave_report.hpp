@@ -29,6 +29,7 @@ struct GaugeWaves {
     wave::WaveStatistics waves;        ///< over the whole stretch
     std::int64_t missing;              ///< rows of the stretch without a value
     std::complex<double> amplitude{};  ///< at the period, over whole periods of the stretch, wave::harmonic [m]
+    double rise{0}, rise_time{0};      ///< highest value above that at the start of the stretch [m], and when [s]
 };
 
 /// A regular wave taken apart.

@@ -49,6 +49,14 @@ std::string wave_text(const WaveReport& report) {
                             number(w.significant_period), number(w.spectral_height),
                             report.period ? fmt::format(" {:>9}", number(2 * std::abs(gauge.amplitude))) : "");
     }
+    const bool has_waves = std::any_of(report.gauges.begin(), report.gauges.end(),
+                                       [](const GaugeWaves& gauge) { return gauge.waves.count > 0; });
+    for (const GaugeWaves& gauge : report.gauges) {
+        if (!has_waves) {  // a single wave has no two up-crossings
+            text += fmt::format("{}: highest {:.4g} m above its start, at {:.4g} s\n", gauge.name, gauge.rise,
+                                gauge.rise_time);
+        }
+    }
     for (const std::string& notice : report.notices) {
         text += notice + '\n';
     }
@@ -73,6 +81,8 @@ std::string wave_json(const WaveReport& report) {
              {"mean_period", json_of(w.mean_period)},
              {"significant_period", json_of(w.significant_period)},
              {"spectral_height", json_of(w.spectral_height)},
+             {"rise", json_of(gauge.rise)},
+             {"rise_time", json_of(gauge.rise_time)},
              {"height_at_period", report.period ? json_of(2 * std::abs(gauge.amplitude)) : nullptr}});
     }
     if (report.reflection) {

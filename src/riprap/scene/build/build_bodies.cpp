@@ -22,6 +22,7 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
     const Value* motion = table.find("motion");
     const Value* release = table.find("release_time");
     const bool is_half_space = ShapeLibrary::is_half_space(get(table, "shape"));
+    const bool is_ground = ShapeLibrary::is_ground(get(table, "shape"));
     if (is_fixed && motion != nullptr) {
         build.problem(motion->place, fmt::format("body '{}' is fixed and has a motion", body.name), "one of the two");
         return false;
@@ -41,6 +42,11 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
     if (is_half_space && ((!is_fixed && motion == nullptr) || release != nullptr)) {
         build.problem(table.place,
                       fmt::format("body '{}' is a half-space, which has no mass, and would fall", body.name),
+                      "fixed = true or a motion, without release_time");
+        return false;
+    }
+    if (is_ground && ((!is_fixed && motion == nullptr) || release != nullptr)) {
+        build.problem(table.place, fmt::format("body '{}' is ground, which does not follow forces", body.name),
                       "fixed = true or a motion, without release_time");
         return false;
     }
@@ -178,6 +184,21 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
     build.absorption_places.push_back(get(*maker, "absorb").place);
 }
 
+/// The density that gives a body of these parts its mass.
+double density_of(CaseBuild& build, const Value& table, const Value& mass, const std::vector<body::Part>& parts) {
+    double volume = 0;
+    for (const body::Part& part : parts) {
+        volume += build.model.shapes.volume(part.shape);
+    }
+    if (table.find("density") != nullptr || !(volume > 0)) {
+        build.problem(mass.place,
+                      volume > 0 ? "a body has a mass and a density" : "a half-space has no volume to hold a mass",
+                      volume > 0 ? "one of the two" : "leave 'mass' out");
+        return 1;
+    }
+    return mass.as_number() / volume;
+}
+
 void build_body(CaseBuild& build, const Value& table) {
     body::NewBody body;
     body.name = get_text(table, "name");
@@ -210,6 +231,9 @@ void build_body(CaseBuild& build, const Value& table) {
     body.parts = *parts;
     const auto first = static_cast<std::size_t>(build.model.bodies.size());
     body.density = get_number_or(table, "density", build.model.materials[body.material].density);
+    if (const Value* mass = table.find("mass")) {
+        body.density = density_of(build, table, *mass, body.parts);
+    }
     if (repeat != nullptr) {
         add_copies(build, table, body, *repeat);
     } else {

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <limits>
 
+#include "riprap/body/ground.hpp"
 #include "riprap/core/memory.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/field_scene.hpp"
@@ -150,7 +151,10 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
     coupling::set_hydrostatic_density(filling, fluid.settings(),
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.settings().domain));
-    fluid.region_volume = room_for_water(build, fluid.settings().domain, regions);
+    // Below the cells of ground there is no room, and no cell to say so.
+    fluid.region_volume = body::find_grounds(build.model.bodies, build.model.shapes).empty()
+                              ? room_for_water(build, fluid.settings().domain, regions)
+                              : fluid.filled_volume;
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
     if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {

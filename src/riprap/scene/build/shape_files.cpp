@@ -72,7 +72,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::audited(const geometry::Sur
     return pieces;
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
+std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, bool is_stl) {
     const Value& path = get(table, "file");
     const auto bytes = files_.read(path.text, limits::surface_bytes, path.place, problems_);
     if (!bytes) {
@@ -89,7 +89,15 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& t
     for (const Diagnostic& note : surface.notes) {
         warnings_.push_back(to_string(note));
     }
-    auto pieces = audited(surface, get_boolean(table, "repair"));
+    return surface;
+}
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
+    const auto surface = read_surface(table, is_stl);
+    if (!surface) {
+        return std::nullopt;
+    }
+    auto pieces = audited(*surface, get_boolean(table, "repair"));
     if (pieces && get_boolean(table, "center")) {
         move_to_center_of_mass(*pieces);
     }
@@ -101,6 +109,11 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& lis
     surface.file = list.place.file;
     bool is_good = true;
     for (const Value& part : list.items) {
+        if (is_ground(get(part, "shape"))) {
+            problems_.push_back({part.place, "ground cannot be a part of a union", "a body of its own"});
+            is_good = false;
+            continue;
+        }
         const auto some = pieces(get(part, "shape"));
         if (!some) {
             is_good = false;

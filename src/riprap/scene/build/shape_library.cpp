@@ -111,6 +111,12 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
     if (kind == "union") {
         return make_union(value);
     }
+    if (kind == "terrain") {
+        return make_terrain(value);
+    }
+    if (kind == "mesh") {
+        return make_mesh(value);
+    }
     if (is_planar_) {
         one = make_planar(shape);
     } else if (kind == "box") {

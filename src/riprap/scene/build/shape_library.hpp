@@ -32,11 +32,20 @@ class ShapeLibrary {
     body::Part add(const geometry::Polyhedron& polyhedron);
 
     static bool is_half_space(const Value& shape) { return shape.find("half_space") != nullptr; }
+    /// A surface with solid under it, for bodies that do not follow forces.
+    static bool is_ground(const Value& shape) {
+        return shape.find("terrain") != nullptr || shape.find("mesh") != nullptr;
+    }
 
  private:
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
     std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
+    std::optional<std::vector<geometry::Polyhedron>> make_terrain(const Value& table);
+    std::optional<std::vector<geometry::Polyhedron>> make_profile(const Value& table);
+    std::optional<std::vector<geometry::Polyhedron>> make_mesh(const Value& table);
+    /// A surface as its file has it, its notes among the warnings.
+    std::optional<geometry::Surface> read_surface(const Value& table, bool is_stl);
     std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_random_hull(const Value& table);

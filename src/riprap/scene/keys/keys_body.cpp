@@ -86,6 +86,11 @@ const Table& body_table() {
           "At the start, in world axes; in a planar scene a number, about z.",
           Value::of(Vec3{})},
          {"density", {number(dimension::density, positive())}, "Instead of that of the material.", {}},
+         {"mass",
+          {number({0, 1, 0, 0}, positive())},
+          "Of one body, its density following from the volume of its shape; per metre of width in a planar scene. Not "
+          "with density.",
+          {}},
          {"fixed", {boolean()}, "Does not move.", Value::of(false)},
          {"release_time",
           {number(dimension::time, non_negative())},

@@ -16,6 +16,7 @@ const Table& voronoi_table() {
         "Divides a convex region among random points. The cells fill the region and touch face to face.",
         {{"region", {form::table(shape_table)}, "A convex shape.", {}, true},
          {"position", {vector(dimension::length)}, "Of the origin of the region.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "How the region is turned.", {}},
          {"count", {integer(1, static_cast<double>(limits::cells))}, "Number of cells.", {}, true},
          {"lloyd",
           {integer(0, 1000)},

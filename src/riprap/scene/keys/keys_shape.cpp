@@ -69,6 +69,58 @@ const Table& surface_table() {
     return table;
 }
 
+const Table& terrain_table() {
+    static const Table table{
+        "shape.terrain",
+        "shape = { terrain = { ... } }",
+        "Ground from heights, solid below; for bodies that are fixed or have a motion. Bodies slide over the edges of "
+        "its triangles as over a plane (docs/howto/surfaces.md).",
+        {{"file", {path()}, "Heights on a grid: ESRI ASCII (.asc), or x, y, z per line (.xyz, .csv, .txt); z up.", {}},
+         {"profile",
+          {list(list(number(dimension::length), 2, 2), 2, 100'000)},
+          "Instead of a file in a planar scene: points x, y from left to right.",
+          {}},
+         {"units", {choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")},
+         {"region",
+          {list(list(number(dimension::length), 2, 2), 2, 2)},
+          "Low and high corner x, y of the part to take, in the coordinates of the file; all of it when not given.",
+          {}},
+         {"origin",
+          {vector(dimension::length)},
+          "Place in the coordinates of the file that comes to the position of the body.",
+          Value::of(Vec3{})},
+         {"resolution", {length}, "Distance of grid points; that of the file when not given.", {}},
+         {"thickness",
+          {length},
+          "Of the solid below, as far as blocks feel it; a share of it is how deep they may sink in. Twice the "
+          "distance of the points when not given.",
+          {}}},
+        {{GroupRule::exactly_one, {"file", "profile"}}}};
+    return table;
+}
+
+const Table& mesh_table() {
+    static const Table table{
+        "shape.mesh",
+        "shape = { mesh = { ... } }",
+        "Ground or walls from triangles, open or closed, solid behind their inner side; for bodies that are fixed or "
+        "have a motion. Bodies slide over inner edges as over a plane (docs/howto/surfaces.md).",
+        {{"file",
+          {path()},
+          "STL (.stl) or OBJ (.obj) file in the folder of the case; triangles wind counter-clockwise seen from "
+          "outside.",
+          {},
+          true},
+         {"units", {choice(length_units())}, "Unit of the numbers in the file; STL carries none.", {}, true},
+         {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
+         {"thickness",
+          {length},
+          "Of the solid behind the triangles, as far as blocks feel it; at most half of what a closed surface has.",
+          {},
+          true}}};
+    return table;
+}
+
 const Table& union_part_table() {
     static const Table table{
         "shape.union",
@@ -149,10 +201,12 @@ const Table& shape_table() {
          {"half_space", {form::table(half_space_table)}, "A ground or wall.", {}},
          {"stl", {form::table(surface_table)}, "A surface from an STL file.", {}},
          {"obj", {form::table(surface_table)}, "A surface from an OBJ file.", {}},
+         {"terrain", {form::table(terrain_table)}, "Ground from a grid of heights.", {}},
+         {"mesh", {form::table(mesh_table)}, "Ground or walls from triangles.", {}},
          {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
         {{GroupRule::exactly_one,
           {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "hull",
-           "random_hull", "polygon", "half_space", "stl", "obj", "union"}}}};
+           "random_hull", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
     return table;
 }
 

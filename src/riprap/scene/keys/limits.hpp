@@ -19,6 +19,7 @@ inline constexpr std::int64_t bodies = 2'000'000;          ///< in a scene
 inline constexpr std::int64_t parts = 4'000'000;           ///< convex parts in a scene
 inline constexpr std::int64_t shape_vertices = 4096;       ///< of one convex shape given in the case
 inline constexpr std::int64_t surface_faces = 2'000'000;   ///< of an STL or OBJ file
+inline constexpr std::int64_t ground_cells = 500'000;      ///< triangles of one ground
 inline constexpr std::int64_t union_parts = 4096;          ///< of one body
 inline constexpr std::int64_t cells = 200'000;             ///< of one Voronoi pack
 inline constexpr std::int64_t rock_blocks = 200'000;       ///< of one jointed rock mass

@@ -8,7 +8,77 @@ namespace riprap::scene {
 
 namespace {
 constexpr std::size_t longest = 64;
+
+/// Words of other programs, in small letters without '_', and what they are called here.
+struct Alias {
+    std::string_view word, key;
+};
+constexpr std::array aliases{
+    Alias{"restitution", "damping_ratio"},
+    Alias{"cor", "damping_ratio"},
+    Alias{"dampingcoefficient", "damping_ratio"},
+    Alias{"dp", "spacing"},
+    Alias{"particlespacing", "spacing"},
+    Alias{"coefh", "smoothing_ratio"},
+    Alias{"hdp", "smoothing_ratio"},
+    Alias{"coefsound", "sound_speed"},
+    Alias{"speedsound", "sound_speed"},
+    Alias{"c0", "sound_speed"},
+    Alias{"cfl", "courant"},
+    Alias{"cflnumber", "courant"},
+    Alias{"rho", "density"},
+    Alias{"rhop0", "density"},
+    Alias{"mu", "friction_coefficient"},
+    Alias{"kfric", "friction_coefficient"},
+    Alias{"friction", "friction_coefficient"},
+    Alias{"frictionangle", "friction_angle"},
+    Alias{"phi", "friction_angle"},
+    Alias{"kn", "normal_stiffness"},
+    Alias{"jkn", "normal_stiffness"},
+    Alias{"ks", "shear_stiffness"},
+    Alias{"jks", "shear_stiffness"},
+    Alias{"young", "youngs_modulus"},
+    Alias{"poisson", "poisson_ratio"},
+    Alias{"timemax", "end"},
+    Alias{"tmax", "end"},
+    Alias{"tend", "end"},
+    Alias{"endtime", "end"},
+    Alias{"duration", "end"},
+    Alias{"dt", "time_step"},
+    Alias{"deltat", "time_step"},
+    Alias{"dtini", "time_step"},
+    Alias{"g", "gravity"},
+    Alias{"timeout", "interval"},
+    Alias{"writeinterval", "interval"},
+    Alias{"pos", "position"},
+    Alias{"vel", "velocity"},
+    Alias{"rot", "orientation"},
+    Alias{"quaternion", "orientation"},
+    Alias{"static", "fixed"},
+    Alias{"kinematic", "motion"},
+    Alias{"floating", "body"},
+    Alias{"visco", "artificial_alpha"},
+    Alias{"densitydt", "density_diffusion"},
+};
+
+/// The key that a word of another program means, if it is one of `known`; empty else.
+std::string other_name(std::string_view word, const std::vector<std::string>& known) {
+    std::string plain;
+    for (const char c : word) {
+        if (c != '_' && c != '-') {
+            plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        }
+    }
+    for (const Alias& alias : aliases) {
+        const auto found = std::find(known.begin(), known.end(), alias.key);
+        if (alias.word == plain && found != known.end()) {
+            return *found;
+        }
+    }
+    return {};
 }
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
     a = a.substr(0, longest);
@@ -31,6 +101,9 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+    if (std::string meant = other_name(word, known); !meant.empty()) {
+        return meant;
+    }
     std::string best;
     int best_distance = 1 << 20;
     for (const std::string& candidate : known) {

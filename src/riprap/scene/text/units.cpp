@@ -133,6 +133,16 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+/// "t/m3" as "t/m^3".
+std::string with_carets(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_power = i > 0 && is_letter(text[i - 1]) && (text[i] == '-' || (text[i] >= '0' && text[i] <= '9'));
+        result += is_power ? fmt::format("^{}", text[i]) : std::string(1, text[i]);
+    }
+    return result;
+}
+
 /// The decimal text `digits` times 10^shift, correctly rounded.
 double shifted(std::string_view digits, int shift) {
     const std::size_t e = digits.find_first_of("eE");
@@ -255,7 +265,9 @@ Quantity parse_quantity(std::string_view text, const Dimension& expected) {
     }
     const auto unit = parse_unit(unit_text);
     if (!unit) {
-        return {0, fmt::format("'{}' is not a unit Riprap knows", unit_text)};
+        const std::string meant = with_carets(unit_text);
+        return {0, fmt::format("'{}' is not a unit Riprap knows{}", unit_text,
+                               parse_unit(meant) ? fmt::format("; did you mean '{}'?", meant) : "")};
     }
     if (unit->dimension != expected) {
         return {0, fmt::format("'{}' is {}, not {}", unit_text, describe(unit->dimension), describe(expected))};

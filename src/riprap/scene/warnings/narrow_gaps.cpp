@@ -56,7 +56,7 @@ Separation before_faces(const Placed& a, const Placed& b) {
 bool has_face_against(const Placed& part, const Vec3& normal) {
     constexpr double looking = -0.9;  // cosine, as for water on two sides of a thin body
     for (int j = 0; j < part.shape.face_count; ++j) {
-        if (dot(part.frame.axes * part.shape.normal(j), normal) < looking) {
+        if (part.shape.is_internal[j] == 0 && dot(part.frame.axes * part.shape.normal(j), normal) < looking) {
             return true;
         }
     }

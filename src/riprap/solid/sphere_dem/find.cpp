@@ -50,7 +50,7 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
             slots.a.push_back(pair.a);
             slots.b.push_back(pair.b);
             ++slots.begin[at(pair.a) + 1];
-        } else if (pair.a < spheres && !stands_for_spheres(model, pair.b - spheres)) {
+        } else if (pair.a < spheres && scratch.placed.radius[at(pair.b)] > 0) {
             scratch.wall_pairs.push_back({pair.a, pair.b - spheres});
         }
     }

@@ -33,6 +33,10 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
     placed.records.resize(spheres);
     placed.part_frame.resize(parts);
     placed.corner.resize(3 * triangles);
+    std::vector<std::uint8_t> has_triangles(at(bodies.size()), 0);
+    for (const std::int32_t body : model.triangles.body) {
+        has_triangles[at(body)] = 1;
+    }
     for (std::size_t k = 0; k < count; ++k) {
         std::int32_t body = 0;
         if (k < spheres) {
@@ -41,8 +45,9 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
         } else if (k < spheres + parts) {
             const body::Part& part = bodies.parts[k - spheres];
             body = part.body.value;
-            // A part that its spheres stand for is met by nothing: a point that no search dwells on.
-            placed.radius[k] = model.spheres.count_of(body) > 0 ? 0 : model.shapes.view(part.shape).circumradius;
+            // A part that its spheres or triangles stand for is met by nothing: a point that no search dwells on.
+            const bool is_met = model.spheres.count_of(body) == 0 && has_triangles[at(body)] == 0;
+            placed.radius[k] = !is_met ? 0 : model.shapes.view(part.shape).circumradius;
         } else {
             const std::size_t t = k - spheres - parts;
             const Vec3 middle = centroid(model.triangles, t);

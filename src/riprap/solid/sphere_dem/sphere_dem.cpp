@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "riprap/body/ground.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
@@ -26,6 +27,14 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
     if (!scratch.is_built) {
         scratch.spheres = sphere_dem::sample_bodies(scene.bodies, scene.shapes, scene.materials, settings);
+        for (const body::Ground& ground : body::find_grounds(scene.bodies, scene.shapes)) {
+            const geometry::TriangleMesh& mesh = ground.field.mesh();
+            std::vector<std::int32_t> corners;
+            for (const auto& triangle : mesh.corners) {
+                corners.insert(corners.end(), triangle.begin(), triangle.end());
+            }
+            scratch.triangles.add(ground.body, mesh.points, corners);
+        }
         scratch.table = sphere_dem::pair_table(scene.materials, settings);
         scratch.is_built = true;
     }

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/io/csv_reader.hpp"
+#include "riprap/run/run_folder.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const SourcePlace& place, std::string message, std::string allowed) {
+    Diagnostic problem;
+    problem.place = place;
+    problem.message = std::move(message);
+    problem.allowed = std::move(allowed);
+    throw CaseError(std::move(problem));
+}
+
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// Parts a text at commas outside of brackets and quotes.
+std::vector<std::string> values_of(const std::string& text) {
+    std::vector<std::string> values{""};
+    int depth = 0;
+    char quote = 0;
+    for (const char c : text) {
+        if (quote != 0) {
+            quote = c == quote ? '\0' : quote;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else {
+            depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+        }
+        if (c == ',' && depth == 0 && quote == 0) {
+            values.emplace_back();
+        } else {
+            values.back() += c;
+        }
+    }
+    std::transform(values.begin(), values.end(), values.begin(), trimmed);
+    return values;
+}
+
+std::string name_of(std::size_t number) { return fmt::format("run_{:03}", number + 1); }
+
+/// Last, least and largest value of every column of a table; the time is left out.
+Json columns_of(const std::filesystem::path& file) {
+    Json columns = Json::object();
+    if (!std::filesystem::exists(file)) {
+        return columns;
+    }
+    const io::CsvTable table = io::read_csv(file);
+    for (std::size_t c = 1; c < table.columns.size() && table.row_count() > 0; ++c) {
+        const std::vector<double>& values = table.values[c];
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        columns[table.columns[c].name] = {
+            {"unit", table.columns[c].unit}, {"last", values.back()}, {"min", *low}, {"max", *high}};
+    }
+    return columns;
+}
+
+Json summary_of(const RunFolder& folder) {
+    constexpr std::size_t most = std::size_t{16} << 20U;
+    if (!std::filesystem::exists(folder.summary())) {
+        return {{"status", folder.has_run() ? "interrupted" : "not run"}};
+    }
+    return Json::parse(io::read_file(folder.summary(), most), nullptr, false);
+}
+
+Json run_of(const SweepOptions& options, const SweepPoint& point) {
+    const RunFolder folder{options.out / point.name};
+    const Json summary = summary_of(folder);
+    Json set = Json::object();
+    for (const std::string& text : point.overrides) {
+        const std::size_t equals = text.find('=');
+        set[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    Json answers = Json::array();
+    if (summary.contains("expects")) {
+        answers = summary["expects"];
+    }
+    return {{"name", point.name},
+            {"set", set},
+            {"status", summary.value("status", "unreadable")},
+            {"reason", summary.value("reason", "")},
+            {"wall_seconds", summary.value("wall_seconds", 0.0)},
+            {"answers", answers},
+            {"columns", columns_of(folder.probes())}};
+}
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) {
+        return text;
+    }
+    std::string result = "\"";
+    for (const char c : text) {
+        result += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    result += '"';
+    return result;
+}
+
+std::string number(const Json& value) { return value.is_number() ? fmt::format("{}", value.get<double>()) : ""; }
+
+/// Columns that any run has, in the order in which they first appear.
+struct Heading {
+    std::vector<std::string> keys, answers, columns;
+};
+
+void add_new(std::vector<std::string>& list, const std::string& word) {
+    if (std::find(list.begin(), list.end(), word) == list.end()) {
+        list.push_back(word);
+    }
+}
+
+Heading heading_of(const Json& sweep) {
+    Heading heading;
+    for (const Json& run : sweep["runs"]) {
+        for (const auto& [key, value] : run["set"].items()) {
+            add_new(heading.keys, key);
+        }
+        for (const Json& answer : run["answers"]) {
+            add_new(heading.answers,
+                    fmt::format("{} [{}]", answer["name"].get<std::string>(), answer["unit"].get<std::string>()));
+        }
+        for (const auto& [name, column] : run["columns"].items()) {
+            add_new(heading.columns, fmt::format("{} [{}]", name, column["unit"].get<std::string>()));
+        }
+    }
+    return heading;
+}
+
+std::vector<std::string> row_of(const Json& run, const Heading& heading) {
+    std::vector<std::string> row{run["name"], run["status"]};
+    for (const std::string& key : heading.keys) {
+        row.push_back(run["set"].value(key, ""));
+    }
+    std::map<std::string, std::vector<std::string>> found;
+    for (const Json& answer : run["answers"]) {
+        found[fmt::format("{} [{}]", answer["name"].get<std::string>(), answer["unit"].get<std::string>())] = {
+            number(answer["value"]), answer["verdict"]};
+    }
+    for (const auto& [name, column] : run["columns"].items()) {
+        found[fmt::format("column {} [{}]", name, column["unit"].get<std::string>())] = {
+            number(column["last"]), number(column["min"]), number(column["max"])};
+    }
+    const auto add = [&](const std::string& name, std::size_t width) {
+        const auto here = found.find(name);
+        for (std::size_t i = 0; i < width; ++i) {
+            row.push_back(here == found.end() ? "" : here->second[i]);
+        }
+    };
+    for (const std::string& name : heading.answers) {
+        add(name, 2);
+    }
+    for (const std::string& name : heading.columns) {
+        add(fmt::format("column {}", name), 3);
+    }
+    row.push_back(number(run["wall_seconds"]));
+    return row;
+}
+
+}  // namespace
+
+Variation read_variation(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    Variation variation;
+    if (equals != std::string::npos) {
+        variation = {trimmed(text.substr(0, equals)), values_of(text.substr(equals + 1))};
+    }
+    const auto is_empty = [](const std::string& value) { return value.empty(); };
+    if (variation.key.empty() || std::any_of(variation.values.begin(), variation.values.end(), is_empty)) {
+        refuse({"--vary"}, fmt::format("'{}' does not say what to vary", text), "KEY=VALUE,VALUE,...");
+    }
+    return variation;
+}
+
+std::vector<SweepPoint> grid_of(const std::vector<Variation>& variations) {
+    constexpr std::size_t most = 10'000;
+    std::vector<SweepPoint> points{{}};
+    for (const Variation& variation : variations) {
+        std::vector<SweepPoint> next;
+        for (const SweepPoint& point : points) {
+            for (const std::string& value : variation.values) {
+                next.push_back(point);
+                next.back().overrides.push_back(fmt::format("{}={}", variation.key, value));
+            }
+        }
+        points = std::move(next);
+        if (points.size() > most) {
+            refuse({"--vary"}, fmt::format("{} runs or more", points.size()), fmt::format("at most {}", most));
+        }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].name = name_of(i);
+    }
+    return points;
+}
+
+std::vector<SweepPoint> list_of(const std::string& text, const std::string& file) {
+    std::istringstream lines(text);
+    std::string line;
+    std::vector<std::string> keys;
+    std::vector<SweepPoint> points;
+    for (std::uint32_t number = 1; std::getline(lines, line); ++number) {
+        line = trimmed(line);
+        if (line.empty() || line.front() == '#') {
+            continue;
+        }
+        const std::vector<std::string> values = values_of(line);
+        if (keys.empty()) {
+            keys = values;
+            continue;
+        }
+        if (values.size() != keys.size()) {
+            refuse({file, number, 1}, fmt::format("{} values for {} keys", values.size(), keys.size()),
+                   "as many values as the first line has keys; lists in brackets");
+        }
+        SweepPoint point{name_of(points.size()), {}};
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            point.overrides.push_back(fmt::format("{}={}", keys[k], values[k]));
+        }
+        points.push_back(std::move(point));
+    }
+    if (points.empty()) {
+        refuse({file}, "no runs in the list", "a line of keys, then a line of values for each run");
+    }
+    return points;
+}
+
+std::string sweep_json(const SweepOptions& options) {
+    Json runs = Json::array();
+    for (const SweepPoint& point : options.points) {
+        runs.push_back(run_of(options, point));
+    }
+    const Json json{{"case", options.case_path}, {"set", options.overrides}, {"runs", runs}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string sweep_csv(const std::string& json) {
+    const Json sweep = Json::parse(json);
+    const Heading heading = heading_of(sweep);
+    std::vector<std::string> head{"run", "status"};
+    head.insert(head.end(), heading.keys.begin(), heading.keys.end());
+    for (const std::string& name : heading.answers) {
+        head.push_back(name);
+        head.push_back(fmt::format("{} verdict", name.substr(0, name.rfind(" ["))));
+    }
+    for (const std::string& name : heading.columns) {
+        for (const char* reduced : {"last", "min", "max"}) {
+            const std::size_t unit = name.rfind(" [");
+            head.push_back(fmt::format("{}.{}{}", name.substr(0, unit), reduced, name.substr(unit)));
+        }
+    }
+    head.emplace_back("wall [s]");
+    std::string text;
+    const auto write = [&text](const std::vector<std::string>& fields) {
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            text += i > 0 ? "," : "";
+            text += quoted(fields[i]);
+        }
+        text += '\n';
+    };
+    write(head);
+    for (const Json& run : sweep["runs"]) {
+        write(row_of(run, heading));
+    }
+    return text;
+}
+
+}  // namespace riprap::run

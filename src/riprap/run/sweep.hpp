@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Studies: one case run many times, with other values of some keys each time.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace riprap::run {
+
+/// One run of a study.
+struct SweepPoint {
+    std::string name;                    ///< of its folder: "run_003"
+    std::vector<std::string> overrides;  ///< "key=value" each, in the order of the keys
+};
+
+/// "key=a,b,c" as the key and its values. Commas within brackets or quotes do not part values: "g=[0,-9],[0,-4]".
+/// @throws CaseError when there is no key or no value
+struct Variation {
+    std::string key;
+    std::vector<std::string> values;
+};
+Variation read_variation(const std::string& text);
+
+/// Every combination of the values, the last key running fastest.
+std::vector<SweepPoint> grid_of(const std::vector<Variation>& variations);
+
+/// One run per line of a table: keys in the first line, values below, parted by commas as in a variation.
+/// @throws CaseError with the place
+std::vector<SweepPoint> list_of(const std::string& text, const std::string& file);
+
+struct SweepOptions {
+    std::string case_path;  ///< the case file
+    std::vector<SweepPoint> points;
+    std::vector<std::string> overrides{};  ///< of all runs
+    std::filesystem::path out;             ///< one folder per run in it, and sweep.csv, sweep.json, index.html
+    int jobs{0};                           ///< runs at a time; 0 = as many as there are cores for their threads
+    int threads{1};                        ///< of each run
+    bool quiet{false};
+};
+
+/// Runs what is not finished yet, each by a process of its own, several at a time, and writes the tables. A study that
+/// was stopped goes on where it was, by the same call: finished runs stay, others continue from their checkpoints. A
+/// run that fails does not stop the others.
+/// @returns the exit code: that of the first run that did not succeed, or 128 + a signal
+/// @throws FileError when the folder holds another study
+int run_sweep(const SweepOptions& options);
+
+/// Gathers the answers of all runs from their folders.
+/// @returns the text of sweep.json: {"case", "keys", "runs": [{"name", "set", "status", "wall_seconds", "answers",
+/// "columns"}]}, of each probe column its last, least and largest value
+std::string sweep_json(const SweepOptions& options);
+/// The same as a table, a row per run.
+std::string sweep_csv(const std::string& json);
+
+}  // namespace riprap::run

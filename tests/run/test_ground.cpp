@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks and water on ground of many triangles.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "riprap/body/ground.hpp"
+#include "riprap/run/simulation.hpp"
+
+namespace riprap::run {
+namespace {
+
+/// A folder with the files of a case.
+class CaseFolder {
+ public:
+    CaseFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "riprap-ground-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    CaseFolder(const CaseFolder&) = delete;
+    CaseFolder& operator=(const CaseFolder&) = delete;
+    ~CaseFolder() { std::filesystem::remove_all(path_); }
+    std::string path() const { return path_.string(); }
+
+    /// Heights of a surface z(x, y) on points `pitch` apart from (x, y) = (-1, -1).
+    void write_heights(int columns, int rows, double pitch, const std::function<double(double, double)>& z) const {
+        std::ofstream file(path_ / "bed.asc");
+        file << fmt::format("ncols {}\nnrows {}\nxllcenter -1\nyllcenter -1\ncellsize {}\n", columns, rows, pitch);
+        for (int j = rows - 1; j >= 0; --j) {
+            for (int i = 0; i < columns; ++i) {
+                file << fmt::format("{:.17g} ", z(-1 + pitch * i, -1 + pitch * j));
+            }
+            file << '\n';
+        }
+    }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+
+ private:
+    std::filesystem::path path_;
+};
+
+std::unique_ptr<Simulation> run(const CaseFolder& folder, const std::string& text) {
+    auto simulation = std::make_unique<Simulation>(scene::read_case_text(text, "case.toml", folder.path()));
+    while (simulation->steps_left() > 0) {
+        const StepOutcome outcome = simulation->step(sim::Measure::energy);
+        if (outcome.kind == StepOutcome::Kind::refused) {
+            throw std::runtime_error(outcome.reason);
+        }
+    }
+    return simulation;
+}
+
+Vec3 place_of_last(const std::unique_ptr<Simulation>& simulation) { return simulation->state().bodies.position.back(); }
+
+/// A block, or a ball, on a slope of 30 degrees: half a second of sliding.
+std::string slope(const std::string& ground, const std::string& block, const std::string& method = "") {
+    return fmt::format(R"(gravity = [0.0, 0.0, -9.81]
+end = 0.5
+{}
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+friction_angle_deg = 20.0
+damping_ratio = 0.1
+[[body]]
+name = "ground"
+material = "rock"
+fixed = true
+shape = {}
+[[body]]
+name = "block"
+material = "rock"
+orientation = {{ axis_angle = {{ axis = [0, 1, 0], angle_deg = 30 }} }}
+{}
+)",
+                       method, ground, block);
+}
+
+const double tangent = std::tan(M_PI / 6);
+const std::string box = "shape = { box = [0.5, 0.5, 0.25] }\nposition = [0.0625, 0.02, 0.1082531754730548]";
+const std::string plane = "{ half_space = { normal = [0.5, 0, 0.8660254037844386] } }";
+
+TEST(Ground, lets_a_block_slide_over_its_triangles_as_over_a_plane) {
+    CaseFolder folder;
+    folder.write_heights(21, 13, 0.17, [](double x, double) { return -tangent * x; });
+    const Vec3 smooth = place_of_last(run(folder, slope(plane, box)));
+    const Vec3 rough = place_of_last(run(folder, slope("{ terrain = { file = 'bed.asc', thickness = 1 } }", box)));
+    const double way = norm(smooth - Vec3{0.0625, 0.02, 0.1082531754730548});
+    EXPECT_NEAR(way, 0.5 * 9.81 * (0.5 - tangent * 1.5 * std::tan(M_PI / 9)) * 0.25, 2e-3);
+    EXPECT_LT(norm(rough - smooth), 1e-3 * way);
+}
+
+TEST(Ground, of_triangles_from_a_file_without_an_up_lets_a_block_slide_the_same_way) {
+    CaseFolder folder;
+    std::string obj;
+    for (int i = 0; i < 12; ++i) {  // an uneven strip, its points askew in the plane
+        const double x = -1 + 0.21 * i + 0.05 * (i % 3);
+        obj += fmt::format("v {} -1 {}\nv {} {} {}\nv {} 1 {}\n", x, -tangent * x, x + 0.03, 0.1 * (i % 4),
+                           -tangent * (x + 0.03), x, -tangent * x);
+    }
+    for (int i = 0; i < 11; ++i) {
+        for (int k = 1; k <= 2; ++k) {
+            const int a = 3 * i + k;
+            obj += fmt::format("f {} {} {}\nf {} {} {}\n", a, a + 3, a + 4, a, a + 4, a + 1);
+        }
+    }
+    folder.write("bed.obj", obj);
+    const Vec3 smooth = place_of_last(run(folder, slope(plane, box)));
+    const Vec3 rough =
+        place_of_last(run(folder, slope("{ mesh = { file = 'bed.obj', units = 'm', thickness = 0.6 } }", box)));
+    EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth - Vec3{0.0625, 0.02, 0.1082531754730548}));
+}
+
+TEST(Ground, lets_a_ball_roll_over_its_triangles_as_over_a_plane) {
+    CaseFolder folder;
+    folder.write_heights(21, 13, 0.17, [](double x, double) { return -tangent * x; });
+    const std::string method = "[solid]\nmethod = 'sphere_dem'\nspheres = 'one'\nyoungs_modulus = 1e7\n";
+    const double radius = std::cbrt(0.75 * 0.008 / M_PI);
+    const std::string ball =
+        fmt::format("shape = {{ cube = 0.2 }}\nposition = [{}, 0.02, {}]", 0.5 * radius, 0.8660254037844386 * radius);
+    const Vec3 smooth = place_of_last(run(folder, slope(plane, ball, method)));
+    const Vec3 rough = place_of_last(run(folder, slope("{ terrain = { file = 'bed.asc' } }", ball, method)));
+    EXPECT_GT(norm(smooth), 0.3);
+    EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth));
+}
+
+TEST(Ground, that_is_bumpy_and_frictionless_takes_no_energy_of_a_block_that_slides_over_ridges_and_valleys) {
+    CaseFolder folder;
+    folder.write_heights(15, 11, 0.25,
+                         [](double x, double y) { return 0.05 * std::sin(4 * x) + 0.03 * std::cos(5 * y); });
+    const auto end = run(folder, R"(gravity = [0.0, 0.0, -9.81]
+end = 0.4
+time_step_factor = 0.1
+[material.ice]
+density = 900.0
+normal_stiffness = 1.0e6
+[[body]]
+name = "ground"
+material = "ice"
+fixed = true
+shape = { terrain = { file = 'bed.asc' } }
+[[body]]
+name = "block"
+material = "ice"
+shape = { box = [0.3, 0.3, 0.1] }
+position = [-0.3, 0.2, 0.2]
+velocity = [2.0, 0.5, 0.0]
+)");
+    const body::BodySet& bodies = end->model().bodies;
+    const body::BodyState& state = end->state().bodies;
+    const Vec3 spin = body::angular_velocity(bodies, state, BodyId{1});
+    const double kinetic =
+        0.5 * bodies.mass[1] * norm_squared(state.velocity[1]) + 0.5 * dot(spin, state.angular_momentum[1]);
+    const double before = bodies.mass[1] * (0.5 * 4.25 + 9.81 * 0.2);
+    const double after = kinetic + bodies.mass[1] * 9.81 * state.position[1].z;
+    EXPECT_GT(norm(spin), 0.3);                 // it has met bumps
+    EXPECT_GT(state.position[1].z, -0.05);      // and has not sunk in
+    EXPECT_NEAR(after, before, 5e-3 * before);  // but for what the springs hold now
+}
+
+/// A lake over a bumpy bed between walls.
+std::string lake(const std::string& fluid, double end) {
+    return fmt::format(R"(dimension = 2
+gravity = [0.0, -9.81]
+end = {}
+[material.rock]
+density = 2400.0
+normal_stiffness = 1.0e7
+[fluid]
+{}
+spacing = 0.025
+domain = {{ low = [0.0, -0.3], high = [1.5, 0.8] }}
+[[fluid.region]]
+box = {{ low = [0.0, -0.3], high = [1.5, 0.4] }}
+[[body]]
+name = "left"
+material = "rock"
+shape = {{ half_space = {{ normal = [1, 0] }} }}
+fixed = true
+[[body]]
+name = "right"
+material = "rock"
+shape = {{ half_space = {{ normal = [-1, 0], offset = -1.5 }} }}
+fixed = true
+[[body]]
+name = "bed"
+material = "rock"
+fixed = true
+shape = {{ terrain = {{ profile = [[-0.2, 0.0], [0.3, -0.1], [0.5, 0.08], [0.7, 0.05], [0.9, -0.17], [1.2, -0.05], [1.7, 0.1]] }} }}
+)",
+                       end, fluid);
+}
+
+TEST(Ground, keeps_a_still_lake_still) {
+    const CaseFolder folder;
+    const auto end = run(folder, lake("method = 'sph'", 2.0));
+    double sum = 0;
+    for (const Vec3& v : end->state().fluid.velocity) {
+        sum += norm_squared(v);
+    }
+    const double speed = std::sqrt(sum / static_cast<double>(end->state().fluid.size()));
+    EXPECT_LT(speed, 0.02 * std::sqrt(9.81 * 0.5));  // the same that walls along the lattice are allowed
+}
+
+TEST(Ground, holds_the_water_of_every_particle_method) {
+    const CaseFolder folder;
+    for (const std::string method : {"sph", "wcmps", "mps"}) {
+        const auto end = run(folder, lake("method = '" + method + "'", 0.3));
+        const auto grounds = body::find_grounds(end->model().bodies, end->model().shapes);
+        ASSERT_EQ(grounds.size(), 1U);
+        const auto b = static_cast<std::size_t>(grounds[0].body.value);
+        const Pose pose{end->state().bodies.position[b], end->state().bodies.orientation[b]};
+        for (const Vec3& x : end->state().fluid.position) {
+            EXPECT_FALSE(grounds[0].field.is_inside(to_body(pose, x))) << method << ' ' << x.x << ' ' << x.y;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace riprap::run
