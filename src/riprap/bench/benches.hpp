@@ -24,6 +24,12 @@ void pile_voronoi(const Setting& setting, std::vector<Result>& results);
 void sph_h1732(const Setting& setting, std::vector<Result>& results);
 void sph_h12(const Setting& setting, std::vector<Result>& results);
 
+// step.cpp
+void step_dam_break(const Setting& setting, std::vector<Result>& results);
+void step_floes(const Setting& setting, std::vector<Result>& results);
+void step_rubble(const Setting& setting, std::vector<Result>& results);
+void step_slide(const Setting& setting, std::vector<Result>& results);
+
 // linear.cpp
 void linear_product(const Setting& setting, std::vector<Result>& results);
 void linear_pcg(const Setting& setting, std::vector<Result>& results);
