@@ -120,6 +120,44 @@ TEST(NearSamples, faces_of_joints_call_for_samples_as_water_does) {
         wet);
 }
 
+TEST(NearSamples, a_body_that_is_told_to_be_far_has_none) {
+    const Wall wall(3, false);
+    const std::vector<std::uint8_t> is_far{0, 1};
+    const auto all = near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, 0.15);
+    const auto found =
+        near_samples(wall.samples, wall.motion, wall.is_still, wall.water, {}, wall.domain, 0.15, is_far);
+    ASSERT_EQ(found.size() + 2000, all.size());
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), all.begin()));
+}
+
+TEST(NearSamples, a_body_is_near_once_one_of_its_samples_is) {
+    for (const bool is_periodic : {false, true}) {
+        Wall wall(3, is_periodic);
+        wall.samples.body.clear();
+        for (int i = 0; i < 4000; ++i) {
+            wall.samples.body.push_back(BodyId{i / 40});
+        }
+        wall.motion.pose.assign(100, {});
+        std::vector<std::uint8_t> asked(100, 1);
+        asked[7] = 0;
+        const auto near = near_bodies(wall.samples, wall.motion, asked, wall.water, {}, wall.domain, 0.15);
+        const auto by_others = near_bodies(wall.samples, wall.motion, asked, {}, wall.water, wall.domain, 0.15);
+        EXPECT_EQ(near, by_others);
+        int count = 0;
+        for (std::size_t b = 0; b < 100; ++b) {
+            double least = 1e9;
+            for (std::size_t i = 40 * b; i < 40 * (b + 1); ++i) {
+                least = std::min(least, wall.distance_to_water(i));
+            }
+            EXPECT_TRUE(b == 7 || near[b] == 1 || least > 0.15) << b;
+            EXPECT_TRUE(near[b] == 0 || least < 0.45) << b;
+            count += near[b];
+        }
+        EXPECT_EQ(near[7], 0);
+        EXPECT_GT(count, 0);
+    }
+}
+
 TEST(NearSamples, a_view_shows_what_each_sample_is) {
     Wall wall(3, false);
     SampleSet& set = wall.samples;

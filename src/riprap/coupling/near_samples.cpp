@@ -149,13 +149,17 @@ class WetCells {
 
 std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Motion& motion,
                                        std::span<const std::uint8_t> is_still, std::span<const Vec3> water,
-                                       std::span<const Vec3> others, const fluid::Domain& domain, double reach) {
+                                       std::span<const Vec3> others, const fluid::Domain& domain, double reach,
+                                       std::span<const std::uint8_t> is_far) {
     const WetCells cells({water, others}, domain, reach);
     std::vector<std::uint8_t> is_near(at(samples.size()));
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
         const auto body = at(samples.body[i].value);
         const Pose& pose = motion.pose[body];
+        if (!is_far.empty() && is_far[body] != 0) {
+            return;
+        }
         is_near[i] =
             is_still[body] == 0 || cells.has_water_near(pose.position + rotate(pose.orientation, samples.anchor[i]))
                 ? 1
@@ -168,6 +172,27 @@ std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Mot
         }
     }
     return numbers;
+}
+
+std::vector<std::uint8_t> near_bodies(const SampleSet& samples, const body::Motion& motion,
+                                      std::span<const std::uint8_t> asked, std::span<const Vec3> water,
+                                      std::span<const Vec3> others, const fluid::Domain& domain, double reach) {
+    const WetCells cells({water, others}, domain, reach);
+    const SampleView all(samples);
+    std::vector<std::uint8_t> is_near(asked.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(asked.size()), 16, [&](std::int64_t body) {
+        if (asked[at(body)] == 0) {
+            return;
+        }
+        const Pose& pose = motion.pose[at(body)];
+        const auto number = static_cast<std::int32_t>(body);
+        const std::size_t end = all.begin_of(BodyId{number + 1});
+        for (std::size_t i = all.begin_of(BodyId{number}); i < end && is_near[at(body)] == 0; ++i) {
+            is_near[at(body)] =
+                cells.has_water_near(pose.position + rotate(pose.orientation, samples.anchor[i])) ? 1 : 0;
+        }
+    });
+    return is_near;
 }
 
 }  // namespace riprap::coupling

@@ -8,6 +8,7 @@
 
 #include "riprap/body/ground.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/near_parts.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
@@ -19,32 +20,23 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int64_t block_size = 1024;  ///< particles whose pushes are kept together; decides no bit
 
-/// A part that may push, where it is.
-struct PlacedPart {
-    geometry::ConvexView shape;
-    Pose pose;
-    std::int32_t body;
-    double reach;  ///< beyond this distance from its centre nothing is pushed [m]
-};
-
-std::vector<PlacedPart> place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
-                                    const body::Motion& motion, std::span<const std::uint8_t> is_dry,
-                                    std::span<const body::Ground> grounds, double reach) {
-    std::vector<PlacedPart> parts;
-    for (const body::Part& part : bodies.parts) {
+/// Places all parts; those of dry bodies, and of a ground, which is met as one surface, reach nowhere.
+void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
+                 std::span<const std::uint8_t> is_dry, std::span<const body::Ground> grounds, double reach,
+                 std::vector<PlacedPart>& parts) {
+    parts.resize(bodies.parts.size());
+    parallel::for_each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t p) {
+        const body::Part& part = bodies.parts[at(p)];
         const auto b = at(part.body.value);
         const bool is_ground = std::ranges::find(grounds, part.body, &body::Ground::body) != grounds.end();
-        if (is_ground || (!is_dry.empty() && is_dry[b] != 0)) {
-            continue;
-        }
         const geometry::ConvexView view = shapes.view(part.shape);
-        parts.push_back(
-            {view,
-             {to_world(motion.pose[b], part.local.position), motion.pose[b].orientation * part.local.orientation},
-             part.body.value,
-             view.circumradius + reach});
-    }
-    return parts;
+        const bool is_wet = !is_ground && (is_dry.empty() || is_dry[b] == 0);
+        parts[at(p)] = {
+            view,
+            {to_world(motion.pose[b], part.local.position), motion.pose[b].orientation * part.local.orientation},
+            part.body.value,
+            is_wet ? view.circumradius + reach : -1};
+    });
 }
 
 /// How a part stands to a particle.
@@ -140,10 +132,13 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                         FluidLoads& loads) {
     const double within = 2 * settings.reach;  // where a face on the other side may limit the push
     const std::vector<body::Ground> grounds = body::find_grounds(bodies, shapes);
-    const std::vector<PlacedPart> parts = place_parts(shapes, bodies, motion, is_dry, grounds, within);
-    force.assign(at(particles.size()), {});
+    std::vector<PlacedPart> parts;
+    place_parts(shapes, bodies, motion, is_dry, grounds, within, parts);
+    NearParts near_parts;
+    near_parts.find(parts, particles.position, settings.domain, within);
+    force.resize(at(particles.size()));
+    count_.resize(at(particles.size()));
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
-    count_.assign(at(particles.size()), 0);
     const fluid::PeriodicImages images(settings.domain);
     const auto velocity_at = [&motion](std::int32_t body, const Vec3& x) {
         const auto b = at(body);
@@ -152,11 +147,18 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     parallel::for_ranges(particles.size(), block_size, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Push>& pushes = blocks_[at(begin / block_size)];
         pushes.clear();
+        std::fill(force.begin() + begin, force.begin() + end, Vec3{});
+        std::fill(count_.begin() + begin, count_.begin() + end, 0);
         std::vector<Touch> touches;
         for (std::int64_t i = begin; i < end; ++i) {
+            const std::span<const std::int32_t> near = near_parts.of_block(i / NearParts::block_size);
+            if (near.empty() && grounds.empty()) {
+                i = (i / NearParts::block_size + 1) * NearParts::block_size - 1;
+                continue;
+            }
             touches.clear();
-            for (const PlacedPart& part : parts) {
-                if (const auto touch = deepest_touch(part, particles.position[at(i)], within, images)) {
+            for (const std::int32_t part : near) {
+                if (const auto touch = deepest_touch(parts[at(part)], particles.position[at(i)], within, images)) {
                     touches.push_back(*touch);
                 }
             }
@@ -191,7 +193,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     gather(bodies, motion, particles.size(), loads);
 }
 
-/// On one thread, in the order of the particles.
+/// On one thread, in the order of the particles; of blocks without pushes nothing is looked at.
 void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
                           FluidLoads& loads) const {
     const auto count = at(bodies.size());
@@ -200,6 +202,7 @@ void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motio
     std::int64_t i = 0;
     for (const std::vector<Push>& pushes : blocks_) {
         const std::int64_t end = std::min(i + block_size, particles);
+        i = pushes.empty() ? end : i;
         for (std::size_t k = 0; i < end; ++i) {
             for (std::int32_t n = 0; n < count_[at(i)]; ++n, ++k) {
                 const auto b = at(pushes[k].body);

@@ -13,10 +13,10 @@ namespace riprap::coupling {
 
 namespace {
 
-/// Samples whose body forces may move and that lie under a face.
-bool is_face_of_loose(const ParticleFluid& water, std::span<const std::uint8_t> is_loose, std::size_t sample) {
+/// Samples of chosen bodies that lie under a face.
+bool is_face_of(const ParticleFluid& water, std::span<const std::uint8_t> chosen, std::size_t sample) {
     const SampleSet& samples = water.samples;
-    return is_loose[at(samples.body[sample].value)] != 0 && samples.depth[sample] < water.settings().spacing;
+    return chosen[at(samples.body[sample].value)] != 0 && samples.depth[sample] < water.settings().spacing;
 }
 
 /// Slopes of all samples, once.
@@ -78,14 +78,11 @@ double joint_power(const ParticleScratch& scratch) {
     return power;
 }
 
-void add_places_of_joints(const ParticleFluid& water, std::span<const std::uint8_t> is_loose,
-                          const body::Motion& motion, std::vector<Vec3>& places) {
-    if (!has_joints(water, is_loose)) {
-        return;
-    }
+void add_places_of_joints(const ParticleFluid& water, std::span<const std::uint8_t> chosen, const body::Motion& motion,
+                          std::vector<Vec3>& places) {
     const SampleSet& samples = water.samples;
     for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
-        if (is_face_of_loose(water, is_loose, i)) {
+        if (is_face_of(water, chosen, i)) {
             const Pose& pose = motion.pose[at(samples.body[i].value)];
             places.push_back(pose.position + rotate(pose.orientation, samples.anchor[i]));
         }

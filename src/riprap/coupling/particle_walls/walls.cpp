@@ -14,8 +14,8 @@ namespace riprap::coupling {
 
 namespace {
 
-/// Everywhere that water may enter less than a spacing past, and faces that may make joints.
-std::vector<Vec3> places_of_openings_and_joints(const ParticleFluid& water, const ParticleScratch& scratch) {
+/// Everywhere that water may enter less than a spacing past.
+std::vector<Vec3> places_of_openings(const ParticleFluid& water) {
     std::vector<Vec3> places;
     for (const fluid::Inflow& inflow : water.open.inflows) {
         for (const Vec3& row : inflow.rows) {
@@ -23,8 +23,37 @@ std::vector<Vec3> places_of_openings_and_joints(const ParticleFluid& water, cons
             places.push_back(row + water.settings().spacing * inflow.opening.direction());
         }
     }
-    add_places_of_joints(water, scratch.bodies.is_loose, scratch.motion, places);
     return places;
+}
+
+/// Finds the samples that water may feel before it and loose bodies have come `margin` each. Loose bodies count while
+/// water may come to them, or to a joint that they shut off: to one of a body that water comes to, or of a neighbour of
+/// that one.
+std::vector<std::int32_t> find_samples(const ParticleFluid& water, const body::BodySet& bodies,
+                                       std::span<const Vec3> particles, double margin, const ParticleScratch& scratch) {
+    const fluid::ParticleSettings& settings = water.settings();
+    const std::vector<std::uint8_t>& is_loose = scratch.bodies.is_loose;
+    std::vector<Vec3> places = places_of_openings(water);
+    const double of_joints = reach_of_joints(water, bodies, is_loose);
+    const double reach = std::max(settings.support_radius(), of_joints) + margin;
+    if (of_joints == 0) {
+        return near_samples(water.samples, scratch.motion, scratch.bodies.is_still, particles, places, settings.domain,
+                            reach);
+    }
+    std::vector<std::uint8_t> is_near = near_bodies(water.samples, scratch.motion, is_loose, particles, places,
+                                                    settings.domain, settings.support_radius() + 2 * margin);
+    std::vector<Vec3> faces;
+    add_places_of_joints(water, is_near, scratch.motion, faces);
+    const std::vector<std::uint8_t> is_beside =
+        near_bodies(water.samples, scratch.motion, is_loose, faces, {}, settings.domain, 2 * (of_joints + margin));
+    std::vector<std::uint8_t> is_far = is_loose;
+    for (std::size_t b = 0; b < is_near.size(); ++b) {
+        is_near[b] |= is_beside[b];
+        is_far[b] = is_loose[b] != 0 && is_near[b] == 0 ? 1 : 0;
+    }
+    add_places_of_joints(water, is_near, scratch.motion, places);
+    return near_samples(water.samples, scratch.motion, scratch.bodies.is_still, particles, places, settings.domain,
+                        reach, is_far);
 }
 
 double fastest_of(const fluid::ParticleState& particles) {
@@ -57,10 +86,7 @@ void find_near_samples(const FluidScene& scene, const ParticleFluid& water, cons
                          std::max(fastest_of(state.particles),
                                   speed_of_joints(water, is_loose, scene.bodies, state.bodies, scratch.joints));
     if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
-        const double reach = std::max(settings.support_radius(), reach_of_joints(water, scene.bodies, is_loose));
-        coupling.near_samples =
-            near_samples(water.samples, scratch.motion, scratch.bodies.is_still, state.particles.position,
-                         places_of_openings_and_joints(water, scratch), settings.domain, reach + margin + ahead);
+        coupling.near_samples = find_samples(water, scene.bodies, state.particles.position, margin + ahead, scratch);
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
@@ -99,7 +125,8 @@ WallBodies describe_bodies(const body::BodySet& bodies, const ParticleFluid& wat
 
 std::string find_intruder(const body::BodySet& bodies, const ParticleFluid& water, const ParticleScratch& scratch) {
     for (std::size_t i = 0; !water.open.empty() && i < scratch.near_numbers.size(); ++i) {
-        const BodyId body = water.samples.body[at(scratch.near_numbers[i])];  // all those of bodies that move are near
+        const BodyId body =
+            water.samples.body[at(scratch.near_numbers[i])];  // openings count as water: who moves there is near
         if (scratch.bodies.is_still[at(body.value)] != 0) {
             continue;
         }
