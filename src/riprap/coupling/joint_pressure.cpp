@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <unordered_map>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -30,14 +29,16 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
 
 void JointPressure::list_sides() {
     const std::vector<JointMember>& members = pairs_.members();
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> joints;
+    std::unordered_map<std::uint64_t, std::int32_t> joints;
     side_begin_.assign(1, 0);
     sides_.clear();
     for (std::size_t i = 0; i < members.size(); ++i) {
         for (const std::int32_t other : openings_[i].others) {
             const std::int32_t own = partner_of(members[i]);
-            const std::pair pair(std::min(own, other), std::max(own, other));
-            const auto joint = joints.emplace(pair, static_cast<std::int32_t>(joints.size())).first->second;
+            const auto low = static_cast<std::uint32_t>(std::min(own, other)),
+                       high = static_cast<std::uint32_t>(std::max(own, other));
+            const std::uint64_t both = std::uint64_t{low} << 32U | high;
+            const auto joint = joints.emplace(both, static_cast<std::int32_t>(joints.size())).first->second;
             sides_.push_back({static_cast<std::int32_t>(i), other, joint, 0});
         }
         side_begin_.push_back(static_cast<std::int32_t>(sides_.size()));
@@ -90,7 +91,8 @@ void JointPressure::find_rims(const SampleView& near, const fluid::ParticleSetti
     }
     // A dry piece higher than any water of the rim can rise drains nothing.
     const fluid::NearestImage nearest(settings.domain);
-    for (std::vector<RimPiece>& rim : rims_) {
+    parallel::for_each_uneven(static_cast<std::int64_t>(rims_.size()), grain, [&](std::int64_t joint) {
+        std::vector<RimPiece>& rim = rims_[at(joint)];
         const auto head_from_first = [&](const RimPiece& piece) {
             return settings.rest_density * dot(gravity, nearest(piece.place - rim.front().place));
         };
@@ -106,7 +108,7 @@ void JointPressure::find_rims(const SampleView& near, const fluid::ParticleSetti
         for (RimPiece& piece : rim) {
             piece.dry = is_wet && highest + head_from_first(piece) > 0 ? piece.dry : 0;
         }
-    }
+    });
 }
 
 double JointPressure::pressure_of(std::size_t member, std::int32_t other) const {
@@ -150,7 +152,8 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
         }
         side.pressure = weights > 0 ? std::max(0.0, sum / weights) : 0;
     });
-    force.assign(at(near.size()), {});
+    force.resize(at(near.size()));
+    parallel::for_each(near.size(), [&force](std::int64_t i) { force[at(i)] = {}; });
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         Vec3 sum{};

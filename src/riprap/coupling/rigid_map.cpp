@@ -42,26 +42,73 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
     });
 }
 
+namespace {
+
+/// Samples of one body that are summed in one go.
+constexpr std::int64_t piece = 4096;
+
+/// Force, torque and pull of some samples.
+struct LoadSum {
+    Vec3 force{}, torque{};
+    Sym3 pull{};
+};
+
+}  // namespace
+
 void gather(const SampleView& samples, const body::Motion& motion, std::span<const Vec3> place,
             std::span<const Vec3> sample_force, body::Loads& loads) {
-    const std::size_t bodies = motion.pose.size();
-    loads.clear(bodies, motion.deforms());
+    const auto bodies = static_cast<std::int64_t>(motion.pose.size());
+    loads.clear(motion.pose.size(), motion.deforms());
+    const auto add = [&](std::size_t body, std::size_t i, LoadSum& sum) {
+        const Vec3 arm = place[i] - motion.pose[body].position;
+        sum.force += sample_force[i];
+        sum.torque += cross(arm, sample_force[i]);
+        if (motion.deforms()) {
+            sum.pull += symmetric_product(sample_force[i], arm);
+        }
+    };
+    const auto put = [&](std::size_t body, const LoadSum& sum) {
+        loads.force[body] = sum.force;
+        loads.torque[body] = sum.torque;
+        if (motion.deforms()) {
+            loads.pull[body] = sum.pull;
+        }
+    };
     // Samples are grouped by body, so each body has one range of them and its sum one order.
-    const auto begin_of = [&samples](std::size_t body) {
+    const auto begin_of = [&samples](std::int64_t body) {
         return samples.begin_of(BodyId{static_cast<std::int32_t>(body)});
     };
-    parallel::for_each_uneven(static_cast<std::int64_t>(bodies), 8, [&](std::int64_t index) {
-        const auto body = at(index);
-        const std::size_t end = begin_of(body + 1);
-        for (std::size_t i = begin_of(body); i < end; ++i) {
-            const Vec3 arm = place[i] - motion.pose[body].position;
-            loads.force[body] += sample_force[i];
-            loads.torque[body] += cross(arm, sample_force[i]);
-            if (motion.deforms()) {
-                loads.pull[body] += symmetric_product(sample_force[i], arm);
+    std::vector<std::uint8_t> is_large(at(bodies));
+    parallel::for_ranges(bodies, 16, [&](std::int64_t first, std::int64_t end) {
+        std::size_t i = begin_of(first);
+        for (std::int64_t body = first; body < end; ++body) {
+            const std::size_t begin = i, last = begin + at(piece);
+            LoadSum sum;
+            for (; i < at(samples.size()) && i < last && samples.body(i).value == body; ++i) {
+                add(at(body), i, sum);
             }
+            is_large[at(body)] = i < at(samples.size()) && samples.body(i).value == body ? 1 : 0;
+            i = is_large[at(body)] != 0 ? begin_of(body + 1) : i;
+            put(at(body), sum);
         }
     });
+    const auto join = [](LoadSum a, const LoadSum& b) {
+        a.force += b.force;
+        a.torque += b.torque;
+        a.pull += b.pull;
+        return a;
+    };
+    for (std::int64_t body = 0; body < bodies; ++body) {
+        if (is_large[at(body)] != 0) {
+            const std::size_t begin = begin_of(body), count = begin_of(body + 1) - begin;
+            const auto one = [&](std::int64_t k) {
+                LoadSum sum;
+                add(at(body), begin + at(k), sum);
+                return sum;
+            };
+            put(at(body), parallel::reduce(static_cast<std::int64_t>(count), LoadSum{}, one, join, piece));
+        }
+    }
 }
 
 void gather_loads(const SampleView& samples, const body::Motion& motion, const fluid::BoundaryParticles& particles,
