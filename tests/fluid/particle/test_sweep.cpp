@@ -178,6 +178,42 @@ TEST(sweep, stays_exact_while_particles_move_within_the_skin_and_beyond) {
     EXPECT_LT(scratch.data().list.builds(), 30);  // and lists were kept
 }
 
+/// Sums of one pair that take the place of what is there, and the same from zero.
+template <class Sweep>
+void expect_fresh_as_from_zero(std::size_t count, const Sweep& sweep_into) {
+    std::vector<double> from_zero(count, 0.0), fresh_sum(count, 17.0);
+    sweep_into(sink(from_zero));
+    sweep_into(fresh<1>({sink(fresh_sum)})[0]);
+    EXPECT_EQ(fresh_sum, from_zero);
+}
+
+TEST(sweep, a_fresh_sum_takes_the_place_of_whatever_is_there) {
+    for (const int dimension : {2, 3}) {
+        const Sample s = in_order(jittered_lattice(dimension, {29, 17, 15}, 1.3));
+        SweepSide<5> few = s.density_side();  // with none of them near most targets, and a cluster that is not full
+        few.position = few.position.first(9);
+        SweepSide<5> none = few;
+        none.position = {};
+        const bench::DensityRatePair pair{s.constants};
+        SweepScratch within, one_way, to_few, to_none;
+        expect_fresh_as_from_zero(
+            s.size(), [&](const FieldSink& sum) { exchange_within(pair, s.reach(), s.density_side(), {sum}, within); });
+        expect_fresh_as_from_zero(s.size(), [&](const FieldSink& sum) {
+            sweep(pair, s.reach(), s.density_side(), s.density_side(), {sum}, one_way);
+        });
+        expect_fresh_as_from_zero(
+            s.size(), [&](const FieldSink& sum) { sweep(pair, s.reach(), s.density_side(), few, {sum}, to_few); });
+        expect_fresh_as_from_zero(
+            s.size(), [&](const FieldSink& sum) { sweep(pair, s.reach(), s.density_side(), none, {sum}, to_none); });
+        expect_fresh_as_from_zero(
+            s.size(), [&](const FieldSink& sum) { sweep_plain(pair, s.reach(), s.density_side(), few, {sum}); });
+        std::vector<double> of_few(9, 3.0);
+        expect_fresh_as_from_zero(s.size(), [&](const FieldSink& sum) {
+            exchange(pair, s.reach(), few, s.density_side(), fresh<1>({sink(of_few)}), {sum}, to_few);
+        });
+    }
+}
+
 TEST(sweep, gives_the_same_bits_on_any_number_of_threads) {
     const Sample s = in_order(jittered_lattice(3, {30, 25, 20}, 1.3));
     parallel::set_thread_count(1);

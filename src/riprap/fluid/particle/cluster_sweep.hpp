@@ -16,17 +16,35 @@
 
 namespace riprap::fluid::detail {
 
-/// Fields as floats: [cluster][field][member], zero where the last cluster is not full.
+/// Makes sums zero that are to take the place of what is there.
+template <std::size_t SumCount>
+void clear_fresh(const std::array<FieldSink, SumCount>& sums, std::int64_t first, std::int64_t end) {
+    for (const FieldSink& sum : sums) {
+        for (std::int64_t i = first; sum.is_fresh && i < end; ++i) {
+            sum[i] = 0;
+        }
+    }
+}
+
+/// Fields as floats: [cluster][field][member], zero where the last cluster is not full; of the candidates that some
+/// list names, the others are left as they are.
 template <std::size_t FieldCount>
-void pack_fields(const std::array<FieldView, FieldCount>& fields, std::int64_t size, std::vector<float>& packed) {
-    const std::int64_t clusters = (size + cluster_size - 1) / cluster_size;
+void pack_fields(const std::array<FieldView, FieldCount>& fields, const ClusterList& list, std::vector<float>& packed) {
+    const std::int64_t size = list.candidates().size(), clusters = list.candidates().cluster_count();
     packed.resize(static_cast<std::size_t>(clusters * cluster_size) * FieldCount);
-    parallel::for_each(clusters, [&](std::int64_t c) {
-        for (std::size_t k = 0; k < FieldCount; ++k) {
-            float* four = &packed[(static_cast<std::size_t>(c) * FieldCount + k) * cluster_size];
-            for (std::int64_t member = 0; member < cluster_size; ++member) {
-                const std::int64_t i = c * cluster_size + member;
-                four[member] = i < size ? static_cast<float>(fields[k][i]) : 0.0F;
+    parallel::for_each_uneven(list.candidates().block_count(), 16, [&](std::int64_t block) {
+        if (!list.is_mentioned(block)) {
+            return;
+        }
+        const std::int64_t first = block * BoxTree::branches, end = std::min(clusters, first + BoxTree::branches);
+        for (std::int64_t c = first; c < end; ++c) {
+            float* four = packed.data() + static_cast<std::size_t>(c) * FieldCount * cluster_size;
+            const std::int64_t members = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
+            for (std::size_t k = 0; k < FieldCount; ++k, four += cluster_size) {
+                const double* number = fields[k].data + c * cluster_size * fields[k].stride;
+                for (std::int64_t member = 0; member < cluster_size; ++member, number += fields[k].stride) {
+                    four[member] = member < members ? static_cast<float>(*number) : 0.0F;
+                }
             }
         }
     });
@@ -76,6 +94,8 @@ struct ClusterSweep {
             std::span<const std::int32_t> near = patch.near(t - first);
             if (!near.empty()) {
                 sweep_cluster(t, t - first, near, work);
+            } else if (!is_each_once) {
+                clear_fresh(sums, t * cluster_size, std::min(list.targets().size(), (t + 1) * cluster_size));
             }
         }
         scratch.buffers->records.give(std::move(records));
@@ -103,7 +123,8 @@ struct ClusterSweep {
         for (std::size_t k = 0; k < sum_count; ++k) {
             const Wide<float, 4> total = Patches::sum_of(sum, k);
             for (int member = 0; member < count; ++member) {
-                sums[k][t * cluster_size + member] += static_cast<double>(total[member]);
+                double& sum_there = sums[k][t * cluster_size + member];
+                sum_there = (sums[k].is_fresh ? 0 : sum_there) + static_cast<double>(total[member]);
             }
         }
     }

@@ -37,11 +37,20 @@ inline FieldView component(std::span<const Vec3> values, int axis) {
 struct FieldSink {
     double* data{nullptr};
     std::int64_t stride{1};
+    bool is_fresh{false};  ///< the sum takes the place of what is there, whatever that is, as if it were zero
     double& operator[](std::int64_t i) const { return data[i * stride]; }
 };
 inline FieldSink sink(std::span<double> values) { return {values.data(), 1}; }
 inline FieldSink sink_component(std::span<Vec3> values, int axis) {
     return {values.empty() ? nullptr : &values[0].x + axis, 3};
+}
+/// The same sinks, for sums that take the place of what is there.
+template <std::size_t Count>
+std::array<FieldSink, Count> fresh(std::array<FieldSink, Count> sinks) {
+    for (FieldSink& each : sinks) {
+        each.is_fresh = true;
+    }
+    return sinks;
 }
 
 /// Particles as one side of a sweep: places [m] and the numbers that the pair physics reads, in its order.

@@ -41,7 +41,12 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
     const std::int64_t size = scratch.list.candidates().size();
     parallel::for_each_uneven(scratch.list.candidates().block_count(), 16, [&](std::int64_t block) {
         const auto mentions = scratch.list.mentions_in(block, first_patch, end_patch);
+        const bool is_first = first_patch == 0;
         if (mentions.empty()) {
+            constexpr std::int64_t particles = BoxTree::branches * cluster_size;
+            if (is_first) {
+                clear_fresh(sums, block * particles, std::min(size, (block + 1) * particles));
+            }
             return;
         }
         const std::int64_t first = block * BoxTree::branches;
@@ -50,7 +55,7 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
             const std::int64_t count = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
             std::array<DoubleFour, SumCount> total;
             for (std::size_t k = 0; k < SumCount; ++k) {
-                total[k] = four_of(sums[k], c * cluster_size, count);
+                total[k] = is_first && sums[k].is_fresh ? DoubleFour{} : four_of(sums[k], c * cluster_size, count);
             }
             for (const ClusterList::Mention& mention : mentions) {
                 const float* const part =
@@ -89,7 +94,7 @@ ClusterSweep<Dim, Pair, Way> prepare_sweep(const Pair& pair, const SweepReach& r
                                            const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
                                            bool is_each_once, SweepScratchData& scratch) {
     scratch.list.update(reach, targets.position, candidates.position, is_each_once);
-    pack_fields(candidates.fields, static_cast<std::int64_t>(candidates.position.size()), scratch.buffers->fields);
+    pack_fields(candidates.fields, scratch.list, scratch.buffers->fields);
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
     return {pair, targets.fields, sums, scratch, is_each_once, far};
 }
@@ -129,6 +134,7 @@ void sweep(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::targ
            const SweepSide<Pair::candidate_fields>& candidates,
            const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratch& scratch) {
     if (targets.position.empty() || candidates.position.empty()) {
+        detail::clear_fresh(sums, 0, static_cast<std::int64_t>(targets.position.size()));
         return;
     }
     if (reach.domain.dimension == 2) {
@@ -144,6 +150,8 @@ void exchange(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::t
               const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums_a,
               const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>& sums_b, SweepScratch& scratch) {
     if (a.position.empty() || b.position.empty()) {
+        detail::clear_fresh(sums_a, 0, static_cast<std::int64_t>(a.position.size()));
+        detail::clear_fresh(sums_b, 0, static_cast<std::int64_t>(b.position.size()));
         return;
     }
     if (reach.domain.dimension == 2) {

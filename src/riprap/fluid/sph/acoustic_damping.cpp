@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "riprap/core/parallel.hpp"
-#include "riprap/fluid/sph/sph_scratch.hpp"
-
 namespace riprap::fluid {
 
 double strength_of_damping(const SphSettings& settings) {
@@ -19,18 +16,8 @@ double even_share(double lopsidedness) {
     return std::clamp((lopsided - lopsidedness) / (lopsided - even), 0.0, 1.0);
 }
 
-void damp_sound(const SphSettings& settings, SphScratchData& s) {
-    const double strength =
-        strength_of_damping(settings) * settings.smoothing_length() * settings.rest_density * settings.sound_speed;
-    if (strength == 0) {
-        return;
-    }
-    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        const double resistance = strength * s.damped_share[i] * s.squeeze[i];
-        s.pressure[i] += resistance;
-        s.wall_heat[i] += resistance * s.squeeze[i];
-    });
+double resistance_of_damping(const SphSettings& settings) {
+    return strength_of_damping(settings) * settings.smoothing_length() * settings.rest_density * settings.sound_speed;
 }
 
 }  // namespace riprap::fluid

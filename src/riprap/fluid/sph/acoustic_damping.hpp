@@ -5,8 +5,6 @@
 
 namespace riprap::fluid {
 
-struct SphScratchData;
-
 /// a, the strength of the damping of sound: `acoustic_damping` where gradients are corrected, else 0 [-].
 double strength_of_damping(const SphSettings& settings);
 
@@ -16,8 +14,9 @@ double strength_of_damping(const SphSettings& settings);
 ///                      length [m] and W the kernel [1/m^D]: 0 on a lattice, 0.6 behind a flat surface at h/dp = 1.5
 double even_share(double lopsidedness);
 
-/// Adds the bulk viscosity to the pressure that forces see, -a s_i h rho_0 c_0 div v, and notes its heat [Sun2023];
-/// s_i is `damped_share`, -div v is `squeeze`.
-void damp_sound(const SphSettings& settings, SphScratchData& scratch);
+/// a h rho_0 c_0 [Pa s]. Forces see the pressure p + s_i a h rho_0 c_0 (-div v), which is that of a bulk viscosity, and
+/// its heat per volume is s_i a h rho_0 c_0 (div v)^2 [Sun2023]; s_i is `damped_share` of the Scratch, -div v its
+/// `squeeze`.
+double resistance_of_damping(const SphSettings& settings);
 
 }  // namespace riprap::fluid

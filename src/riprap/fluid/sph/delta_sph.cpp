@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/particle/linear_law.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/forces.hpp"
@@ -35,18 +35,6 @@ void with_viscosity(const SphSettings& settings, const Work& work) {
 /// sqrt(2 S:S) from the second sum of Continuity
 double strain_rate(const SphSettings& settings, double sum) {
     return std::sqrt(std::max(0.0, (settings.domain.dimension + 2) * sum));
-}
-
-/// Molecular viscosity and that of eddies below the spacing, nu_t = (C_s dp)^2 |S| [Smagorinsky1963], [Gotoh2001]
-void find_viscosity(const SphSettings& settings, SphScratchData& scratch) {
-    const auto count = scratch.strain.size();
-    scratch.dynamic_viscosity.resize(count);
-    const double mixing = settings.smagorinsky * settings.spacing;
-    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        const double eddies = mixing * mixing * strain_rate(settings, scratch.strain[i]);
-        scratch.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
-    });
 }
 
 /// What shifting did in a step.
@@ -105,11 +93,11 @@ void look_around(int dimension, double h, SphScratchData& s) {
 /// of concentration; into s.bareness and s.damped_share what look_around finds before the walls are added.
 void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, SphScratchData& s) {
-    make_zero(s.diffusion, state.density.size());
-    make_zero(s.strain, state.density.size());
-    make_zero(s.correction, state.density.size());
-    make_zero(s.pressure_tensor, state.density.size());
-    make_zero(s.concentration_gradient, state.density.size());
+    s.diffusion.resize(state.density.size());
+    s.strain.resize(state.density.size());
+    s.correction.resize(state.density.size());
+    s.pressure_tensor.resize(state.density.size());
+    s.concentration_gradient.resize(state.density.size());
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
@@ -119,8 +107,8 @@ void sum_continuity(const SphSettings& settings, const ParticleState& state, con
     const auto c = [&](int axis) { return sink_component(s.concentration_gradient, axis); };
     add_pair_sums_within(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
                          {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.volume)}},
-                         {sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1), g(2), g(3),
-                          g(4), g(5), c(0), c(1), c(2)},
+                         fresh<17>({sink(s.diffusion), sink(s.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0), g(1),
+                                    g(2), g(3), g(4), g(5), c(0), c(1), c(2)}),
                          s.fluid_fluid);
     look_around(settings.domain.dimension, h, s);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
@@ -139,6 +127,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     s.squeeze.resize(state.density.size());
     const int dimension = settings.domain.dimension;
     const double h = settings.smoothing_length();
+    const PressureLaw pressure_at(settings);
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
@@ -166,7 +155,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const double mean = 0.5 * (before + after);
         state.density[i] = after;
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
-        const double per_density = settings.particle_mass * pressure_of(settings, mean) / (mean * mean);
+        const double per_density = settings.particle_mass * pressure_at(mean) / (mean * mean);
         return Losses{-per_density * (spread + torn), per_density * (before - diluted)};
     };
     const Losses losses = parallel::reduce(state.size(), Losses{}, advance_one, [](Losses a, const Losses& b) {
@@ -176,15 +165,36 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     report.shifted = losses.shifting;
 }
 
+/// Finds what the sums of forces read, from densities and the sums of Continuity: pressure and volume, the pressure
+/// with damping and its tensor p B, and the viscosity, molecular and that of eddies below the spacing,
+/// nu_t = (C_s dp)^2 |S| [Smagorinsky1963], [Gotoh2001].
+void prepare_forces(const SphSettings& settings, const ParticleState& state, SphScratchData& s) {
+    const auto count = state.density.size();
+    s.pressure.resize(count);
+    s.volume.resize(count);
+    s.dynamic_viscosity.resize(count);
+    s.pressure_tensor.resize(count);
+    const PressureLaw pressure_at(settings);
+    const double mixing = settings.smagorinsky * settings.spacing, resistance = resistance_of_damping(settings);
+    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const double eddies = mixing * mixing * strain_rate(settings, s.strain[i]);
+        s.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
+        s.volume[i] = settings.particle_mass / state.density[i];
+        const double damping = resistance * s.damped_share[i] * s.squeeze[i];
+        s.wall_heat[i] = damping * s.squeeze[i];
+        s.pressure[i] = pressure_at(state.density[i]) + damping;
+        for (std::size_t k = 0; k < s.correction[i].size(); ++k) {
+            s.pressure_tensor[i][k] = s.pressure[i] * s.correction[i][k];
+        }
+    });
+}
+
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
-    find_pressure(settings, state, s);
-    find_viscosity(settings, s);
-    clear_forces(state.position.size(), s);
-    damp_sound(settings, s);
-    find_pressure_tensors(s);
-    average_at_walls(settings, state, walls, s);
-    find_pressure_on_walls(settings, kernel_of(settings), state, walls, s);
+    make_room_for_forces(state.position.size(), s);
+    prepare_forces(settings, state, s);
+    sum_at_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
     if (settings.viscosity == Viscosity::laminar_sps) {
         find_transposed_stress(settings, state, walls, s);
@@ -209,7 +219,6 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
     if (settings.viscosity == Viscosity::laminar_sps) {
         add_transposed_forces_from_walls(settings, state, walls, s);
     }
-    scale_by_volume(s);
     const Shifting shifting = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
     report.shifted += shifting.potential;
     report.max_shift = std::sqrt(shifting.longest_squared);

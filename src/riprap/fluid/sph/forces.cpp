@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/forces.hpp"
 
-#include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/particle/linear_law.hpp"
 
 namespace riprap::fluid {
 
 void find_pressure(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch) {
     scratch.pressure.resize(state.density.size());
     scratch.volume.resize(state.density.size());
+    const PressureLaw pressure_at(settings);
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        scratch.pressure[i] = pressure_of(settings, state.density[i]);
+        scratch.pressure[i] = pressure_at(state.density[i]);
         scratch.volume[i] = settings.particle_mass / state.density[i];
     });
 }
@@ -25,23 +26,13 @@ void find_pressure_tensors(SphScratchData& s) {
     });
 }
 
-void clear_forces(std::size_t particles, SphScratchData& s) {
-    make_zero(s.force, particles);
-    make_zero(s.heat, particles);
-    make_zero(s.wall_heat, particles);
-    make_zero(s.wall_hold, particles);
-    make_zero(s.wall_hold_power, particles);
-    make_zero(s.surface_direction, particles);
-}
-
-void scale_by_volume(SphScratchData& s) {
-    parallel::for_each(static_cast<std::int64_t>(s.force.size()), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        s.force[i] *= s.volume[i];
-        s.heat[i] = s.volume[i] * (0.5 * s.heat[i] + s.wall_heat[i]);
-        s.wall_hold[i] *= s.volume[i];
-        s.wall_hold_power[i] *= s.volume[i];
-    });
+void make_room_for_forces(std::size_t particles, SphScratchData& s) {
+    s.force.resize(particles);
+    s.heat.resize(particles);
+    s.wall_heat.resize(particles);
+    s.wall_hold.resize(particles);
+    s.wall_hold_power.resize(particles);
+    s.surface_direction.resize(particles);
 }
 
 }  // namespace riprap::fluid

@@ -18,11 +18,8 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, SphS
 /// p B of every particle, in place of G.
 void find_pressure_tensors(SphScratchData& scratch);
 
-/// Makes room for the sums of Momentum and MomentumFromWalls and sets them to zero.
-void clear_forces(std::size_t particles, SphScratchData& scratch);
-
-/// The sums of forces are per volume of the particle; makes them forces on it [N], heat and what is held a power [W].
-void scale_by_volume(SphScratchData& scratch);
+/// Makes room for the sums of Momentum and MomentumFromWalls. They are per volume of the particle until kick.
+void make_room_for_forces(std::size_t particles, SphScratchData& scratch);
 
 /// What fluid particles bring to both sides of a sum of forces.
 inline SweepSide<5 + symmetric_numbers> force_targets(const ParticleState& state, const SphScratchData& s) {
@@ -32,7 +29,7 @@ inline SweepSide<5 + symmetric_numbers> force_targets(const ParticleState& state
             {v(0), v(1), v(2), field(s.pressure), field(s.dynamic_viscosity), b(0), b(1), b(2), b(3), b(4), b(5)}};
 }
 
-/// Adds the sums of Momentum: fluid on fluid.
+/// Finds the sums of Momentum: fluid on fluid.
 template <class Kernel, class Law>
 void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, const Law& law,
                       SphScratchData& s) {
@@ -44,8 +41,8 @@ void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const P
          p(5)}};
     std::vector<Vec3>&f = s.force, &n = s.surface_direction;
     add_pair_sums_within(settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
-                         {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat),
-                          sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)},
+                         fresh<7>({sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.heat),
+                                   sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)}),
                          s.fluid_fluid);
 }
 
@@ -58,25 +55,37 @@ void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, co
                             {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.grip),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
     std::vector<Vec3>& f = s.force;
+    const std::array<FieldSink, 4> hold = fresh<4>({sink_component(s.wall_hold, 0), sink_component(s.wall_hold, 1),
+                                                    sink_component(s.wall_hold, 2), sink(s.wall_hold_power)});
     add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, force_targets(state, s), wall,
-                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat),
-                   sink_component(s.wall_hold, 0), sink_component(s.wall_hold, 1), sink_component(s.wall_hold, 2),
-                   sink(s.wall_hold_power)},
+                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.wall_heat), hold[0],
+                   hold[1], hold[2], hold[3]},
                   s.fluid_walls);
 }
 
-/// The sums of PressureOnWalls, for walls that may then be told to move in another way but not to another place.
+/// Finds the sums of WallAverages and PressureOnWalls, for walls that may then be told to move in another way but not
+/// to another place.
 template <class Kernel>
-void find_pressure_on_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
-                            const BoundaryParticles& walls, SphScratchData& s) {
+void sum_at_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
+                  const BoundaryParticles& walls, SphScratchData& s) {
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto b = [&](std::size_t k) { return tensor_component(s.correction, k); };
-    std::vector<Vec3>&one = s.wall_slope, &p = s.wall_push;
-    make_zero(one, walls.position.size());
-    make_zero(p, walls.position.size());
-    add_pair_sums(settings, PressureOnWalls<Kernel>{kernel}, {walls.position, {}},
-                  {state.position, {field(s.pressure), field(s.volume), b(0), b(1), b(2), b(3), b(4), b(5)}},
-                  {sink_component(one, 0), sink_component(one, 1), sink_component(one, 2), sink_component(p, 0),
-                   sink_component(p, 1), sink_component(p, 2)},
+    const auto count = walls.position.size();
+    s.wall_weight.resize(count);
+    s.wall_pressure.resize(count);
+    for (std::vector<Vec3>* sums : {&s.wall_moment, &s.wall_velocity, &s.wall_slope, &s.wall_push}) {
+        sums->resize(count);
+    }
+    const auto x = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
+    const WendlandC2 mean(settings.smoothing_length(), settings.domain.dimension);
+    add_pair_sums(settings, WaterOnWalls<Kernel>{{mean}, {kernel}}, {walls.position, {}},
+                  {state.position,
+                   {v(0), v(1), v(2), field(s.pressure), field(state.density), field(s.volume), b(0), b(1), b(2), b(3),
+                    b(4), b(5)}},
+                  fresh<14>({sink(s.wall_weight), sink(s.wall_pressure), x(s.wall_moment, 0), x(s.wall_moment, 1),
+                             x(s.wall_moment, 2), x(s.wall_velocity, 0), x(s.wall_velocity, 1), x(s.wall_velocity, 2),
+                             x(s.wall_slope, 0), x(s.wall_slope, 1), x(s.wall_slope, 2), x(s.wall_push, 0),
+                             x(s.wall_push, 1), x(s.wall_push, 2)}),
                   s.walls_fluid);
 }
 

@@ -1,51 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/gradient_correction.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 
 namespace riprap::fluid {
-
-double interior_share(double trace) {
-    // Behind a flat surface at h/dp = 1.5 the rows of a square (cubic) lattice have 0.62 (0.67), 0.91 (0.94), 1.00
-    // (1.00); flowing water has 0.98 to 1.05 inside, and particles that are squeezed into a corner more than 1.15.
-    constexpr double cut = 0.95, whole = 1.00, crowding = 1.05, crowded = 1.15;
-    return std::clamp(std::min((trace - cut) / (whole - cut), (crowded - trace) / (crowded - crowding)), 0.0, 1.0);
-}
-
-GradientCorrection gradient_correction(int dimension, const Symmetric& moments) {
-    Symmetric m = moments;
-    if (dimension == 2) {
-        m[3] = 1;
-        m[4] = m[5] = 0;
-    }
-    const auto [xx, yy, xy, zz, xz, yz] = m;
-    Symmetric excess{yy * zz - yz * yz, xx * zz - xz * xz, xz * yz - xy * zz,
-                     xx * yy - xy * xy, xy * yz - yy * xz, xy * xz - xx * yz};  // so far det M M^-1
-    const double determinant = xx * excess[0] + xy * excess[2] + xz * excess[4];
-    for (std::size_t k = 0; k < excess.size(); ++k) {
-        excess[k] -= determinant * unit_tensor[k];
-    }
-    const double trace = xx + yy + (dimension == 2 ? 0 : zz), size = std::sqrt(contract(3, excess, excess));
-    const double bound = std::max(determinant, size);
-    GradientCorrection correction{unit_tensor, 0};
-    if (bound > 0) {
-        const double c = interior_share(trace / dimension);
-        correction.share = c * std::max(determinant, 0.0) / bound;  // round-off may leave less than nothing
-        for (std::size_t k = 0; k < excess.size(); ++k) {
-            correction.tensor[k] += c / bound * excess[k];
-        }
-    }
-    return correction;
-}
-
-double contract(int dimension, const Symmetric& b, const Symmetric& g) {
-    const double planar = b[0] * g[0] + b[1] * g[1] + 2 * b[2] * g[2];
-    return dimension == 2 ? planar : planar + b[3] * g[3] + 2 * (b[4] * g[4] + b[5] * g[5]);
-}
 
 void leave_gradients(std::size_t particles, SphScratchData& scratch) {
     scratch.correction.resize(particles);

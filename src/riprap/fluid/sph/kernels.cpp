@@ -47,9 +47,8 @@ void add_pair_sums_within(const SphSettings& settings, const Pair& pair,
                                       SweepScratch&)
 RIPRAP_INSTANTIATE_WITHIN(Continuity);
 RIPRAP_INSTANTIATE(ContinuityAtWalls);
-RIPRAP_INSTANTIATE(WallAverages);
-RIPRAP_INSTANTIATE(PressureOnWalls<WendlandC2>);
-RIPRAP_INSTANTIATE(PressureOnWalls<SpikyKernel>);
+RIPRAP_INSTANTIATE(WaterOnWalls<WendlandC2>);
+RIPRAP_INSTANTIATE(WaterOnWalls<SpikyKernel>);
 RIPRAP_INSTANTIATE(DensitySum);
 RIPRAP_INSTANTIATE_WITHIN(DensitySum);
 RIPRAP_INSTANTIATE_WITHIN(VelocityGradient);

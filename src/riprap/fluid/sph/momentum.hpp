@@ -4,6 +4,7 @@
 #include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/fluid/sph/viscosity.hpp"
+#include "riprap/fluid/sph/wall_averages.hpp"
 
 namespace riprap::fluid {
 
@@ -115,6 +116,28 @@ struct PressureOnWalls {
             sum[axis] = sum[axis] + slope * straight[axis];
             sum[3 + axis] = sum[3 + axis] + push * straight[axis];
         }
+    }
+};
+
+/// WallAverages and PressureOnWalls in one, which meet the same pairs.
+template <class Kernel>
+struct WaterOnWalls {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 6 + symmetric_numbers;  ///< v, p, rho, V, B
+    static constexpr int sums = WallAverages::sums + PressureOnWalls<Kernel>::sums;
+    WallAverages averages;
+    PressureOnWalls<Kernel> pressure;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
+        averages.template operator()<Dim>(target, candidate, d, r2, r, sum);
+        Real pressed[PressureOnWalls<Kernel>::candidate_fields];
+        pressed[0] = candidate[3];
+        for (int k = 0; k < 1 + symmetric_numbers; ++k) {
+            pressed[1 + k] = candidate[5 + k];
+        }
+        pressure.template operator()<Dim>(target, pressed, d, r2, r, sum + WallAverages::sums);
     }
 };
 

@@ -60,9 +60,9 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     make_zero(s.bareness, state.position.size());
     leave_gradients(state.position.size(), s);
     find_pressure_tensors(s);
-    clear_forces(state.position.size(), s);
-    average_at_walls(settings, state, walls, s);
-    find_pressure_on_walls(settings, spiky(settings), state, walls, s);
+    make_room_for_forces(state.position.size(), s);
+    make_zero(s.wall_heat, state.position.size());
+    sum_at_walls(settings, spiky(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
 }
 
@@ -77,7 +77,6 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
                 double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
     with_viscosity(settings,
                    [&](const auto& law) { add_forces_from_walls(settings, spiky(settings), state, walls, law, s); });
-    scale_by_volume(s);
     kick(settings, state, gravity, dt, s, extra_force, report);
     book_walls(walls, dt, report);
 }

@@ -151,7 +151,7 @@ struct TransposedOnWalls {
     }
 };
 
-/// tau of every particle, from velocities and dynamic viscosities at hand; after average_at_walls.
+/// tau of every particle, from velocities and dynamic viscosities at hand; after sum_at_walls.
 void find_transposed_stress(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                             SphScratchData& scratch);
 /// Adds what particles do to each other, walls to particles, and particles to walls, as forces.hpp does.

@@ -12,11 +12,8 @@ namespace riprap::fluid {
 ///
 /// Differs from the source: walls never pull.
 ///
-/// The sums over fluid do not depend on how the wall moves: average_at_walls finds them once for given places, from
-/// scratch.pressure.
-void average_at_walls(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                      SphScratchData& scratch);
-
+/// The sums over fluid do not depend on how the wall moves: sum_at_walls finds them once for given places.
+///
 /// Writes walls.pressure, scratch.mirrored_velocity and scratch.grip from those sums and from how the walls move.
 void extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity, SphScratchData& scratch);
 
