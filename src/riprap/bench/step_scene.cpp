@@ -100,7 +100,7 @@ StepScene rubble_in_basin(Rubble rubble, double wet, const StepSize& size) {
         region({0, 0, 0}, {length, width, wet * height}) + plane("floor", {0, 0, 1}, 0) + plane("left", {1, 0, 0}, 0) +
         plane("front", {0, 1, 0}, 0) + plane("back", {0, -1, 0}, -width) +
         box("end", {2 * edge, 2 * width, 2 * height}, {length + edge, 0.5 * width, height}, "fixed = true");
-    const double first = rubble == Rubble::far_dry ? length + 5 * edge : 0;
+    const double first = rubble == Rubble::far_dry ? length + 10 * edge : 0;
     const std::string blocks = box("block", {edge, edge, edge}, {first + 0.5 * pitch, 0.5 * pitch, 0.5 * edge},
                                    repeated(counts, {pitch, pitch, edge}, 0.5 * edge));
     if (rubble == Rubble::in_basin || rubble == Rubble::far_dry) {

@@ -3,17 +3,12 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/near_parts.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {
 
 namespace {
-
-struct PlacedPart {
-    geometry::ConvexView shape;
-    Pose pose;
-    BodyId body;
-};
 
 Strays join(const Strays& a, const Strays& b) {
     Strays both = b.depth > a.depth ? b : a;
@@ -31,23 +26,27 @@ Strays find_strays(const geometry::ShapeSet& shapes, const body::BodySet& bodies
         const geometry::ConvexView shape = shapes.view(part.shape);
         if ((is_dry.empty() || is_dry[b] == 0) && shape.inscribed_radius > least) {
             const Pose pose{state.position[b], state.orientation[b]};
-            parts.push_back(
-                {shape, {to_world(pose, part.local.position), pose.orientation * part.local.orientation}, part.body});
+            parts.push_back({shape,
+                             {to_world(pose, part.local.position), pose.orientation * part.local.orientation},
+                             part.body.value,
+                             shape.circumradius});
         }
     }
+    NearParts near_parts;
+    near_parts.find(parts, particles, fluid::Domain{}, least);
     return parallel::reduce(
         static_cast<std::int64_t>(particles.size()), Strays{},
         [&](std::int64_t i) {
             Strays found;
             const Vec3& x = particles[at(i)];
-            for (const PlacedPart& part : parts) {
-                const double reach = part.shape.circumradius;
-                if (norm_squared(x - part.pose.position) > reach * reach) {
+            for (const std::int32_t near : near_parts.of_block(i / NearParts::block_size)) {
+                const PlacedPart& part = parts[at(near)];
+                if (norm_squared(x - part.pose.position) > part.reach * part.reach) {
                     continue;
                 }
                 const double depth = geometry::depth_below_faces(part.shape, to_body(part.pose, x));
                 if (depth > least && depth > found.depth) {
-                    found = {1, part.body, depth};
+                    found = {1, BodyId{part.body}, depth};
                 }
             }
             return found;
