@@ -94,7 +94,8 @@ void add_loads(const affine::BlockState& state, const BlockContact& contact, con
     add(contact.b, -1, contact.on_b);
 }
 
-/// The history of the contacts found now; what springs of lost contacts held is dissipated.
+/// Remembers the contacts found now; what springs of lost contacts held, less what those of new ones of the same pair
+/// begin with, is dissipated.
 void remember(const Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
     std::vector<std::uint8_t> is_carried(scratch.old.size(), 0);
     history.clear();
@@ -122,9 +123,21 @@ void remember(const Scratch& scratch, affine::BlockContactHistory& history, Step
         report.sliding_count += answer.is_sliding ? 1 : 0;
         ++report.contact_count;
     }
+    std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
         if (is_carried[row] == 0) {
             report.lost_energy += scratch.old.energy[row];
+            pairs_that_lost.push_back(scratch.old.pair[row]);
+        }
+    }
+    // Where a pair names its points anew, the new ones begin pressed: their energy was that of the old ones.
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        const BlockContact& contact = scratch.contacts[i];
+        const contact::PenaltyAnswer& answer = scratch.forces[i].answer;
+        if (!answer.is_open && contact.old < 0 &&
+            std::binary_search(pairs_that_lost.begin(), pairs_that_lost.end(),
+                               contact::pair_key({contact.a, contact.b}))) {
+            report.lost_energy -= answer.energy;
         }
     }
 }
