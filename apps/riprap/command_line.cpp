@@ -112,6 +112,27 @@ void add_check(CLI::App& app, Action& action) {
     });
 }
 
+void add_matrix(CLI::App& app, Action& action) {
+    auto options = std::make_shared<run::MatrixOptions>();
+    CLI::App* command = app.add_subcommand("matrix", "Run a case with every solid method and every fluid");
+    command->add_option("CASE", options->case_path, case_help)->required();
+    command->add_option("--set", options->overrides, "Replace a key of the case")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command->add_option("--value", options->quantity, "Column to compare (default: of the first expected answer)");
+    auto as_json = std::make_shared<bool>(false);
+    command->add_flag("--json", *as_json, "As JSON");
+    auto threads = std::make_shared<int>(0);
+    command->add_option("--threads", *threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->callback([&action, options, as_json, threads] {
+        action = [options, as_json, threads] {
+            run::use_threads(*threads);
+            end_with_reader();
+            return print_matrix(*options, *as_json);
+        };
+    });
+}
+
 void add_validate(CLI::App& app, Action& action) {
     auto options = std::make_shared<validation::ValidateOptions>();
     CLI::App* command = app.add_subcommand("validate", "Run validation suites and compare with published answers");
@@ -195,6 +216,7 @@ int command_line(int argument_count, char** arguments) {
     add_resume(app, action);
     add_new(app, action);
     add_sweep(app, action);
+    add_matrix(app, action);
     add_validate(app, action);
     add_commands_of_runs(app, action);
     add_list(app, action);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "riprap/run/matrix.hpp"
+
 namespace riprap::validation {
 struct ValidateOptions;
 }
@@ -27,6 +29,10 @@ int print_case_names();
 /// Everything about a case short of stepping. With `as_json` a bad case is an answer as well: its problems, and the
 /// exit code for a bad case.
 int print_check(const std::string& case_text, const std::vector<std::string>& overrides, bool as_json);
+
+/// A case with every solid method and every fluid: result, cost, residual of the ledger, and why a combination is
+/// illegal.
+int print_matrix(run::MatrixOptions options, bool as_json);
 
 struct ViewOptions {
     std::filesystem::path folder;  ///< of the run

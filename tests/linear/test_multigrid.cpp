@@ -109,7 +109,7 @@ TEST(Multigrid, takes_six_digits_off_white_noise_in_ten_iterations_at_a_density_
         PoissonSolver solver;
         solver.set_operator(a);
         std::vector<double> p(at(a.box.size), 0.0);
-        const SolveReport report = solver.solve(a, random_field(a.box, 7), p, 1e-6, 50);
+        const PoissonReport report = solver.solve(a, random_field(a.box, 7), p, 1e-6, 50);
         EXPECT_LE(report.iterations, 10) << cells[0] << " x " << cells[1] << " x " << cells[2];
         EXPECT_TRUE(report.converged);
     }

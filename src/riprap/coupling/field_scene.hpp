@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "riprap/body/gravity.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/fluid/grid/settings.hpp"
 #include "riprap/fluid/particle/domain.hpp"
 
 namespace riprap::coupling {
@@ -14,6 +17,41 @@ struct LevelAt {
     double level;  ///< height along `up` from the origin [m]
 };
 
+/// Waves that a case lets in through a side of the domain, and out.
+struct WavesAtSide {
+    enum class Kind : std::uint8_t {
+        none,        ///< lets waves out alone
+        regular,     ///< steady waves of finite height, by the stream function
+        solitary,    ///< one solitary wave, by the stream function
+        boussinesq,  ///< one solitary wave by the second-order formulas of [Ding2021, eqs. 6.2, 6.3]
+        irregular,   ///< a sea of a JONSWAP spectrum
+    };
+    int side{0};  ///< twice the axis, plus 1 for the high side
+    Kind kind{Kind::none};
+    double height{0};       ///< H, of a sea H_m0 [m]
+    double period{0};       ///< T, of a sea T_p [s]
+    double depth{0};        ///< of still water [m]
+    double crest_time{-1};  ///< at which the (first) crest comes in [s]; negative: as soon as it can from still water
+    double ramp{0};         ///< in which regular waves and seas grow [s]
+    double gamma{3.3};      ///< peak enhancement of a sea [-]
+    std::uint64_t seed{1};  ///< of the phases of a sea
+    bool absorbs{false};    ///< lets out what arrives
+};
+
+/// Stones that water flows through.
+struct Stones {
+    std::vector<geometry::Polyhedron> pieces;  ///< convex, world axes [m]
+    fluid::grid::PorousMedium medium;
+};
+
+/// A box in which water is slowed down ever more along one direction.
+struct CalmBox {
+    Vec3 low{}, high{};  ///< [m]
+    int axis{0};
+    bool is_towards_high{true};
+    double rate{0};  ///< at its end; 0: that of a long wave [1/s]
+};
+
 /// What a case says of where a fluid without particles is: given to the `prepare` of its settings, once, while the case
 /// is read.
 struct FieldScene {
@@ -21,6 +59,11 @@ struct FieldScene {
     std::vector<FillRegion> regions;
     std::vector<LevelAt> levels;  ///< in rising order of time; empty where the level does not change
     Vec3 up{0, 0, 1};             ///< against gravity [-]
+    body::Gravity gravity{};
+    std::vector<WavesAtSide> waves;
+    std::vector<Stones> stones;
+    std::vector<CalmBox> calm;
+    std::vector<std::uint8_t> is_dry;  ///< per body: not there for the water; bodies beyond the end are wet
 };
 
 }  // namespace riprap::coupling

@@ -50,4 +50,33 @@ void write_fluid(const std::filesystem::path& path, const fluid::ParticleSetting
     file.commit(Durability::later);
 }
 
+void write_grid_water(const std::filesystem::path& path, const fluid::grid::ShownWater& water, double time) {
+    AtomicFile file(path);
+    const TextSink put = [&file](std::string_view piece) { file.write(piece); };
+    put_point_cloud(put, water.place, vtk_field_array("spacing", std::array{water.spacing}), time, [&] {
+        std::vector<float> velocity, speed;
+        for (const Vec3& u : water.velocity) {
+            for (int axis = 0; axis < 3; ++axis) {
+                velocity.push_back(static_cast<float>(u[axis]));
+            }
+            speed.push_back(static_cast<float>(norm(u)));
+        }
+        put_vtk_array(put, "id", water.id);
+        put_vtk_array(put, "velocity", velocity, 3);
+        put_vtk_array(put, "speed", speed);
+        put_vtk_array(put, "pressure", water.pressure);
+    });
+    file.commit(Durability::later);
+}
+
+PolyData draw_surface(const fluid::grid::ShownWater& water) {
+    PolyData data;
+    data.points = water.corner;
+    for (std::size_t i = 0; i < water.corner.size(); ++i) {
+        data.connectivity.push_back(static_cast<std::int32_t>(i));
+    }
+    data.offsets = water.polygon_end;
+    return data;
+}
+
 }  // namespace riprap::io

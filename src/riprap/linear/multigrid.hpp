@@ -28,7 +28,7 @@ struct FaceConductance {
 };
 
 /// Outcome of a solve.
-struct SolveReport {
+struct PoissonReport {
     int iterations{0};     ///< of conjugate gradients [-]
     double residual{0};    ///< ||b - A p||_2 at the end over that at the start [-]
     bool converged{true};  ///< the residual is at or below the tolerance
@@ -88,8 +88,8 @@ class PoissonSolver {
     /// Solves A p = b from the guess in p until ||b - A p||_2 is at most `tolerance` times that of the guess, or 1e-14
     /// times ||b||_2, where round-off ends any solve. Where no face leads out of the box the sum of b over cells has to
     /// vanish to round-off, and p is fixed by the guess up to a constant.
-    SolveReport solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p, double tolerance,
-                      int max_iterations);
+    PoissonReport solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
+                        double tolerance, int max_iterations);
 
  private:
     Multigrid multigrid_;

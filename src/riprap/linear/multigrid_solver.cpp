@@ -63,8 +63,8 @@ void apply_operator(const FaceConductance& a, const std::vector<double>& x, std:
 
 void PoissonSolver::set_operator(const FaceConductance& a) { multigrid_.build(a); }
 
-SolveReport PoissonSolver::solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
-                                 double tolerance, int max_iterations) {
+PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
+                                   double tolerance, int max_iterations) {
     const CellBox& box = a.box;
     const int n = box.cells[0];
     for (auto* field : {&r_, &z_, &d_, &q_}) {
@@ -82,7 +82,7 @@ SolveReport PoissonSolver::solve(const FaceConductance& a, const std::vector<dou
         },
         sum_of);
     const double first = std::sqrt(rr), goal = std::max(tolerance * first, round_off * b_norm);
-    SolveReport report;
+    PoissonReport report;
     double rz_before = 0;
     while (std::sqrt(rr) > goal && report.iterations < max_iterations) {
         multigrid_.apply(r_, z_);

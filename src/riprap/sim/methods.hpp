@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "riprap/core/step.hpp"
+#include "riprap/coupling/grid_fluid/grid_fluid.hpp"
 #include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/coupling/no_fluid.hpp"
 #include "riprap/coupling/particle_walls/particle_method.hpp"
@@ -109,10 +110,11 @@ using Solids = MethodList<  //
     solid::ImplicitDda,     //
     solid::PlanarDda        //
     >;
-using Fluids = MethodList<      //
-    coupling::NoFluid,          //
-    coupling::ParticleMethod,   //
-    coupling::HydrostaticFluid  //
+using Fluids = MethodList<       //
+    coupling::NoFluid,           //
+    coupling::ParticleMethod,    //
+    coupling::HydrostaticFluid,  //
+    coupling::GridFluid          //
     >;
 
 namespace detail {

@@ -106,7 +106,12 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
     return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
         const auto* const scratch =
             moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().fluid);
-        return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
+        if constexpr (std::is_same_v<typename Fluid::Fields, NoFields>) {
+            return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
+        } else {
+            const auto& fields = std::get<typename Fluid::Fields>(moment.state.fluid_fields);
+            return Fluid::read(scene, settings, fields, scratch, gauge, face);
+        }
     });
 }
 

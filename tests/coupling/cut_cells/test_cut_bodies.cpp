@@ -109,6 +109,54 @@ TEST(CutCells, still_water_around_a_turned_block_stays_still_and_lifts_it_with_i
     EXPECT_NEAR(load.torque.z / weight, 0, 1e-9);
 }
 
+TEST(CutCells, a_block_whose_faces_lie_on_those_of_cells_is_lifted_by_still_water_too) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    settings.side[3].kind = SideKind::open;
+    const std::vector<GridBody> bodies{block({0.3, 0.2, 0.1}, {0.5, 0.4, 0.05})};
+    const CutBodies cut = cut_bodies(settings.mesh, bodies);
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.75; });
+    GridScratch scratch;
+    set_open_shares(settings, state, scratch, cut.open);
+    advance(settings, state, scratch, stable_step(settings, state, scratch));
+    const GridLoad load = cut_loads(settings, state, scratch, bodies, cut)[0];
+    const double weight = 1000 * 9.81 * 0.3 * 0.2 * 0.1;
+    EXPECT_NEAR(load.force().y / weight, 1, 1e-9);
+    EXPECT_NEAR(load.torque.z / weight, 0, 1e-9);
+}
+
+TEST(CutCells, a_block_on_a_bed_feels_the_uplift_of_an_open_joint) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    settings.side[3].kind = SideKind::open;
+    for (const double gap : {0.0, 1e-4}) {  // on the bed, and above it by less than a cell can tell
+        const std::vector<GridBody> bodies{block({1.2, 0.2, 0.1}, {0.5, 0, 0.05}),
+                                           block({0.3, 0.2, 0.1}, {0.5, 0.2 + gap, 0.05})};
+        const CutBodies cut = cut_bodies(settings.mesh, bodies);
+        GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.75; });
+        GridScratch scratch;
+        set_open_shares(settings, state, scratch, cut.open);
+        advance(settings, state, scratch, stable_step(settings, state, scratch));
+        const GridLoad load = cut_loads(settings, state, scratch, bodies, cut)[1];
+        const double weight = 1000 * 9.81 * 0.3 * 0.2 * 0.1;
+        EXPECT_NEAR(load.force().y / weight, 1, 1e-9);
+        EXPECT_NEAR(load.torque.z / weight, 0, 1e-9);
+    }
+}
+
+TEST(CutBodies, what_a_moving_face_displaces_does_not_depend_on_where_it_lies_in_a_cell) {
+    const GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    for (const double x : {0.5, 0.51, 0.525, 0.5499}) {
+        GridBody body = block({0.3, 0.2, 0.1}, {x, 0.4, 0.05});
+        body.velocity = {1, 0, 0};
+        const CutBodies cut = cut_bodies(settings.mesh, {body});
+        double ahead = 0, behind = 0;
+        for (const double d : cut.open.displacement) {
+            (d < 0 ? ahead : behind) += d;
+        }
+        EXPECT_NEAR(ahead, -0.2 * 0.1, 1e-12) << x;
+        EXPECT_NEAR(behind, 0.2 * 0.1, 1e-12) << x;
+    }
+}
+
 TEST(CutCells, a_block_that_drifts_with_the_flow_does_not_disturb_it) {
     GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
     settings.has_surface = false;

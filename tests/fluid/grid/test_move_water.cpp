@@ -122,5 +122,21 @@ TEST(MoveWater, a_ball_carried_along_a_diagonal_of_space_keeps_bounds_and_volume
     EXPECT_EQ(run.state.fraction[at(run.settings.mesh.box.index(5, 5, 5))], 0);
 }
 
+TEST(MoveWater, a_surface_on_faces_of_cells_takes_what_the_books_miss) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    GridState state = make_state(settings, [](const Vec3& x) { return x.y < 0.5; });
+    GridScratch scratch;
+    prepare(settings, state, scratch);
+    for (const double share : {1 + 1e-6, 1 - 1e-6}) {
+        state.water_volume *= share;
+        settle_volume(settings, state, scratch);
+        EXPECT_NEAR(water_volume(settings, state, scratch) / state.water_volume, 1, 1e-12);
+        for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+            EXPECT_GE(state.fraction[at(c)], 0);
+            EXPECT_LE(state.fraction[at(c)], 1);
+        });
+    }
+}
+
 }  // namespace
 }  // namespace riprap::fluid::grid

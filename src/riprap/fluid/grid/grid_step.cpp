@@ -231,29 +231,33 @@ void end_step(const GridSettings& settings, GridState& state, GridScratch& s, do
     state.last_step = dt;
 }
 
+void correct_step(const GridSettings& settings, GridState& state, GridScratch& s,
+                  const std::array<std::vector<double>, 3>& start, double volume_before, double dt) {
+    fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
+    for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
+            s.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
+        }
+    }
+    fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.carrier);
+    state.fraction = s.start_fraction;
+    state.water_volume = volume_before;
+    move_water(settings, state, s, dt);
+    find_masses(settings, state, s);
+    find_curvature(settings, state, s);
+    auto middle = s.carrier;
+    to_pore_velocity(settings, s, middle);
+    predict_velocity(settings, state, s, middle, true, dt);
+}
+
 GridReport advance(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     prepare(settings, state, s);
     const double volume_before = state.water_volume;
     const auto start = state.velocity;
     begin_step(settings, state, s, dt);
-    linear::SolveReport report = project_velocity(settings, state, s, dt);
+    linear::PoissonReport report = project_velocity(settings, state, s, dt);
     for (int pass = 1; pass < settings.outer_corrections; ++pass) {
-        // transport and stresses once more, with the velocity of the middle of the step
-        fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
-        for (int a = 0; a < settings.mesh.box.axes; ++a) {
-            for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
-                s.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
-            }
-        }
-        fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.carrier);
-        state.fraction = s.start_fraction;
-        state.water_volume = volume_before;
-        move_water(settings, state, s, dt);
-        find_masses(settings, state, s);
-        find_curvature(settings, state, s);
-        auto middle = s.carrier;
-        to_pore_velocity(settings, s, middle);
-        predict_velocity(settings, state, s, middle, true, dt);
+        correct_step(settings, state, s, start, volume_before, dt);
         report = project_velocity(settings, state, s, dt);
     }
     end_step(settings, state, s, dt);

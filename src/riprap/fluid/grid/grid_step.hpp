@@ -39,4 +39,11 @@ GridReport advance(const GridSettings& settings, GridState& state, GridScratch& 
 void begin_step(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 void end_step(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
+/// Transport and stresses once more, with the velocity of the middle of the step: what an outer correction does between
+/// two pressures.
+/// @param start  velocity at the start of the step [m/s]
+/// @param volume_before  GridState::water_volume there [m^3]
+void correct_step(const GridSettings& settings, GridState& state, GridScratch& scratch,
+                  const std::array<std::vector<double>, 3>& start, double volume_before, double dt);
+
 }  // namespace riprap::fluid::grid

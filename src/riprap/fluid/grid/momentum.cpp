@@ -78,6 +78,9 @@ struct Transport {
         if (is_flushed) {
             return upwind / (before + in);
         }
+        if (s.open.has_bodies && !(before + in - out > 0)) {  // uncovered in this step, and nothing has come in yet
+            return start;
+        }
         // Where solids move, the mass that stays is that of the fluxes: a uniform flow stays uniform around them.
         return momentum / (s.open.has_bodies ? before + in - out : after);
     }

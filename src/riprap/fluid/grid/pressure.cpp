@@ -87,7 +87,7 @@ double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>&
 
 }  // namespace
 
-linear::SolveReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
@@ -114,7 +114,7 @@ linear::SolveReport project_velocity(const GridSettings& settings, GridState& st
     s.solver.set_operator(s.conductance);
     // The first solve has no pressure to start from: an error there would leave waves for good.
     const double tolerance = state.step == 0 ? first_tolerance : settings.tolerance;
-    const linear::SolveReport report =
+    const linear::PoissonReport report =
         s.solver.solve(s.conductance, s.rhs, state.pressure, tolerance, settings.longest_solve);
     for (int side = 0; side < 2 * box.axes; ++side) {
         const bool is_open = settings.side[at(side)].kind == SideKind::open;

@@ -12,7 +12,7 @@ namespace riprap::fluid::grid {
 ///     sum over faces of A (U - dt m (P_above - P_below)/d) + d(theta V)/dt = 0,
 ///
 /// and corrects the velocity. Conductances are dt m A/d, so resistance, added mass, density and open areas all enter.
-linear::SolveReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
+linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
 /// Largest residual of the volume balance over cells, over cell volume [1/s].
 double largest_divergence(const GridSettings& settings, const GridState& state, const GridScratch& scratch);

@@ -2,6 +2,7 @@
 #include "riprap/fluid/grid/surface.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace riprap::fluid::grid {
 
@@ -86,6 +87,35 @@ double water_volume(const GridSettings& settings, const GridState& state, const 
         [&](std::int64_t c, int, int, int) { return state.fraction[at(c)] * scratch.capacity[at(c)]; }, sum_of);
 }
 
+namespace {
+
+/// Gives what is missing to cells on either side of a surface that lies on faces, where no cell is mixed: water to
+/// cells beside wet ones, air to cells beside dry ones.
+void settle_beside_surface(const GridSettings& settings, GridState& state, GridScratch& s, double missing) {
+    const CellBox& box = settings.mesh.box;
+    auto& f = state.fraction;
+    const bool takes = missing > 0;
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        bool is_beside = false;
+        for (int a = 0; a < box.axes; ++a) {
+            const std::int64_t t = box.stride[at(a)];
+            for (const auto& [beside, face] : {std::pair{c - t, c}, std::pair{c + t, c + t}}) {
+                is_beside = is_beside || (s.area[at(a)][at(face)] > 0 && s.capacity[at(beside)] > 0 &&
+                                          (f[at(beside)] > 0.5) == takes);
+            }
+        }
+        s.water[at(c)] = is_beside ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
+    });
+    const double room = reduce_cells(
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.water[at(c)] * s.capacity[at(c)]; }, sum_of);
+    if (room > 0) {
+        const double share = std::clamp(missing / room, -1.0, 1.0);
+        for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * s.water[at(c)]; });
+    }
+}
+
+}  // namespace
+
 void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch) {
     const CellBox& box = settings.mesh.box;
     auto& f = state.fraction;
@@ -99,10 +129,15 @@ void settle_volume(const GridSettings& settings, GridState& state, GridScratch& 
             box, 0.0,
             [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.capacity[at(c)]; }, sum_of);
         if (!(room > 0)) {
-            return;
+            break;
         }
         const double share = std::clamp(missing / room, -1.0, 1.0);
         for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * f[at(c)] * (1 - f[at(c)]); });
+    }
+    constexpr double round_off = 1e-13;
+    const double missing = state.water_volume - water_volume(settings, state, scratch);
+    if (std::abs(missing) > round_off * std::abs(state.water_volume)) {
+        settle_beside_surface(settings, state, scratch, missing);
     }
 }
 

@@ -181,6 +181,8 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
 bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     scene.up = build.up();
+    scene.gravity = build.model.gravity;
+    scene.is_dry = build.is_dry;
     scene.domain = {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}, {}, build.is_planar ? 2 : 3};
     if (const Value* domain = table.find("domain"); domain != nullptr && !read_domain(build, *domain, scene.domain)) {
         return false;
@@ -190,6 +192,9 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
         return false;
     }
     build.domain = scene.domain;
+    if (!read_field_tables(build, table, scene)) {
+        return false;
+    }
     if (const Value* levels = table.find("levels")) {
         for (const Value& row : levels->items) {
             scene.levels.push_back({row.items[0].as_number(), row.items[1].as_number()});
@@ -205,12 +210,19 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
 /// Builds a fluid that is a field: its settings take over where it is.
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
-    if (coupling::FieldScene scene; read_field_scene(build, table, scene)) {
-        if constexpr (requires { settings.prepare(scene); }) {
-            settings.prepare(scene);
-        }
-        build.model.fluid = settings;
+    coupling::FieldScene scene;
+    if (!read_field_scene(build, table, scene)) {
+        return;
     }
+    if constexpr (requires { settings.prepare(scene).size(); }) {
+        for (const KeyProblem& problem : settings.prepare(scene)) {
+            const Value* given = table.find(problem.key);
+            build.problem(given != nullptr ? given->place : table.place, problem.message, problem.allowed);
+        }
+    } else if constexpr (requires { settings.prepare(scene); }) {
+        settings.prepare(scene);
+    }
+    build.model.fluid = settings;
 }
 
 }  // namespace

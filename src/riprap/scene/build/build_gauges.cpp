@@ -98,39 +98,60 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
     return body;
 }
 
-/// Notes the face that a transducer stands in.
-void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
-    if (gauge.kind != fluid::GaugeKind::wall_pressure || build.model.particles() == nullptr || !build.has_all_bodies) {
-        return;
-    }
+/// A transducer that another body lies on reads nothing.
+void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const fluid::Gauge& gauge) {
     const coupling::ParticleFluid& water = *build.model.particles();
-    const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, water.is_dry,
-                                          gauge.point, water.settings().spacing, body);
-    if (!face) {
-        const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
-        build.problem(get(table, "point").place,
-                      fmt::format("no wet face{} within a spacing, {:.4g} m, of the gauge '{}'", whose,
-                                  water.settings().spacing, gauge.name),
-                      "a point on a face of a body that is not wet = false, or the kind 'pressure'");
-        return;
-    }
     body::Motion motion;
     for (std::size_t i = 0; i < build.state.bodies.position.size(); ++i) {
         motion.pose.push_back({build.state.bodies.position[i], build.state.bodies.orientation[i]});
     }
     const fluid::ParticleSettings& sph = water.settings();
-    if (!coupling::is_open(*face, {build.model.shapes,
-                                   build.model.bodies,
-                                   water.is_dry,
-                                   motion,
-                                   {},
-                                   {},
-                                   sph.domain,
-                                   sph.spacing,
-                                   sph.support_radius(),
-                                   {}})) {
+    if (!coupling::is_open(face, {build.model.shapes,
+                                  build.model.bodies,
+                                  water.is_dry,
+                                  motion,
+                                  {},
+                                  {},
+                                  sph.domain,
+                                  sph.spacing,
+                                  sph.support_radius(),
+                                  {}})) {
         build.warnings.push_back(
             fmt::format("the gauge '{}' is covered at the start and reads 0 as long as it is", gauge.name));
+    }
+}
+
+/// Returns the size of particles or cells of the fluid [m]; 0 where it has none.
+double spacing_of(const sim::Model& model) {
+    return sim::Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
+        if constexpr (requires { settings.settings().spacing; }) {
+            return settings.settings().spacing;
+        } else if constexpr (Fluid::leads) {
+            return settings.spacing;
+        } else {
+            return 0.0;
+        }
+    });
+}
+
+/// Notes the face that a transducer stands in.
+void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
+    const double spacing = spacing_of(build.model);
+    if (gauge.kind != fluid::GaugeKind::wall_pressure || spacing == 0 || !build.has_all_bodies) {
+        return;
+    }
+    const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, build.is_dry,
+                                          gauge.point, spacing, body);
+    if (!face) {
+        const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
+        build.problem(
+            get(table, "point").place,
+            fmt::format("no wet face{} within a spacing, {:.4g} m, of the gauge '{}'", whose, spacing, gauge.name),
+            "a point on a face of a body that is not wet = false, or the kind 'pressure'");
+        return;
+    }
+    if (build.model.particles() != nullptr) {
+        warn_of_cover(build, *face, gauge);
     }
     gauge.face = static_cast<std::int32_t>(build.model.output.faces.size());
     build.model.output.faces.push_back(*face);

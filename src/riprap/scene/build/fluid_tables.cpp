@@ -20,6 +20,18 @@ std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& t
     coupling::FillRegion region;
     region.velocity = get_vector(table, "velocity");
     region.level = get_number_or(table, "level", region.level);
+    auto pieces = read_pieces(build, table);
+    if (!pieces) {
+        return std::nullopt;
+    }
+    region.pieces = std::move(*pieces);
+    return region;
+}
+
+}  // namespace
+
+std::optional<std::vector<geometry::Polyhedron>> read_pieces(CaseBuild& build, const Value& table) {
+    std::vector<geometry::Polyhedron> found;
     if (const Value* box = table.find("box")) {
         Vec3 low = get_vector(*box, "low"), high = get_vector(*box, "high");
         if (build.is_planar) {
@@ -35,7 +47,7 @@ std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& t
                 return std::nullopt;
             }
         }
-        region.pieces.push_back(geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}}));
+        found.push_back(geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}}));
     } else if (const Value* shape = table.find("shape")) {
         if (ShapeLibrary::is_half_space(*shape)) {
             build.problem(shape->place, "a region of water cannot be a half-space", "a level, or another shape");
@@ -47,13 +59,11 @@ std::optional<coupling::FillRegion> read_region(CaseBuild& build, const Value& t
         }
         const Pose pose{get_vector(table, "position"), orientation_of(table.find("orientation"))};
         for (const geometry::Polyhedron& piece : *pieces) {
-            region.pieces.push_back(geometry::moved(piece, pose));
+            found.push_back(geometry::moved(piece, pose));
         }
     }
-    return region;
+    return found;
 }
-
-}  // namespace
 
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {
     domain.dimension = build.is_planar ? 2 : 3;

@@ -3,8 +3,10 @@
 
 // What the tables of [fluid] say: for the sources of this folder only.
 
+#include <optional>
 #include <vector>
 
+#include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
@@ -12,6 +14,13 @@ namespace riprap::scene {
 
 /// The domain in `table`. False with a problem.
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain);
+
+/// Convex pieces of the box or shape of a table, none where it gives neither. Nothing with a problem.
+std::optional<std::vector<geometry::Polyhedron>> read_pieces(CaseBuild& build, const Value& table);
+
+/// Waves, stones and boxes where waves die, of a fluid without particles, as far as `table` has them. False with a
+/// problem.
+bool read_field_tables(CaseBuild& build, const Value& table, coupling::FieldScene& scene);
 
 /// The regions of the case; false where one of them has a problem.
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions);

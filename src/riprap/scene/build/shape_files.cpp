@@ -104,6 +104,36 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& t
     return pieces;
 }
 
+namespace {
+
+/// Adds a convex piece as a closed shell of its own.
+void add_piece(const Polyhedron& piece, std::int32_t line, geometry::Surface& surface) {
+    const auto body = static_cast<std::int32_t>(surface.body_names.size());
+    surface.body_names.emplace_back();
+    const auto first = static_cast<std::int32_t>(surface.vertices.size());
+    surface.vertices.insert(surface.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+    for (std::vector<std::int32_t> loop : piece.faces) {
+        for (std::int32_t& vertex : loop) {
+            vertex += first;
+        }
+        surface.add_face(loop, body, static_cast<std::uint32_t>(line));
+    }
+}
+
+}  // namespace
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::make_armour(const Value& table) {
+    const geometry::ArmourUnit unit = get_word(table, "unit", armour_units());
+    const double diameter = get_number(table, "nominal_diameter");
+    geometry::Surface surface;
+    surface.file = table.place.file;
+    for (const Polyhedron& piece :
+         is_planar_ ? geometry::planar_armour_unit(unit, diameter) : geometry::armour_unit(unit, diameter)) {
+        add_piece(piece, table.place.line, surface);
+    }
+    return audited(surface, false);
+}
+
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& list) {
     geometry::Surface surface;
     surface.file = list.place.file;
@@ -121,17 +151,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& lis
         }
         const Pose pose{get_vector(part, "position"), orientation_of(part.find("orientation"))};
         for (const Polyhedron& piece : *some) {
-            const auto body = static_cast<std::int32_t>(surface.body_names.size());
-            surface.body_names.emplace_back();
-            const auto first = static_cast<std::int32_t>(surface.vertices.size());
-            const Polyhedron placed = geometry::moved(piece, pose);
-            surface.vertices.insert(surface.vertices.end(), placed.vertices.begin(), placed.vertices.end());
-            for (std::vector<std::int32_t> loop : placed.faces) {
-                for (std::int32_t& vertex : loop) {
-                    vertex += first;
-                }
-                surface.add_face(loop, body, part.place.line);
-            }
+            add_piece(geometry::moved(piece, pose), part.place.line, surface);
         }
     }
     if (!is_good) {

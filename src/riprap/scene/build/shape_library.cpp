@@ -111,6 +111,9 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
     if (kind == "union") {
         return make_union(value);
     }
+    if (kind == "armour") {
+        return make_armour(value);
+    }
     if (kind == "terrain") {
         return make_terrain(value);
     }

@@ -40,6 +40,7 @@ class ShapeLibrary {
  private:
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
+    std::optional<std::vector<geometry::Polyhedron>> make_armour(const Value& table);
     std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
     std::optional<std::vector<geometry::Polyhedron>> make_terrain(const Value& table);
     std::optional<std::vector<geometry::Polyhedron>> make_profile(const Value& table);

@@ -76,6 +76,63 @@ const Table& fluid_sponge_table() {
     return table;
 }
 
+const Table& fluid_wave_table() {
+    static const Table table{
+        "fluid.wave",
+        "[[fluid.wave]]",
+        "Waves that come in through a side of the domain, by theory (docs/theory/waves.md), or a side that lets waves "
+        "out.",
+        {{"towards", {way}, "Where the waves go: \"x\" comes in through the low side along x.", {}, true},
+         {"wave",
+          {choice(side_waves())},
+          "Steady waves of finite height; one solitary wave of any height; one by the second-order formulas of "
+          "[Ding2021]; a sea of a JONSWAP spectrum; none, for a side that only absorbs.",
+          Value::of("regular")},
+         {"height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0.", {}},
+         {"depth", {number(dimension::length, positive())}, "Depth of still water at the side.", {}, true},
+         {"period", {number(dimension::time, positive())}, "Of regular waves; of a sea that of its peak.", {}},
+         {"absorb", {boolean()}, "Long waves that arrive at the side go out: kd below pi/10.", Value::of(false)},
+         {"crest_time",
+          {number(dimension::time, non_negative())},
+          "When the first crest comes in; as soon as it can from still water when not given.",
+          {}},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time over which regular waves and seas grow; two periods when not given.",
+          {}},
+         {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of a sea.", Value::of(3.3)},
+         {"seed", {integer(0, 1e15)}, "Of the phases of a sea.", Value::of(std::int64_t{1})}}};
+    return table;
+}
+
+const Table& fluid_porous_table() {
+    static const Table table{
+        "fluid.porous",
+        "[[fluid.porous]]",
+        "Stones that water flows through: cells whose middle lies in the box or shape. The last zone counts where they "
+        "overlap (docs/theory/grid.md).",
+        {{"box", {form::table(fluid_box_table)}, "The zone as a box.", {}},
+         {"shape", {form::table(shape_table)}, "The zone as a shape; not a half-space.", {}},
+         {"position", {vector(dimension::length)}, "Of the origin of the shape.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "How the shape is turned.", {}},
+         {"porosity",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Share of pores.",
+          {},
+          true},
+         {"grain_size", {number(dimension::length, positive())}, "D_50 of the stones.", {}, true},
+         {"linear", {number(dimension::plain, non_negative())}, "mu_1 or alpha of the closure.", {}, true},
+         {"quadratic", {number(dimension::plain, non_negative())}, "mu_2 or beta of the closure.", {}, true},
+         {"added_mass", {number(dimension::plain, non_negative())}, "C_A of closure \"ding\".", Value::of(0.34)},
+         {"keulegan_carpenter",
+          {number(dimension::plain, non_negative())},
+          "K_C of waves in the pores, for the factor 1 + 7.5/K_C; 0: steady flow.",
+          Value::of(0.0)},
+         {"closure", {choice(porous_closures())}, "Formulas of the resistance.", Value::of("ding")}},
+        {{GroupRule::exactly_one, {"box", "shape"}}}};
+    return table;
+}
+
 const Table& fluid_inflow_table() {
     static const Table table{
         "fluid.inflow",
@@ -136,6 +193,8 @@ std::vector<Key> scene_rows() {
          "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them and "
          "constant beyond. Each region keeps its own level where none are given.",
          Value::array()},
+        {"wave", {table_list(fluid_wave_table)}, "Sides that waves come in through or go out.", Value::array()},
+        {"porous", {table_list(fluid_porous_table)}, "Stones that water flows through.", Value::array()},
         {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
         {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
         {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}};

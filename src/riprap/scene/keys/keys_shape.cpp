@@ -47,6 +47,21 @@ const Table& random_hull_table() {
     return table;
 }
 
+const Table& armour_table() {
+    static const Table table{
+        "shape.armour",
+        "shape = { armour = { ... } }",
+        "A concrete unit of a breakwater, by its class, as convex parts about its centre of mass. In planar scenes its "
+        "section: a square, three legs, a cross with noses, an H, an H with a third fluke.",
+        {{"unit", {choice(armour_units())}, "Its class.", {}, true},
+         {"nominal_diameter",
+          {length},
+          "D_n: edge of the cube of the same volume; in planar scenes side of the square of the same area.",
+          {},
+          true}}};
+    return table;
+}
+
 const Table& surface_table() {
     static const Table table{
         "shape.surface",
@@ -194,6 +209,7 @@ const Table& shape_table() {
          {"icosahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"hull", {form::table(hull_table)}, "Convex hull of points.", {}},
          {"random_hull", {form::table(random_hull_table)}, "An irregular stone.", {}},
+         {"armour", {form::table(armour_table)}, "A concrete unit of a breakwater.", {}},
          {"polygon",
           {list(list(number(dimension::length), 2, 2), 3, 256)},
           "Corners x, y of a convex polygon, in order; planar scenes only.",
@@ -206,7 +222,7 @@ const Table& shape_table() {
          {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
         {{GroupRule::exactly_one,
           {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "hull",
-           "random_hull", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
+           "random_hull", "armour", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
     return table;
 }
 

@@ -37,4 +37,31 @@ const Words<WaveKind>& wave_kinds() {
     return words;
 }
 
+const Words<coupling::WavesAtSide::Kind>& side_waves() {
+    using Kind = coupling::WavesAtSide::Kind;
+    static const Words<Kind> words{{"regular", Kind::regular},
+                                   {"solitary", Kind::solitary},
+                                   {"boussinesq", Kind::boussinesq},
+                                   {"irregular", Kind::irregular},
+                                   {"none", Kind::none}};
+    return words;
+}
+
+const Words<geometry::ArmourUnit>& armour_units() {
+    using geometry::ArmourUnit;
+    static const Words<ArmourUnit> words{{"cube", ArmourUnit::cube},
+                                         {"tetrapod", ArmourUnit::tetrapod},
+                                         {"accropode", ArmourUnit::accropode},
+                                         {"dolos", ArmourUnit::dolos},
+                                         {"core_loc", ArmourUnit::core_loc}};
+    return words;
+}
+
+const Words<fluid::grid::PorousClosure>& porous_closures() {
+    using fluid::grid::PorousClosure;
+    static const Words<PorousClosure> words{
+        {"ding", PorousClosure::ding}, {"van_gent", PorousClosure::van_gent}, {"engelund", PorousClosure::engelund}};
+    return words;
+}
+
 }  // namespace riprap::scene

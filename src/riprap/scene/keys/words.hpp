@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "riprap/core/key.hpp"
+#include "riprap/coupling/field_scene.hpp"
+#include "riprap/geometry/armour_units.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/wave/wave_maker.hpp"
@@ -44,5 +46,8 @@ const Words<double>& length_units();  ///< metres in a unit
 const Words<material::Mixing>& mixing_rules();
 const Words<wave::Paddle>& paddles();
 const Words<WaveKind>& wave_kinds();
+const Words<coupling::WavesAtSide::Kind>& side_waves();
+const Words<geometry::ArmourUnit>& armour_units();
+const Words<fluid::grid::PorousClosure>& porous_closures();
 
 }  // namespace riprap::scene

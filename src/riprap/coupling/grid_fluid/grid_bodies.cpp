@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/shapes.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+using fluid::grid::at;
+
+/// What a half-space fills of the domain and a cell around it; empty where that is nothing.
+geometry::Polyhedron fill_half_space(const GridFluidSettings& settings, const Vec3& normal, double offset) {
+    const fluid::grid::Mesh& mesh = settings.grid.mesh;
+    Vec3 low{}, high{};
+    for (int a = 0; a < 3; ++a) {
+        const auto& edge = mesh.edge[at(a)];
+        const double beyond = a < mesh.box.axes ? settings.spacing : 0;
+        low[a] = edge.front() - beyond;
+        high[a] = edge.back() + beyond;
+    }
+    const auto whole = geometry::moved(geometry::box(high - low), Pose{(low + high) * 0.5, Quat{}});
+    return geometry::clip_convex(whole, {normal, offset});
+}
+
+bool is_half_space(const FluidScene& scene, std::size_t b) {
+    return scene.bodies.part_begin[b + 1] > scene.bodies.part_begin[b] &&
+           scene.shapes.is_half_space(scene.bodies.parts[at(scene.bodies.part_begin[b])].shape);
+}
+
+}  // namespace
+
+std::vector<std::vector<geometry::Polyhedron>> body_shapes(const FluidScene& scene, const GridFluidSettings& settings) {
+    std::vector<std::vector<geometry::Polyhedron>> shapes(at(scene.bodies.size()));
+    for (std::size_t b = 0; b < shapes.size(); ++b) {
+        if (settings.is_dry(b) || is_half_space(scene, b)) {
+            continue;
+        }
+        for (std::int32_t p = scene.bodies.part_begin[b]; p < scene.bodies.part_begin[b + 1]; ++p) {
+            const body::Part& part = scene.bodies.parts[at(p)];
+            shapes[b].push_back(geometry::moved(scene.shapes.polyhedron(part.shape), part.local));
+        }
+    }
+    return shapes;
+}
+
+std::vector<std::uint8_t> still_bodies(const FluidScene& scene, const GridFluidSettings& settings) {
+    std::vector<std::uint8_t> still(at(scene.bodies.size()));
+    for (std::size_t b = 0; b < still.size(); ++b) {
+        still[b] = settings.is_dry(b) ||
+                           (scene.bodies.drive[b] == body::Drive::fixed && std::isinf(scene.bodies.release_time[b]))
+                       ? 1
+                       : 0;
+    }
+    return still;
+}
+
+body::Motion cut_motion(const GridFluidFields& fields) {
+    body::Motion motion;
+    for (std::size_t b = 0; b < fields.cut_position.size(); ++b) {
+        motion.pose.push_back({fields.cut_position[b], fields.cut_orientation[b]});
+    }
+    const std::vector<Vec3> rest(motion.pose.size());
+    motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration = rest;
+    motion.stretch = fields.cut_stretch;
+    motion.stretch_rate.assign(motion.stretch.size(), {});
+    return motion;
+}
+
+void set_velocities(const body::Motion& motion, double ahead, std::vector<GridBody>& bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        bodies[b].velocity = motion.velocity[b] + ahead * motion.acceleration[b];
+        bodies[b].angular_velocity = motion.angular_velocity[b] + ahead * motion.angular_acceleration[b];
+        bodies[b].stretch_rate = motion.deforms() ? motion.stretch_rate[b] : Sym3{};
+    }
+}
+
+void place_bodies(const FluidScene& scene, const GridFluidSettings& settings,
+                  const std::vector<std::vector<geometry::Polyhedron>>& shapes, const body::Motion& motion,
+                  double ahead, bool all, std::vector<GridBody>& bodies) {
+    bodies.resize(shapes.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const bool stays = scene.bodies.drive[b] == body::Drive::fixed && std::isinf(scene.bodies.release_time[b]);
+        if (settings.is_dry(b) || (stays && !all)) {
+            continue;
+        }
+        GridBody& body = bodies[b];
+        body.centre = motion.pose[b].position;
+        body.parts = shapes[b];
+        for (geometry::Polyhedron& part : body.parts) {
+            for (Vec3& x : part.vertices) {
+                x = body.centre + arm_of(motion, b, x);
+            }
+        }
+        if (is_half_space(scene, b)) {
+            const geometry::ConvexView view =
+                scene.shapes.view(scene.bodies.parts[at(scene.bodies.part_begin[b])].shape);
+            const Vec3 normal = rotate(motion.pose[b].orientation, view.normal(0));
+            auto filled = fill_half_space(settings, normal, view.offset[0] + dot(normal, body.centre));
+            body.parts.clear();
+            if (!filled.faces.empty()) {
+                body.parts.push_back(std::move(filled));
+            }
+        }
+    }
+    set_velocities(motion, ahead, bodies);
+}
+
+CutBodies cut_again(const FluidScene& scene, const GridFluidSettings& settings, const GridFluidFields& fields) {
+    std::vector<GridBody> bodies;
+    place_bodies(scene, settings, body_shapes(scene, settings), cut_motion(fields), 0, true, bodies);
+    return cut_bodies(settings.grid.mesh, bodies);
+}
+
+namespace {
+
+double volume_of(const geometry::Polyhedron& piece) {
+    return piece.faces.empty() ? 0 : geometry::mass_properties(piece).volume;
+}
+
+/// The part of a convex piece inside another convex polyhedron.
+geometry::Polyhedron common(geometry::Polyhedron piece, const geometry::Polyhedron& other) {
+    for (const auto& face : other.faces) {
+        if (piece.faces.empty()) {
+            break;
+        }
+        piece = geometry::clip_convex(piece, geometry::face_plane(other.vertices, face));
+    }
+    return piece;
+}
+
+bool meets(const geometry::Polyhedron& piece, const Vec3& low, const Vec3& high) {
+    Vec3 least = piece.vertices.front(), most = least;
+    for (const Vec3& x : piece.vertices) {
+        least = min(least, x);
+        most = max(most, x);
+    }
+    return least.x < high.x && least.y < high.y && least.z < high.z && most.x > low.x && most.y > low.y &&
+           most.z > low.z;
+}
+
+/// Water of the regions in a cell, solids taken out where they cut it [m^3].
+double water_in(const GridFluidSettings& settings, const std::vector<GridBody>& bodies, const Vec3& low,
+                const Vec3& high, bool is_cut) {
+    const auto cell = geometry::moved(geometry::box(high - low), Pose{(low + high) * 0.5, Quat{}});
+    double sum = 0;
+    for (const FillRegion& region : settings.scene.regions) {
+        std::vector<geometry::Polyhedron> wet;
+        if (region.pieces.empty()) {
+            wet.push_back(cell);
+        }
+        for (const geometry::Polyhedron& piece : region.pieces) {
+            if (meets(piece, low, high)) {
+                wet.push_back(common(cell, piece));
+            }
+        }
+        for (geometry::Polyhedron& piece : wet) {
+            if (!piece.faces.empty() && std::isfinite(region.level)) {
+                piece = geometry::clip_convex(piece, {settings.scene.up, region.level});
+            }
+            if (piece.faces.empty()) {
+                continue;
+            }
+            sum += volume_of(piece);
+            for (std::size_t b = 0; is_cut && b < bodies.size(); ++b) {
+                for (const geometry::Polyhedron& part : bodies[b].parts) {
+                    sum -= meets(part, low, high) ? volume_of(common(piece, part)) : 0;
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::vector<GridBody>& bodies,
+                                 const fluid::grid::OpenShares& open) {
+    constexpr double round_off = 1e-9;
+    const fluid::grid::Mesh& mesh = settings.grid.mesh;
+    std::vector<double> share(at(mesh.box.size));
+    fluid::grid::for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
+        const double open_share = open.volume[at(c)], volume = mesh.volume(i, j, k);
+        if (open_share == 0) {
+            return;
+        }
+        const Vec3 centre = mesh.centre(i, j, k), half = Vec3{mesh.h(0, i), mesh.h(1, j), mesh.h(2, k)} * 0.5;
+        const double water = water_in(settings, bodies, centre - half, centre + half, open_share < 1) / volume;
+        const double fraction = std::clamp(water / open_share, 0.0, 1.0);
+        share[at(c)] = fraction < round_off ? 0 : fraction > 1 - round_off ? 1 : fraction;
+    });
+    const auto speed = [&](const Vec3& x) {
+        for (const FillRegion& region : settings.scene.regions) {
+            const bool holds = region.pieces.empty() ||
+                               std::any_of(region.pieces.begin(), region.pieces.end(), [&](const auto& piece) {
+                                   return std::all_of(piece.faces.begin(), piece.faces.end(), [&](const auto& face) {
+                                       const auto plane = geometry::face_plane(piece.vertices, face);
+                                       return dot(plane.normal, x) <= plane.offset;
+                                   });
+                               });
+            if (holds && dot(settings.scene.up, x) <= region.level) {
+                return region.velocity;
+            }
+        }
+        return Vec3{};
+    };
+    fluid::grid::GridState state = fluid::grid::make_state(
+        settings.grid, [](const Vec3&) { return 0.0; }, speed);
+    state.fraction = std::move(share);
+    return state;
+}
+
+}  // namespace riprap::coupling

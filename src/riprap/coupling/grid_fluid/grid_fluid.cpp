@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/grid_fluid/grid_fluid.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "riprap/core/bytes.hpp"
+#include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/pressure.hpp"
+#include "riprap/fluid/grid/surface.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+using fluid::grid::at;
+using fluid::grid::GridScratch;
+using fluid::grid::GridSettings;
+using fluid::grid::GridState;
+
+void note_cut(const body::Motion& motion, GridFluidFields& fields) {
+    fields.cut_position.resize(motion.pose.size());
+    fields.cut_orientation.resize(motion.pose.size());
+    for (std::size_t b = 0; b < motion.pose.size(); ++b) {
+        fields.cut_position[b] = motion.pose[b].position;
+        fields.cut_orientation[b] = motion.pose[b].orientation;
+    }
+    fields.cut_stretch = motion.stretch;
+}
+
+/// Added mass over mass of every body that forces may move: that of the water it displaces, as far as it is wet.
+std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSettings& settings,
+                                      const GridState& water, const CutBodies& cut) {
+    const auto count = at(scene.bodies.size());
+    std::vector<double> wet(count), whole(count), share(count);
+    for (const CutFacet& facet : cut.facets) {
+        const double area = norm(facet.area);
+        whole[at(facet.body)] += area;
+        wet[at(facet.body)] += area * (facet.joint < 0 ? water.fraction[at(facet.cell)] : 0);
+    }
+    for (std::size_t b = 0; b < count; ++b) {
+        double volume = 0;
+        for (std::int32_t p = scene.bodies.part_begin[b]; p < scene.bodies.part_begin[b + 1]; ++p) {
+            volume += scene.shapes.volume(scene.bodies.parts[at(p)].shape);
+        }
+        const double mass = scene.bodies.mass[b];
+        share[b] = whole[b] > 0 && mass > 0 ? wet[b] / whole[b] * settings.rest_density * volume / mass : 0;
+    }
+    return share;
+}
+
+Vec3 momentum_of(const GridSettings& settings, const GridState& state, const GridScratch& s) {
+    const auto& box = settings.mesh.box;
+    return fluid::grid::reduce_cells(
+        box, Vec3{},
+        [&](std::int64_t c, int, int, int) {
+            const double mass = s.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
+            Vec3 p{};
+            for (int a = 0; a < box.axes; ++a) {
+                const auto& u = state.velocity[at(a)];
+                p[a] = 0.5 * mass * (u[at(c)] + u[at(c + box.stride[at(a)])]);
+            }
+            return p;
+        },
+        [](const Vec3& a, const Vec3& b) { return a + b; });
+}
+
+double fastest_water(const GridSettings& settings, const GridState& state, const GridScratch& s) {
+    const auto& box = settings.mesh.box;
+    return std::sqrt(fluid::grid::reduce_cells(
+        box, 0.0,
+        [&](std::int64_t c, int, int, int) {
+            if (state.fraction[at(c)] < 0.5 || s.capacity[at(c)] == 0) {
+                return 0.0;
+            }
+            double square = 0;
+            for (int a = 0; a < box.axes; ++a) {
+                const auto& u = state.velocity[at(a)];
+                const double mean = 0.5 * (u[at(c)] + u[at(c + box.stride[at(a)])]);
+                square += mean * mean;
+            }
+            return square;
+        },
+        fluid::grid::max_of));
+}
+
+/// Energy that comes in through the sides in a step: (P + rho u^2/2) u A dt with P = p - rho g.x of the cell inside
+/// [J].
+double energy_through_sides(const GridSettings& settings, const GridState& state, const GridScratch& s, double dt) {
+    const auto& box = settings.mesh.box;
+    double sum = 0;
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        if (fluid::grid::is_wall(settings.side[at(side)].kind)) {
+            continue;
+        }
+        const int a = side / 2;
+        const bool is_high = side % 2 == 1;
+        std::array<int, 3> first{}, last = box.cells;
+        first[at(a)] = is_high ? box.cells[at(a)] - 1 : 0;
+        last[at(a)] = first[at(a)] + 1;
+        for (int k = first[2]; k < last[2]; ++k) {
+            for (int j = first[1]; j < last[1]; ++j) {
+                for (int i = first[0]; i < last[0]; ++i) {
+                    const std::int64_t c = box.index(i, j, k), f = is_high ? c + box.stride[at(a)] : c;
+                    const double u = state.velocity[at(a)][at(f)];
+                    const double inward = (is_high ? -u : u) * s.area[at(a)][at(f)] * dt;
+                    const double density = fluid::grid::density_of(settings, state.fraction[at(c)]);
+                    sum += inward * (state.pressure[at(c)] + 0.5 * density * u * u);
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::size_t GridFluid::Scratch::bytes() const {
+    std::size_t sum = bytes_of(grid.capacity, grid.capacity_before, grid.start_fraction, grid.water, grid.colour,
+                               grid.mass, grid.mass_before, grid.viscosity, grid.curvature, grid.rhs) +
+                      bytes_of(grid.plane, grid.open.volume, grid.open.displacement, cut.facets, cut.near_faces);
+    for (std::size_t a = 0; a < 3; ++a) {
+        sum += bytes_of(grid.area[a], grid.carrier[a], grid.water_flux[a], grid.flux[a], grid.predicted[a],
+                        grid.mobility[a], grid.wall_drag[a], grid.start_velocity[a], grid.conductance.face[a]) +
+               bytes_of(grid.open.area[a], grid.open.body_velocity[a], grid.open.wall_distance[a], cut.nearest[a]);
+    }
+    return sum;
+}
+
+GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
+                     Scratch& scratch)
+    : scene_(&scene), settings_(&settings), fields_(&fields), scratch_(&scratch) {
+    if (scratch.cutter) {
+        return;
+    }
+    const bool is_new = fields.water.fraction.empty();
+    if (is_new) {
+        fields.cut_position = state.bodies.position;
+        fields.cut_orientation = state.bodies.orientation;
+        fields.cut_stretch = state.bodies.stretch;
+    }
+    scratch.shapes = body_shapes(scene, settings);
+    const body::Motion motion = cut_motion(fields);
+    place_bodies(scene, settings, scratch.shapes, motion, 0, true, scratch.bodies);
+    scratch.cutter.emplace(settings.grid.mesh, scratch.bodies, still_bodies(scene, settings));
+    scratch.cut = scratch.cutter->cut(scratch.bodies);
+    if (is_new) {
+        fields.water = fill_grid(settings, scratch.bodies, scratch.cut.open);
+    }
+    if (scene.bodies.size() > 0) {
+        set_open_shares(settings.grid, fields.water, scratch.grid, std::move(scratch.cut.open));
+    }
+}
+
+StepLimit GridFluid::limit() const {
+    return {stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
+}
+
+Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& /*now*/, const body::Motion& middle,
+                         FluidStep& /*report*/) {
+    const GridSettings& settings = settings_->grid;
+    GridState& water = fields_->water;
+    GridScratch& s = scratch_->grid;
+    scratch_->before = read_energy(settings, water, s);
+    scratch_->momentum_before = momentum_of(settings, water, s);
+    if (scratch_->cutter->moves()) {
+        place_bodies(*scene_, *settings_, scratch_->shapes, middle, 0.5 * span.dt, false, scratch_->bodies);
+        scratch_->cut = scratch_->cutter->cut(scratch_->bodies);
+        set_open_shares(settings, water, s, std::move(scratch_->cut.open));
+        note_cut(middle, *fields_);
+    }
+    const double volume_before = water.water_volume;
+    const auto start = settings.outer_corrections > 1 ? water.velocity : std::array<std::vector<double>, 3>{};
+    begin_step(settings, water, s, span.dt);
+    for (int pass = 1; pass < settings.outer_corrections; ++pass) {
+        project_velocity(settings, water, s, span.dt);
+        correct_step(settings, water, s, start, volume_before, span.dt);
+    }
+    scratch_->feedback = added_mass_shares(*scene_, *settings_, water, scratch_->cut);
+    return {};
+}
+
+void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
+    const GridSettings& settings = settings_->grid;
+    GridScratch& s = scratch_->grid;
+    set_velocities(middle, 0.5 * span.dt, scratch_->bodies);
+    if (s.open.has_bodies) {
+        find_displacement(scratch_->cut.facets, scratch_->bodies, s.open);
+    }
+    scratch_->solve = project_velocity(settings, fields_->water, s, span.dt);
+    scratch_->loads =
+        cut_loads(settings, fields_->water, s, scratch_->bodies, scratch_->cut, fields_->water.time + span.dt);
+    const auto count = at(scene_->bodies.size());
+    loads.pressure.clear(count, middle.deforms());
+    loads.viscous.clear(count, middle.deforms());
+    scratch_->power = 0;
+    for (std::size_t b = 0; b < count; ++b) {
+        const GridLoad& load = scratch_->loads[b];
+        loads.pressure.force[b] = load.pressure;
+        loads.pressure.torque[b] = load.torque - load.shear_torque;
+        loads.viscous.force[b] = load.shear;
+        loads.viscous.torque[b] = load.shear_torque;
+        scratch_->power += dot(load.force(), middle.velocity[b]) + dot(load.torque, middle.angular_velocity[b]);
+        if (middle.deforms()) {
+            loads.viscous.pull[b] = load.shear_pull;
+            loads.pressure.pull[b] = load.pull;
+            loads.pressure.pull[b] += -1.0 * load.shear_pull;
+            scratch_->power += contract(load.pull, middle.stretch_rate[b]);
+        }
+    }
+}
+
+Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
+    const GridSettings& settings = settings_->grid;
+    GridState& water = fields_->water;
+    GridScratch& s = scratch_->grid;
+    const double through = energy_through_sides(settings, water, s, span.dt);
+    end_step(settings, water, s, span.dt);
+    const fluid::grid::Energy& before = scratch_->before;
+    const fluid::grid::Energy after = read_energy(settings, water, s);
+    const Vec3 momentum = momentum_of(settings, water, s);
+    fluid::FluidReport& fluid = report.fluid;
+    fluid.kinetic = 0.5 * (before.kinetic + after.kinetic);
+    fluid.potential = 0.5 * (before.potential + after.potential);
+    fluid.work_on_solids = span.dt * scratch_->power;
+    fluid.work_external = through;
+    fluid.dissipated_viscous =
+        (before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids + through;
+    fluid.momentum = momentum;
+    fluid.impulse = momentum - scratch_->momentum_before;
+    fluid.mass = settings.water.density * water_volume(settings, water, s);
+    fluid.max_speed = fastest_water(settings, water, s);
+    if (!std::isfinite(after.kinetic + fluid.max_speed)) {
+        return {fmt::format("the water has no finite speed any more at t = {:.6g} s", span.end()), 0.5};
+    }
+    return {};
+}
+
+}  // namespace riprap::coupling

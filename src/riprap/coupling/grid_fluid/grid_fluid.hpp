@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "riprap/core/key.hpp"
+#include "riprap/coupling/cut_cells/cut_loads.hpp"
+#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/field_scene.hpp"
+#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/grid/grid_step.hpp"
+#include "riprap/fluid/grid/read.hpp"
+#include "riprap/fluid/grid/shown_water.hpp"
+
+namespace riprap::coupling {
+
+/// What a case says of a fluid on a grid: Settings of GridFluid.
+struct GridFluidSettings {
+    static constexpr std::string_view method_name = "grid";
+    static MethodKeys<GridFluidSettings> keys();
+
+    double spacing{0};               ///< width of a cell [m]
+    double growth{1};                ///< width of a cell over that of its neighbour nearer to the fine box [-]
+    Vec3 fine_low{}, fine_high{};    ///< box of cells of `spacing`, where others grow [m]
+    std::optional<double> coarsest;  ///< widest cell [m]
+    double rest_density{1000};       ///< of water [kg/m^3]
+    double kinematic_viscosity{1e-6}, air_density{1.2}, air_viscosity{1.48e-5}, surface_tension{0};
+    fluid::grid::SideKind domain_walls{fluid::grid::SideKind::slip};
+    bool has_open_top{true};
+    fluid::grid::Turbulence turbulence{fluid::grid::Turbulence::laminar};
+    fluid::grid::VofScheme vof{fluid::grid::VofScheme::plic};
+    double compression{1}, courant{0.45}, tolerance{1e-5};
+    int outer_corrections{1};
+
+    FieldScene scene;                ///< where the fluid is
+    fluid::grid::GridSettings grid;  ///< made of all of the above by `prepare`
+
+    /// Takes over the scene and makes the grid. Returns what does not fit.
+    std::vector<KeyProblem> prepare(const FieldScene& scene);
+    bool is_dry(std::size_t body) const { return body < scene.is_dry.size() && scene.is_dry[body] != 0; }
+};
+
+/// State of a fluid on a grid: water, and where bodies were when they were last cut out of the cells.
+struct GridFluidFields {
+    fluid::grid::GridState water;
+    std::vector<Vec3> cut_position;     ///< of the bodies [m]
+    std::vector<Quat> cut_orientation;  ///< body -> world
+    std::vector<Sym3> cut_stretch;      ///< empty in scenes of rigid bodies
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        fluid::grid::GridState::visit_fields(self.water, visit);
+        visit("grid.cut_position", self.cut_position);
+        visit("grid.cut_orientation", self.cut_orientation);
+        visit("grid.cut_stretch", self.cut_stretch);
+    }
+};
+
+/// Water and air on fixed cells that bodies are cut out of: FluidMethod (docs/theory/grid.md, 10). Bodies stand where
+/// they are at mid-step and move as they do at its end, v_(n+1) = v_(n+1/2) + a dt/2, so that a pressure solve answers
+/// the acceleration of light bodies in full. Kinetic and potential energy are means of both ends of a step; what they
+/// lose beyond the work on bodies and through sides is booked as dissipated: viscosity, resistance of stones and what
+/// the schemes take.
+class GridFluid {
+ public:
+    using Settings = GridFluidSettings;
+    using Fields = GridFluidFields;
+    struct Scratch {
+        fluid::grid::GridScratch grid;
+        std::vector<std::vector<geometry::Polyhedron>> shapes;  ///< parts of bodies, body frame
+        std::optional<BodyCutter> cutter;
+        std::vector<GridBody> bodies;
+        CutBodies cut;
+        std::vector<double> feedback;  ///< added mass over mass of bodies, as far as they are wet [-]
+        std::vector<GridLoad> loads;
+        fluid::grid::Energy before;
+        Vec3 momentum_before{};
+        double power{0};  ///< of the last loads on all bodies [W]
+        linear::PoissonReport solve;
+        std::size_t bytes() const;
+    };
+    static constexpr bool is_there = true;
+    static constexpr bool leads = true;
+
+    GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
+              Scratch& scratch);
+
+    StepLimit limit() const;
+    void tidy(std::int64_t /*step*/) {}
+    void drive(const TimeSpan& /*span*/, std::vector<Vec3>& correction) { correction.clear(); }
+    Outcome begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle, FluidStep& report);
+    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
+    Outcome kick(const TimeSpan& span, FluidStep& report);
+    Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
+    std::span<const double> feedback() const { return scratch_->feedback; }
+
+    /// Reads a gauge of any kind. Without scratch, bodies are cut anew.
+    static std::array<double, 3> read(const FluidScene& scene, const Settings& settings, const Fields& fields,
+                                      const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face);
+    static fluid::grid::ShownWater shown(const FluidScene& scene, const Settings& settings, const Fields& fields);
+
+ private:
+    const FluidScene* scene_;
+    const Settings* settings_;
+    Fields* fields_;
+    Scratch* scratch_;
+};
+
+}  // namespace riprap::coupling

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "riprap/coupling/grid_fluid/grid_fluid.hpp"
+
+namespace riprap::coupling {
+
+using fluid::grid::SideKind;
+using fluid::grid::Turbulence;
+using fluid::grid::VofScheme;
+
+MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
+    using namespace key;
+    using S = GridFluidSettings;
+    return {
+        .help = "water and air on a grid of cells, incompressible, bodies cut out of the cells",
+        .keys =
+            {number(&S::spacing, "spacing", dimension::length, positive(), "Width of a cell.").required(),
+             number(&S::growth, "growth", dimension::plain, between(1, 1.3),
+                    "Width of a cell over that of its neighbour nearer to the box of fine_low and fine_high; 1: all "
+                    "cells are equal."),
+             vector(&S::fine_low, "fine_low", dimension::length, any(),
+                    "Low corner of the box with cells of `spacing`, where others grow."),
+             vector(&S::fine_high, "fine_high", dimension::length, any(), "Its high corner."),
+             number_or(&S::coarsest, "coarsest", "none", dimension::length, positive(),
+                       "Width up to which cells grow; \"none\": any."),
+             number(&S::rest_density, "density", dimension::density, positive(), "At rest, without pressure."),
+             number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
+                    "Of water."),
+             number(&S::air_density, "air_density", dimension::density, positive(), "Of the air above the water."),
+             number(&S::air_viscosity, "air_viscosity", dimension::kinematic_viscosity, non_negative(),
+                    "Kinematic viscosity of air."),
+             number(&S::surface_tension, "surface_tension", Dimension{0, 1, -2, 0}, non_negative(),
+                    "Between water and air."),
+             choice(
+                 &S::domain_walls, "domain_walls",
+                 {{"slip", SideKind::slip}, {"no_slip", SideKind::no_slip}, {"wall_function", SideKind::wall_function}},
+                 "Sides of the domain, where nothing else is said of them: without friction; with the layer of "
+                 "water that sticks to them; with the shear of a turbulent layer by the log law."),
+             boolean(&S::has_open_top, "open_top", "Air goes in and out through the side against gravity."),
+             choice(&S::turbulence, "turbulence",
+                    {{"none", Turbulence::laminar},
+                     {"k_epsilon", Turbulence::k_epsilon},
+                     {"k_epsilon_stable", Turbulence::k_epsilon_stable}},
+                    "Eddies below the size of cells: none; standard k and epsilon; the same, its viscosity limited "
+                    "under waves."),
+             choice(&S::vof, "vof", {{"plic", VofScheme::plic}, {"compressive", VofScheme::compressive}},
+                    "How the surface moves: by planes in cells, or by fluxes that are compressed."),
+             number(&S::compression, "compression", dimension::plain, between(0, 4), "Of the compressive scheme."),
+             integer(&S::outer_corrections, "outer_corrections", 1, 4,
+                     "Passes over transport, momentum and pressure in a step; 2: second order in time."),
+             number(&S::courant, "courant", dimension::plain, above(0, 0.5),
+                    "Share of a cell that water crosses in a step, summed over axes."),
+             number(&S::tolerance, "tolerance", dimension::plain, above(0, 0.01),
+                    "Of the pressure: what a solve leaves of the residual that it starts with.")},
+        .scene_keys = {"domain", "region", "wave", "porous", "sponge"},
+        .check = [](const S& s) {
+            std::vector<KeyProblem> problems;
+            if (s.growth > 1 && !(s.fine_low.x < s.fine_high.x && s.fine_low.y < s.fine_high.y)) {
+                problems.push_back({"growth", "cells grow away from a box that is not given",
+                                    "fine_low below fine_high, or growth = 1"});
+            }
+            if (s.coarsest && *s.coarsest < s.spacing) {
+                problems.push_back({"coarsest",
+                                    fmt::format("coarsest = {} m is below the spacing, {} m", *s.coarsest, s.spacing),
+                                    "at least the spacing"});
+            }
+            return problems;
+        }};
+}
+
+}  // namespace riprap::coupling

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instruments in the water of a grid.
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/read.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+using fluid::grid::at;
+using fluid::grid::Mesh;
+
+/// What gauges look at: the water, and the share of cells that solids leave to it.
+struct Reader {
+    const GridFluidSettings& settings;
+    const fluid::grid::GridState& water;
+    const fluid::grid::OpenShares& open;
+    const Mesh& mesh() const { return settings.grid.mesh; }
+
+    double share(std::int64_t c) const { return open.has_bodies ? open.volume[at(c)] : 1; }
+    std::int64_t cell_at(const Vec3& x) const {
+        return mesh().box.index(mesh().cell_at(0, x.x), mesh().cell_at(1, x.y), mesh().cell_at(2, x.z));
+    }
+    bool holds(const Vec3& x) const {
+        for (int a = 0; a < mesh().box.axes; ++a) {
+            if (x[a] < mesh().edge[at(a)].front() || x[a] > mesh().edge[at(a)].back()) {
+                return false;
+            }
+        }
+        return true;
+    }
+    bool is_wet(const Vec3& x) const {
+        const std::int64_t c = cell_at(x);
+        return holds(x) && share(c) > 0 && water.fraction[at(c)] >= 0.5;
+    }
+    /// P of the cell and the weight of water below the place; air counts as air.
+    double pressure(const Vec3& x) const {
+        const std::int64_t c = cell_at(x);
+        if (!holds(x) || share(c) == 0) {
+            return 0;
+        }
+        if (share(c) == 1 && water.fraction[at(c)] == 1) {
+            return read_pressure(settings.grid, water, x);
+        }
+        const double density = fluid::grid::density_of(settings.grid, water.fraction[at(c)]);
+        return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), x);
+    }
+    double level(const Vec3& x, const Vec3& up) const {
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) {
+            axis = std::abs(up[a]) > std::abs(up[axis]) ? a : axis;
+        }
+        std::array<int, 3> cell{mesh().cell_at(0, x.x), mesh().cell_at(1, x.y), mesh().cell_at(2, x.z)};
+        const double way = up[axis] > 0 ? 1 : -1;
+        double sum = 0;
+        for (int i = 0; i < mesh().box.cells[at(axis)]; ++i) {
+            cell[at(axis)] = i;
+            const double h = mesh().h(axis, i), middle = mesh().centre(axis, i);
+            const double above = std::clamp((way * (middle - x[axis]) + 0.5 * h) / h, 0.0, 1.0);
+            const auto c = mesh().box.index(cell[0], cell[1], cell[2]);
+            sum += above * water.fraction[at(c)] * share(c) * h;
+        }
+        return sum;
+    }
+    /// Distance along a line of its last wet place, or of the first dry one.
+    double along(const Vec3& from, const Vec3& to, bool is_first) const {
+        const double length = norm(to - from), step = 0.1 * settings.spacing;
+        const auto count = static_cast<std::int64_t>(std::ceil(length / step));
+        double found = 0;
+        for (std::int64_t i = 0; i <= count; ++i) {
+            const double s = std::min(length, static_cast<double>(i) * step);
+            if (is_wet(from + (s / length) * (to - from))) {
+                found = s;
+            } else if (is_first) {
+                break;
+            }
+        }
+        return found;
+    }
+    /// Water through the cell faces nearest to a rectangle, along the axis across it [m^3/s].
+    double flow(const Vec3& low, const Vec3& high) const {
+        const auto& box = mesh().box;
+        int axis = 0;
+        for (int a = 0; a < box.axes; ++a) {
+            axis = low[a] == high[a] ? a : axis;
+        }
+        const auto& edge = mesh().edge[at(axis)];
+        const auto face = static_cast<int>(
+            std::min_element(edge.begin(), edge.end(),
+                             [&](double a, double b) { return std::abs(a - low[axis]) < std::abs(b - low[axis]); }) -
+            edge.begin());
+        double sum = 0;
+        std::array<int, 3> last = box.cells;
+        last[at(axis)] = 1;
+        for (int k = 0; k < last[2]; ++k) {
+            for (int j = 0; j < last[1]; ++j) {
+                for (int i = 0; i < last[0]; ++i) {
+                    std::array<int, 3> place{i, j, k};
+                    place[at(axis)] = face;
+                    double covered = 1;
+                    for (int b = 0; b < box.axes; ++b) {
+                        if (b != axis) {
+                            const double from = mesh().edge[at(b)][at(place[at(b)])], h = mesh().h(b, place[at(b)]);
+                            covered *= std::max(0.0, std::min(high[b], from + h) - std::max(low[b], from)) / h;
+                        }
+                    }
+                    const std::int64_t f = box.index(place[0], place[1], place[2]);
+                    const double u = water.velocity[at(axis)][at(f)];
+                    const double area = open.has_bodies ? open.area[at(axis)][at(f)] : 1;
+                    std::array<int, 3> inside = place;
+                    inside[at(axis)] = std::min(face, box.cells[at(axis)] - 1);
+                    const double whole = mesh().face_area(axis, inside[0], inside[1], inside[2]);
+                    sum += covered * u * area * whole * water.fraction[at(u > 0 ? f - box.stride[at(axis)] : f)];
+                }
+            }
+        }
+        return sum;
+    }
+    double volume(const Vec3& low, const Vec3& high) const {
+        return fluid::grid::reduce_cells(
+            mesh().box, 0.0,
+            [&](std::int64_t c, int i, int j, int k) {
+                const std::array<int, 3> place{i, j, k};
+                double covered = 1;
+                for (int a = 0; a < mesh().box.axes; ++a) {
+                    const double from = mesh().edge[at(a)][at(place[at(a)])], h = mesh().h(a, place[at(a)]);
+                    covered *= std::max(0.0, std::min(high[a], from + h) - std::max(low[a], from)) / h;
+                }
+                return covered * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+            },
+            fluid::grid::sum_of);
+    }
+    /// In front of a face: half a cell away from it, and the weight of water back to it.
+    double wall_pressure(const FaceGauge& face, const GridFluidFields& fields) const {
+        const auto b = at(face.body.value);
+        const Vec3 foot = fields.cut_position[b] + rotate(fields.cut_orientation[b], face.anchor);
+        const Vec3 normal = rotate(fields.cut_orientation[b], face.normal);
+        for (const double away : {0.1, 0.5, 1.0}) {
+            const Vec3 place = foot + (away * settings.spacing) * normal;
+            const std::int64_t c = cell_at(place);
+            if (holds(place) && share(c) > 0.05) {
+                const double density = fluid::grid::density_of(settings.grid, water.fraction[at(c)]);
+                return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), foot);
+            }
+        }
+        return 0;
+    }
+};
+
+}  // namespace
+
+std::array<double, 3> GridFluid::read(const FluidScene& scene, const Settings& settings, const Fields& fields,
+                                      const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face) {
+    const bool is_ready = scratch != nullptr && scratch->cutter.has_value();
+    fluid::grid::OpenShares anew;
+    if (!is_ready && scene.bodies.size() > 0) {
+        anew = cut_again(scene, settings, fields).open;
+    }
+    const Reader reader{settings, fields.water, is_ready ? scratch->grid.open : anew};
+    switch (gauge.kind) {
+        case fluid::GaugeKind::pressure:
+            return {reader.pressure(gauge.point)};
+        case fluid::GaugeKind::velocity: {
+            const Vec3 u =
+                reader.is_wet(gauge.point) ? read_velocity(settings.grid, fields.water, gauge.point) : Vec3{};
+            return {u.x, u.y, u.z};
+        }
+        case fluid::GaugeKind::level:
+            return {reader.level(gauge.point, gauge.up)};
+        case fluid::GaugeKind::surface:
+            return {reader.along(gauge.point, gauge.end, false)};
+        case fluid::GaugeKind::run_up:
+            return {reader.along(gauge.point, gauge.end, true)};
+        case fluid::GaugeKind::flow:
+            return {reader.flow(gauge.point, gauge.end)};
+        case fluid::GaugeKind::volume:
+            return {reader.volume(gauge.point, gauge.end)};
+        case fluid::GaugeKind::wall_pressure:
+            return {face != nullptr ? reader.wall_pressure(*face, fields) : 0};
+    }
+    return {};
+}
+
+fluid::grid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {
+    const fluid::grid::OpenShares open =
+        scene.bodies.size() > 0 ? cut_again(scene, settings, fields).open : fluid::grid::OpenShares{};
+    return show_water(settings.grid, fields.water, open);
+}
+
+}  // namespace riprap::coupling

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/coupling/grid_fluid/grid_fluid.hpp"
+
+namespace riprap::coupling {
+
+/// Axis that points most against gravity.
+int up_axis(const Vec3& up);
+
+/// Height of still water at the start, along `up`: the highest surface of the regions [m].
+double still_level(const GridFluidSettings& settings);
+
+/// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
+std::vector<KeyProblem> add_waves(GridFluidSettings& settings);
+
+/// Stones and boxes in which water is slowed down. Returns stones that lie outside of the domain.
+std::vector<KeyProblem> add_zones(GridFluidSettings& settings);
+
+}  // namespace riprap::coupling

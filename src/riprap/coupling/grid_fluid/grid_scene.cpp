@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grid that a case asks for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/coupling/grid_fluid/grid_parts.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+using fluid::grid::at;
+
+/// A domain longer than so many cells along an axis is refused, and so are more cells in all.
+constexpr double most_cells = 2e8;
+
+/// Widths of cells from a place of the fine box outwards over `length`, the last ones scaled to end there.
+std::vector<double> growing_widths(double length, double spacing, double growth, double coarsest) {
+    std::vector<double> widths;
+    double sum = 0, width = spacing;
+    while (sum < length * (1 - 1e-9)) {
+        width = std::min(width * growth, coarsest);
+        widths.push_back(width);
+        sum += width;
+    }
+    for (double& w : widths) {
+        w *= length / sum;
+    }
+    return widths;
+}
+
+/// Faces of cells along an axis: equal cells in the fine box, growing ones beyond.
+std::vector<double> edges_along(const GridFluidSettings& settings, double low, double high, double fine_low,
+                                double fine_high) {
+    const double coarsest = settings.coarsest.value_or(1e300);
+    const bool grows = settings.growth > 1;
+    const double from = grows ? std::clamp(fine_low, low, high) : low,
+                 to = grows ? std::clamp(fine_high, low, high) : high;
+    std::vector<double> edges{low};
+    std::vector<double> before = growing_widths(from - low, settings.spacing, settings.growth, coarsest);
+    std::reverse(before.begin(), before.end());
+    for (const double width : before) {
+        edges.push_back(edges.back() + width);
+    }
+    edges.back() = from;
+    const int cells = to > from ? std::max(1, static_cast<int>(std::lround((to - from) / settings.spacing))) : 0;
+    for (int i = 1; i <= cells; ++i) {
+        edges.push_back(from + (to - from) * i / cells);
+    }
+    for (const double width : growing_widths(high - to, settings.spacing, settings.growth, coarsest)) {
+        edges.push_back(edges.back() + width);
+    }
+    edges.back() = high;
+    return edges;
+}
+
+}  // namespace
+
+std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
+    std::vector<KeyProblem> problems;
+    scene = given;
+    const fluid::Domain& domain = scene.domain;
+    double cells = 1;
+    for (int a = 0; a < domain.dimension; ++a) {
+        const double length = domain.high[a] - domain.low[a];
+        cells *= growth > 1 ? 1 : length / spacing;
+        if (domain.is_periodic[at(a)]) {
+            problems.push_back({"domain", "a periodic domain with method = \"grid\"", "walls or an open top"});
+        }
+        if (length < 4 * spacing) {
+            problems.push_back({"spacing",
+                                fmt::format("the domain is {:.4g} m long along {}, {:.3g} cells of {:.4g} m", length,
+                                            "xyz"[a], length / spacing, spacing),
+                                "four cells at least: a smaller spacing or a larger domain"});
+        }
+    }
+    if (cells > most_cells) {
+        problems.push_back(
+            {"spacing", fmt::format("{:.3g} cells", cells),
+             fmt::format("at most {:.3g}: a larger spacing, a smaller domain or growing cells", most_cells)});
+    }
+    if (!problems.empty()) {
+        return problems;
+    }
+    std::array<std::vector<double>, 3> edges{};
+    for (int a = 0; a < 3; ++a) {
+        edges[at(a)] = a < domain.dimension
+                           ? edges_along(*this, domain.low[a], domain.high[a], fine_low[a], fine_high[a])
+                           : std::vector<double>{-0.5, 0.5};
+    }
+    grid.mesh = fluid::grid::Mesh(edges, domain.dimension);
+    grid.water = {rest_density, kinematic_viscosity};
+    grid.air = {air_density, air_viscosity};
+    grid.gravity = scene.gravity.at(0);
+    if (scene.gravity.ramp > 0 || scene.gravity.rate != 0) {
+        grid.frame_acceleration = [gravity = scene.gravity, at_start = grid.gravity](double time) {
+            return gravity.at(time) - at_start;
+        };
+    }
+    grid.surface_tension = surface_tension;
+    for (fluid::grid::Side& side : grid.side) {
+        side.kind = domain_walls;
+    }
+    if (has_open_top) {
+        const int axis = up_axis(scene.up);
+        grid.side[at(2 * axis + (scene.up[axis] > 0 ? 1 : 0))].kind = fluid::grid::SideKind::open;
+    }
+    grid.turbulence = turbulence;
+    grid.vof = vof;
+    grid.compression = compression;
+    grid.outer_corrections = outer_corrections;
+    grid.courant = courant;
+    grid.tolerance = tolerance;
+    problems = add_waves(*this);
+    for (KeyProblem& problem : add_zones(*this)) {
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+}  // namespace riprap::coupling

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tables of [fluid] say to fluids that are fields.
+#include <fmt/format.h>
+
+#include "riprap/scene/build/fluid_tables.hpp"
+#include "riprap/scene/keys/words.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Which side a wave enters through that goes a way, or nothing with a problem.
+std::optional<int> side_of(CaseBuild& build, const Value& table) {
+    const Way way = get_word(table, "towards", ways());
+    if (way.axis == 2 && build.is_planar) {
+        build.problem(get(table, "towards").place, "waves that go out of the plane", "\"x\", \"-x\", \"y\" or \"-y\"");
+        return std::nullopt;
+    }
+    return 2 * way.axis + (way.is_towards_high ? 0 : 1);
+}
+
+bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave) {
+    using Kind = coupling::WavesAtSide::Kind;
+    const std::optional<int> side = side_of(build, table);
+    if (!side) {
+        return false;
+    }
+    wave.side = *side;
+    wave.kind = get_word(table, "wave", side_waves());
+    wave.depth = get_number(table, "depth");
+    wave.height = get_number_or(table, "height", 0);
+    wave.period = get_number_or(table, "period", 0);
+    wave.crest_time = get_number_or(table, "crest_time", -1);
+    wave.ramp = get_number_or(table, "ramp", 2 * wave.period);
+    wave.gamma = get_number(table, "gamma");
+    wave.seed = static_cast<std::uint64_t>(get_integer(table, "seed"));
+    wave.absorbs = get(table, "absorb").boolean;
+    if (wave.kind == Kind::none && !wave.absorbs) {
+        build.problem(table.place, "a side that neither makes nor absorbs waves", "absorb = true, or another wave");
+        return false;
+    }
+    if (wave.kind != Kind::none && wave.height == 0) {
+        build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
+        return false;
+    }
+    if ((wave.kind == Kind::regular || wave.kind == Kind::irregular) && wave.period == 0) {
+        build.problem(table.place, "a regular wave without 'period'", "the period of the wave");
+        return false;
+    }
+    if (norm(build.model.gravity.value) == 0) {
+        build.problem(table.place, "waves without gravity", "gravity that is not zero");
+        return false;
+    }
+    return true;
+}
+
+bool read_stones(CaseBuild& build, const Value& table, coupling::Stones& stones) {
+    auto pieces = read_pieces(build, table);
+    if (!pieces) {
+        return false;
+    }
+    stones.pieces = std::move(*pieces);
+    stones.medium = {get_number(table, "porosity"),
+                     get_number(table, "grain_size"),
+                     get_number(table, "linear"),
+                     get_number(table, "quadratic"),
+                     get_number(table, "added_mass"),
+                     get_number(table, "keulegan_carpenter"),
+                     get_word(table, "closure", porous_closures())};
+    return true;
+}
+
+bool read_calm(CaseBuild& build, const Value& table, coupling::CalmBox& box) {
+    const Way way = get_word(table, "towards", ways());
+    box.low = get_vector(table, "low");
+    box.high = get_vector(table, "high");
+    box.axis = way.axis;
+    box.is_towards_high = way.is_towards_high;
+    const Value& rate = get(table, "rate");
+    box.rate = rate.is_text() ? 0 : rate.as_number();
+    for (int axis = 0; axis < (build.is_planar ? 2 : 3); ++axis) {
+        if (!(box.low[axis] < box.high[axis])) {
+            build.problem(table.place,
+                          fmt::format("the sponge reaches from {} m to {} m along {}", box.low[axis], box.high[axis],
+                                      "xyz"[axis]),
+                          "low below high");
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Reads all entries of a list that the table may have.
+template <class Said, class Read>
+bool read_list(CaseBuild& build, const Value& table, std::string_view name, std::vector<Said>& list, const Read& read) {
+    bool is_good = true;
+    if (const Value* entries = table.find(name)) {
+        for (const Value& entry : entries->items) {
+            Said said;
+            if (read(build, entry, said)) {
+                list.push_back(std::move(said));
+            } else {
+                is_good = false;
+            }
+        }
+    }
+    return is_good;
+}
+
+}  // namespace
+
+bool read_field_tables(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
+    const bool has_waves = read_list(build, table, "wave", scene.waves, read_wave);
+    const bool has_stones = read_list(build, table, "porous", scene.stones, read_stones);
+    return read_list(build, table, "sponge", scene.calm, read_calm) && has_waves && has_stones;
+}
+
+}  // namespace riprap::scene

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grid as the fluid of a case.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "io/temporary_folder.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/run/restart.hpp"
+#include "riprap/run/run_folder.hpp"
+#include "riprap/run/simulation.hpp"
+
+namespace riprap::run {
+namespace {
+
+/// A box 0.26 m wide and 0.2 m high that stands `height` above the bed of a tank 1 m wide, `density` over that of
+/// water, and water 0.4 m deep with the box out of it.
+std::string floating_box(double height, double density, const std::string& more = "") {
+    return fmt::format(R"(
+dimension = 2
+gravity = [0.0, -9.81]
+end = 10.0
+[material.wood]
+density = {}
+normal_stiffness = 1.0e6
+[[body]]
+name = "box"
+material = "wood"
+shape = {{ box = [0.26, 0.2] }}
+position = [0.5, {}]
+[fluid]
+method = "grid"
+spacing = 0.04
+domain = {{ low = [0.0, 0.0], high = [1.0, 0.8] }}
+[[fluid.region]]
+box = {{ low = [0.0, 0.0], high = [1.0, 0.4] }}
+{})",
+                       density, height, more);
+}
+
+struct Walk {
+    explicit Walk(const std::string& text) : simulation(scene::read_case_text(text, "case.toml", ".")) {}
+    void go(std::int64_t last) {
+        while (simulation.state().step < last) {
+            const StepOutcome outcome = simulation.step(sim::Measure::energy);
+            ASSERT_TRUE(outcome.is_accepted()) << outcome.reason;
+        }
+    }
+    double value(const char* column) const {
+        return sim::evaluate(*sim::find_column(simulation.model(), column), simulation.now());
+    }
+    std::uint64_t hash() const { return sim::state_hash(simulation.state()); }
+    Simulation simulation;
+};
+
+TEST(GridWater, a_box_at_its_draft_stays_there) {
+    Walk walk(floating_box(0.4, 500));
+    walk.go(30);
+    EXPECT_NEAR(walk.value("box.position.y"), 0.4, 1e-6);
+    EXPECT_NEAR(walk.value("box.fluid_force.y"), 500 * 0.26 * 0.2 * 9.81, 1e-3);
+}
+
+TEST(GridWater, a_light_box_that_is_let_go_under_water_starts_with_buoyancy_over_its_own_and_added_mass) {
+    Walk walk(floating_box(0.2, 50));
+    walk.go(3);
+    const double area = 0.26 * 0.2, up = walk.value("box.velocity.y") / walk.simulation.state().time;
+    const double added = area * (950 * 9.81 / up - 50);  // of the box in the tank [kg/m]
+    EXPECT_GT(added, 0.8 * 1000 * area);
+    EXPECT_LT(added, 3 * 1000 * area);
+}
+
+TEST(GridWater, the_water_that_a_box_displaces_rises_and_none_is_lost) {
+    Walk walk(floating_box(0.45, 500));
+    const double before = walk.simulation.state().step == 0 ? 0 : 1;
+    EXPECT_EQ(before, 0);
+    walk.go(60);
+    const sim::Ledger& ledger = walk.simulation.report().ledger;
+    EXPECT_NEAR(ledger.water.mass, 1000 * (0.4 - 0.26 * 0.05), 1e-7);
+    EXPECT_LT(std::abs(ledger.residual), 0.02 * ledger.turnover);
+    EXPECT_GE(ledger.water.dissipated_viscous, 0);
+}
+
+class GridBits : public ::testing::Test {
+ protected:
+    ~GridBits() override { parallel::set_thread_count(1); }
+};
+
+TEST_F(GridBits, are_the_same_at_any_thread_count_and_after_a_restart) {
+    const std::string text = floating_box(0.45, 500);
+    parallel::set_thread_count(1);
+    Walk straight(text);
+    straight.go(10);
+    const sim::State stopped = straight.simulation.state();
+    straight.go(20);
+    for (const int threads : {2, 4}) {
+        parallel::set_thread_count(threads);
+        Walk walk(text);
+        walk.go(20);
+        EXPECT_EQ(walk.hash(), straight.hash()) << threads << " threads";
+    }
+    const TemporaryFolder place;
+    const RunFolder folder{place.path()};
+    io::make_folder(folder.checkpoint_latest().parent_path());
+    Walk walk(text);
+    RunRecord record;
+    walk.simulation.note(record);
+    record.frame_interval = record.row_interval = 1;
+    record.csv_bytes = {0, 0};
+    save_checkpoint(folder, walk.simulation.model(), stopped, record);
+    RestartState restart = load_checkpoint(folder, walk.simulation.model(), walk.simulation.initial());
+    walk.simulation.restore(std::move(restart.state), record);
+    walk.go(20);
+    EXPECT_EQ(walk.hash(), straight.hash());
+}
+
+}  // namespace
+}  // namespace riprap::run
