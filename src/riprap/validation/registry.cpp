@@ -5,6 +5,7 @@
 
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/dda/planar_cases.hpp"
+#include "riprap/validation/ding/breakwater.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
 #include "riprap/validation/ding/planar_cases.hpp"
 #include "riprap/validation/grid/cases.hpp"
@@ -218,6 +219,14 @@ std::span<const ValidationCase> all_cases() {
                        dda::planar_cantilever},
         ValidationCase{"dda", "planar_disc", "A disc of bonded triangles pressed across its diameter", true,
                        dda::planar_disc},
+        ValidationCase{"ding", "solitary_profile", "A solitary wave on a flat bed, three meshes", false,
+                       ding::solitary_profile},
+        ValidationCase{"ding", "caisson_pressure", "A solitary wave hits a caisson behind stones", true,
+                       ding::caisson_pressure},
+        ValidationCase{"ding", "seaward_slopes", "Height of the jet at the caisson, four slopes", true,
+                       ding::seaward_slopes},
+        ValidationCase{"ding", "layer_thickness", "Turbulence over armour layers of four thicknesses", true,
+                       ding::layer_thickness},
         ValidationCase{"ding", "planar_free_fall", "A block falls on a base, four contact stiffnesses", false,
                        ding::planar_free_fall},
         ValidationCase{"ding", "planar_shaken_stack", "Seven blocks on a shaking table", false,

@@ -155,6 +155,12 @@ GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const Fl
     }
 }
 
+std::span<const Account> GridFluid::accounts() {
+    static constexpr std::array list{Account{"dissipated", Balance::lost, Booking::across_kick,
+                                             "by viscosity, stones and sponges, and by what the schemes take"}};
+    return list;
+}
+
 StepLimit GridFluid::limit() const {
     return {stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
 }
@@ -227,8 +233,8 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     fluid.potential = 0.5 * (before.potential + after.potential);
     fluid.work_on_solids = span.dt * scratch_->power;
     fluid.work_external = through;
-    fluid.dissipated_viscous =
-        (before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids + through;
+    report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids +
+                  through};
     fluid.momentum = momentum;
     fluid.impulse = momentum - scratch_->momentum_before;
     fluid.mass = settings.water.density * water_volume(settings, water, s);

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
 #include "riprap/coupling/face_gauge.hpp"
@@ -88,6 +90,7 @@ class GridFluid {
     };
     static constexpr bool is_there = true;
     static constexpr bool leads = true;
+    static std::span<const Account> accounts();
 
     GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
               Scratch& scratch);
