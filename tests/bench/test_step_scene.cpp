@@ -55,5 +55,21 @@ TEST(StepScene, WaterWithAndWithoutTheRubbleInItIsTheSame) {
     EXPECT_GT(of_blocks, 48);
 }
 
+TEST(StepScene, WaterFeelsNoSampleOfBlocksThatStandFarAway) {
+    constexpr StepSize size{2, 4};  // finer, so that the blocks are out of reach
+    const StepScene scene = rubble_in_basin(Rubble::far_dry, 0.5, size);
+    const Taken far = take(scene, 2), none = take(rubble_in_basin(Rubble::nowhere, 0.5, size), 2);
+    EXPECT_EQ(far.problem, "");
+    const coupling::SampleSet& samples = scene.model.particles()->samples;
+    for (const std::int32_t i : far.state.coupling.near_samples) {
+        const auto body = static_cast<std::size_t>(samples.body[static_cast<std::size_t>(i)].value);
+        ASSERT_EQ(scene.model.bodies.drive[body], body::Drive::fixed);
+    }
+    ASSERT_EQ(far.state.fluid.size(), none.state.fluid.size());
+    for (std::size_t i = 0; i < none.state.fluid.position.size(); ++i) {
+        ASSERT_LT(norm(far.state.fluid.position[i] - none.state.fluid.position[i]), 1e-7);
+    }
+}
+
 }  // namespace
 }  // namespace riprap::bench
