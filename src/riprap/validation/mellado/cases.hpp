@@ -16,5 +16,16 @@ void cylinders(const CaseSetting& setting, CaseReport& report);
 void three_blocks(const CaseSetting& setting, CaseReport& report);
 void demolisher(const CaseSetting& setting, CaseReport& report);
 void friction_strips(const CaseSetting& setting, CaseReport& report);
+void block_entry(const CaseSetting& setting, CaseReport& report);
+void cylinder_entry(const CaseSetting& setting, CaseReport& report);
+void floes_4(const CaseSetting& setting, CaseReport& report);
+void floes_9(const CaseSetting& setting, CaseReport& report);
+void floes_none(const CaseSetting& setting, CaseReport& report);
+void floe_methods(const CaseSetting& setting, CaseReport& report);
+void floe_ensemble(const CaseSetting& setting, CaseReport& report);
+void one_cube(const CaseSetting& setting, CaseReport& report);
+void three_cubes(const CaseSetting& setting, CaseReport& report);
+void six_cubes(const CaseSetting& setting, CaseReport& report);
+void sinking_cube(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mellado

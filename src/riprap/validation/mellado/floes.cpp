@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dam breaks over dry and wet beds with four, nine and no blocks afloat [Mellado2021, 3] [Amaro2021].
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "riprap/validation/mellado/cases.hpp"
+#include "riprap/validation/water/water_trial.hpp"
+
+namespace riprap::validation::mellado {
+
+namespace {
+
+using water::WaterTrial;
+
+constexpr double depth_up = 0.15, length_up = 0.15, length = 0.7, width = 0.15, thickness = 0.0195;
+constexpr std::array depths{0.0, 0.01, 0.025, 0.05};  ///< of the water below the dam [m]
+
+double spacing_of(const CaseSetting& setting) { return setting.is_full ? 0.00326087 : 0.0125; }
+
+/// Smoothing ratio of a method: both MPS take the support of the article's three dimensions.
+std::string support_of(std::string_view fluid) { return fluid == "sph" ? "" : "fluid.smoothing_ratio=1.05"; }
+
+struct FloeRun {
+    double depth{0.025}, end{1.5};
+    std::string_view fluid{"wcmps"}, solid{"sphere_dem"};
+    std::vector<std::string> more{};
+};
+
+std::vector<std::string> overrides_of(const FloeRun& run, double spacing) {
+    const double gate = std::max(2 * spacing, 0.005);
+    std::vector<std::string> all{fmt::format("fluid.spacing={}", spacing),
+                                 fmt::format("end={}", run.end),
+                                 fmt::format("fluid.method=\"{}\"", run.fluid),
+                                 fmt::format("solid.method=\"{}\"", run.solid),
+                                 fmt::format("body.gate.shape.box=[{},0.15,0.3]", gate),
+                                 fmt::format("body.gate.position=[{},0.075,0.15]", length_up + 0.5 * gate)};
+    // Over a dry bed the second region is the right half of the reservoir.
+    const bool is_dry = run.depth == 0;
+    all.push_back(fmt::format("fluid.region.0.box.high=[{},0.15,0.15]", is_dry ? 0.075 : 0.15));
+    all.push_back(fmt::format("fluid.region.1.box.low=[{},0,0]", is_dry ? 0.075 : length_up + gate));
+    all.push_back(is_dry ? "fluid.region.1.box.high=[0.15,0.15,0.15]"
+                         : fmt::format("fluid.region.1.box.high=[0.7,0.15,{}]", run.depth));
+    if (const std::string support = support_of(run.fluid); !support.empty()) {
+        all.push_back(support);
+    }
+    all.insert(all.end(), run.more.begin(), run.more.end());
+    return all;
+}
+
+/// First moment at which water stands at the downstream wall, 1.5 spacings above the bed's own level [s].
+struct Arrival {
+    double level, near;
+    double time{std::nan("")};
+
+    void look(const WaterTrial& trial) {
+        const auto is_there = [&](const Vec3& x) { return x.x > length - near && x.z > level; };
+        if (std::isnan(time) && std::ranges::any_of(trial.state().fluid.position, is_there)) {
+            time = trial.now();
+        }
+    }
+};
+
+struct Outcome {
+    double arrival{std::nan("")}, seconds{0};
+    double volume_change{0};  ///< largest, over the volume at the start [-]
+    std::optional<WaterTrial> trial;
+
+    double farthest(const std::string& block, double until = 1.5) const {
+        const std::vector<double>& x = trial->column(block + ".position.x");
+        double most = 0;
+        for (std::size_t i = 0; i < x.size() && trial->time()[i] <= until; ++i) {
+            most = std::max(most, x[i]);
+        }
+        return most;
+    }
+};
+
+CaseSetting in_folder(const CaseSetting& setting, const std::string& name) {
+    CaseSetting other = setting;
+    other.folder = setting.folder.parent_path() / name;
+    return other;
+}
+
+Outcome run_floes(const CaseSetting& setting, const std::string& folder, const FloeRun& run) {
+    const double spacing = spacing_of(setting);
+    Outcome outcome;
+    const auto start = std::chrono::steady_clock::now();
+    outcome.trial.emplace(in_folder(setting, folder), overrides_of(run, spacing));
+    Arrival arrival{run.depth + (run.depth > 0 ? 1.5 * spacing : 0), spacing};
+    double start_volume = 0;
+    outcome.trial->run([&](const WaterTrial& trial) {
+        arrival.look(trial);
+        double volume = 0;
+        for (const double density : trial.state().fluid.density) {
+            volume += trial.model().particles()->settings().particle_mass / density;
+        }
+        start_volume = start_volume > 0 ? start_volume : volume;
+        outcome.volume_change = std::max(outcome.volume_change, std::abs(volume / start_volume - 1));
+    });
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome.arrival = arrival.time;
+    return outcome;
+}
+
+/// Judges what all eight scenarios have in common, and the four without blocks.
+void judge_flow(CaseReport& report, const std::string& run, const FloeRun& floes, const Outcome& outcome) {
+    if (floes.depth == 0) {
+        report.judge({run + ": front reaches the downstream wall", "s", 0.41, {}, "the article's first picture"},
+                     outcome.arrival, 0.37, 0.45);
+    } else {
+        report.state({run + ": front reaches the downstream wall", "s", ""}, outcome.arrival);
+    }
+    report.judge_below({run + ": largest change of the water's volume", "-", {}, 0.0, "final level to 1 %"},
+                       outcome.volume_change, 0.01);
+    water::judge_ledger(report, *outcome.trial, run);
+    const sim::Ledger& ledger = outcome.trial->report().ledger;
+    report.judge_below({run + ": momentum that the ledgers miss, over weight of water times time",
+                        "-",
+                        {},
+                        0.0,
+                        {},
+                        Kind::bookkeeping},
+                       (norm(ledger.momentum_residual) + norm(ledger.fluid.momentum_residual)) /
+                           (ledger.fluid.mass * 9.81 * outcome.trial->now()),
+                       25.0 / (1 << 24));
+    report.state({run + ": wall-clock time of a simulated second", "s", ""}, outcome.seconds / outcome.trial->now());
+}
+
+void judge_arrivals(CaseReport& report, const std::array<Outcome, 4>& outcomes) {
+    double least = 1;
+    for (std::size_t k = 1; k < depths.size(); ++k) {
+        least = std::min(least, outcomes[k].arrival - outcomes[k - 1].arrival);
+    }
+    report.judge({"least delay of the front by a deeper bed", "s", {}, {}, "deeper beds, slower fronts"}, least, 0, 1);
+}
+
+std::string bed(double depth) { return depth == 0 ? "dry" : fmt::format("{:g} mm", 1000 * depth); }
+
+/// Largest x of a block before 1.5 s in three experiments, and of the article's model [m].
+struct Excursion {
+    std::size_t depth;
+    std::string_view block;
+    double low, high, article;
+};
+constexpr std::array excursions_4{Excursion{0, "B1", 0.18, 0.18, 0.30}, Excursion{1, "B1", 0.20, 0.26, 0.28},
+                                  Excursion{2, "B1", 0.18, 0.26, 0.23}, Excursion{3, "B1", 0.08, 0.11, 0.12}};
+constexpr std::array excursions_9{Excursion{0, "C1", 0.08, 0.22, 0.22}, Excursion{0, "C2", 0.33, 0.43, 0.43},
+                                  Excursion{1, "C1", 0.18, 0.18, 0.22}};
+
+void judge_excursions(CaseReport& report, const std::array<Outcome, 4>& outcomes, std::span<const Excursion> all) {
+    for (const Excursion& e : all) {
+        const double x = outcomes[e.depth].farthest(std::string(e.block));
+        const std::string name = fmt::format("{}: largest x of {} before 1.5 s", bed(depths[e.depth]), e.block);
+        report.judge(
+            {name, "m", e.article, {}, fmt::format("experiments {} to {} m, widened by 0.04 m", e.low, e.high)}, x,
+            e.low - 0.04, e.high + 0.04);
+        const double error = std::max({0.0, e.article - e.high, e.low - e.article});
+        if (error > 0) {
+            report.judge_below(
+                {name + ", beyond its experiments; the article's model", "m", error, 0.0, "to be beaten"},
+                std::max({0.0, x - e.high, e.low - x}), error);
+        }
+    }
+}
+
+void judge_order(CaseReport& report, const std::array<Outcome, 4>& outcomes, const std::string& block) {
+    double worst = -1;
+    for (std::size_t k = 1; k < depths.size(); ++k) {
+        worst = std::max(worst, outcomes[k].farthest(block) - outcomes[k - 1].farthest(block));
+    }
+    report.judge({fmt::format("{}: largest growth of its excursion with the depth of the bed", block),
+                  "m",
+                  {},
+                  {},
+                  "falls with depth"},
+                 worst, -1, 0);
+}
+
+/// Blocks float at rest behind the closed gate.
+void judge_freeboard(CaseReport& report, const CaseSetting& setting, const std::string& folder,
+                     std::span<const std::string> blocks) {
+    FloeRun still{.depth = 0, .end = 1.0, .more = {"body.gate.motion.linear.velocity=[0,0,0]"}};
+    const Outcome outcome = run_floes(setting, folder, still);
+    const WaterTrial& trial = *outcome.trial;
+    // Behind the gate stands what the particles weigh: their level with the blocks afloat.
+    const double mass = trial.report().ledger.fluid.mass;
+    double height = 0, solid = 0;
+    for (const std::string& block : blocks) {
+        height += trial.mean(block + ".position.z", 0.5, 1) / static_cast<double>(blocks.size());
+    }
+    const body::BodySet& bodies = trial.model().bodies;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        const auto k = static_cast<std::size_t>(b);
+        solid += bodies.drive[k] == body::Drive::free ? bodies.mass[k] : 0;
+    }
+    const double level = (mass + solid) / 1000 / (length_up * width);
+    report.judge({"mean freeboard behind the closed gate", "m", {}, 0.00257, "half a spacing"},
+                 height + 0.5 * thickness - level, Absolute{0.5 * spacing_of(setting)});
+}
+
+void plot_blocks(const CaseSetting& setting, const std::array<Outcome, 4>& outcomes, const std::string& name,
+                 std::span<const std::string> blocks) {
+    Plot plot{name, "", {"time [s]", false}, {"x of the front row [m]", false}, {}, false};
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        for (const std::string& block : blocks) {
+            plot.curves.push_back({block + ", " + bed(depths[k]), outcomes[k].trial->time(),
+                                   outcomes[k].trial->column(block + ".position.x"), CurveStyle::line,
+                                   static_cast<int>(k)});
+        }
+    }
+    write_plot(setting, name, plot);
+}
+
+std::array<Outcome, 4> run_all(const CaseSetting& setting, CaseReport& report, const std::string& folder, double end) {
+    std::array<Outcome, 4> outcomes;
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        const FloeRun run{.depth = depths[k], .end = setting.is_full ? 3.0 : end};
+        outcomes[k] = run_floes(setting, folder, run);
+        judge_flow(report, bed(depths[k]), run, outcomes[k]);
+    }
+    judge_arrivals(report, outcomes);
+    return outcomes;
+}
+
+}  // namespace
+
+void floes_4(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<std::string> all{"A1", "A2", "B1", "B2"}, front{"B1", "B2"};
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_4", 1.5);
+    judge_excursions(report, outcomes, excursions_4);
+    judge_order(report, outcomes, "A2");
+    judge_order(report, outcomes, "B2");
+    judge_freeboard(report, setting, "floes_4", all);
+    plot_blocks(setting, outcomes, "floes_4", front);
+}
+
+void floes_9(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<std::string> all{"A1", "A2", "A3", "B1", "B2", "B3", "C1", "C2", "C3"}, front{"C1", "C2", "C3"};
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_9", 1.5);
+    judge_excursions(report, outcomes, excursions_9);
+    judge_freeboard(report, setting, "floes_9", all);
+    plot_blocks(setting, outcomes, "floes_9", front);
+}
+
+// The same without blocks: computed only in the source, so with blocks against without is all there is to judge.
+void floes_none(const CaseSetting& setting, CaseReport& report) {
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_none", 0.8);
+    const FloeRun dry{.depth = 0, .end = 0.6};
+    const Outcome loaded = run_floes(setting, "floes_4", dry);
+    report.judge(
+        {"dry: arrival with four blocks less that without", "s", {}, 0.0, "blocks hardly affect the early flow"},
+        loaded.arrival - outcomes[0].arrival, Absolute{0.04});
+}
+
+// One word each: three fluids by two solids.
+void floe_methods(const CaseSetting& setting, CaseReport& report) {
+    const double end = setting.is_full ? 1.5 : 0.4;
+    std::vector<double> places;
+    for (const std::string_view solid : {"sphere_dem", "distance_potential_dem"}) {
+        for (const std::string_view fluid : {"sph", "wcmps", "mps"}) {
+            const FloeRun run{.end = end, .fluid = fluid, .solid = solid};
+            const Outcome outcome = run_floes(setting, "floes_4", run);
+            const std::string name = fmt::format("{}, {}", fluid, solid);
+            judge_flow(report, name, run, outcome);
+            places.push_back(outcome.trial->column("B2.position.x").back());
+            report.state({name + ": x of B2 at the end", "m", ""}, places.back());
+        }
+    }
+    const auto [low, high] = std::ranges::minmax(places);
+    report.judge({"x of B2 at the end, spread over all six pairs of methods", "m", {}, 0.0, "a quarter of the block"},
+                 high - low, 0, 0.018);
+}
+
+// Five members with gaps and gate as uncertain as in the laboratory.
+void floe_ensemble(const CaseSetting& setting, CaseReport& report) {
+    std::vector<double> far;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::mt19937_64 bits(seed);
+        const auto between = [&](double low, double high) {
+            return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+        };
+        FloeRun run{.depth = 0, .end = setting.is_full ? 3.0 : 1.5};
+        run.more.push_back(fmt::format("body.gate.motion.linear.velocity=[0,0,{}]", between(0.36, 0.44)));
+        for (const std::string_view row : {"A", "B"}) {
+            run.more.push_back(fmt::format("body.{}1.position=[{},{},0.14282]", row, 0.0375 + between(-0.001, 0.001),
+                                           row == "A" ? 0.1125 : 0.0375));
+        }
+        far.push_back(run_floes(setting, "floes_4", run).farthest("B1"));
+    }
+    const auto [low, high] = std::ranges::minmax(far);
+    report.judge({"dry: largest x of B1 before 1.5 s, least of five members",
+                  "m",
+                  0.30,
+                  {},
+                  "experiments 0.18 m, widened by 0.04 m"},
+                 low, 0.14, 0.22);
+    report.judge({"dry: the same, largest of five members", "m", 0.30, {}, "experiments 0.18 m, widened by 0.04 m"},
+                 high, 0.14, 0.22);
+}
+
+}  // namespace riprap::validation::mellado
