@@ -49,6 +49,32 @@ TEST(AddedMass, a_body_whose_added_mass_differs_with_direction_settles_too) {
     EXPECT_LE(residual, 1e-2);
 }
 
+TEST(AddedMass, light_bodies_that_feel_each_other_through_the_water_settle) {
+    // Four bodies in a row, each with 30 times its mass of water about it and 14 of that shared with its neighbours:
+    // four directions that differ, so four passes beyond the plain ones and one to see it.
+    const std::vector<double> mass(4, 1.0), inertia(4, 1.0), estimate(4, 20.0);
+    const auto water = [](const std::vector<body::Acceleration>& a) {
+        std::vector<body::Acceleration> answer(4);
+        for (std::size_t b = 0; b < 4; ++b) {
+            Vec3 sum = 30.0 * a[b].linear;
+            sum += b > 0 ? -14.0 * a[b - 1].linear : Vec3{};
+            sum += b < 3 ? -14.0 * a[b + 1].linear : Vec3{};
+            answer[b].linear = Vec3{0, 0, b == 0 ? 50.0 : -9.81} - sum;
+        }
+        return answer;
+    };
+    AddedMassIteration iteration(mass, inertia, estimate);
+    std::vector<body::Acceleration> a(4);
+    while (!iteration.accept(a, water(a), 9.81)) {
+    }
+    EXPECT_TRUE(iteration.is_settled());
+    EXPECT_LE(iteration.passes(), AddedMassIteration::plain + 5);
+    const std::vector<body::Acceleration> found = water(a);
+    for (std::size_t b = 0; b < 4; ++b) {
+        EXPECT_NEAR(found[b].linear.z, a[b].linear.z, 0.02 * (9.81 + std::abs(a[b].linear.z)));
+    }
+}
+
 TEST(AddedMass, what_never_settles_ends_after_the_stated_number_of_passes_and_says_so) {
     const std::vector<double> mass{1}, inertia{1}, estimate{5};
     AddedMassIteration iteration(mass, inertia, estimate);

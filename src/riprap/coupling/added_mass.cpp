@@ -14,6 +14,61 @@ body::Acceleration operator-(const body::Acceleration& a, const body::Accelerati
 
 }  // namespace
 
+double AddedMassIteration::product(const Accelerations& x, const Accelerations& y) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < x.size(); ++b) {
+        if (!(kappa_[b] > iterates_above)) {
+            continue;
+        }
+        sum += mass_[b] * dot(x[b].linear, y[b].linear) + inertia_[b] * dot(x[b].angular, y[b].angular);
+    }
+    return sum;
+}
+
+AddedMassIteration::Accelerations AddedMassIteration::combine() const {
+    // Differences from the last pass, made orthogonal one after another (Gram and Schmidt, twice over is not needed: a
+    // direction that keeps little of its length says nothing new and is left out).
+    Accelerations guess = guesses_.back(), residual = residuals_.back();
+    std::vector<Accelerations> steps, changes;
+    const auto add = [](Accelerations& to, double factor, const Accelerations& x) {
+        for (std::size_t b = 0; b < to.size(); ++b) {
+            to[b].linear += factor * x[b].linear;
+            to[b].angular += factor * x[b].angular;
+        }
+    };
+    for (std::size_t k = guesses_.size() - 1; k-- > 0;) {
+        Accelerations step = guesses_[k], change = residuals_[k];
+        add(step, -1, guesses_.back());
+        add(change, -1, residuals_.back());
+        const double before = product(change, change);
+        for (std::size_t j = 0; j < changes.size(); ++j) {
+            const double share = product(changes[j], change);
+            add(change, -share, changes[j]);
+            add(step, -share, steps[j]);
+        }
+        const double left = product(change, change);
+        if (!(left > 1e-12 * before)) {
+            continue;
+        }
+        const double scale = 1 / std::sqrt(left);
+        for (Accelerations* both : {&change, &step}) {
+            Accelerations unit = *both;
+            add(unit, scale - 1, *both);
+            *both = std::move(unit);
+        }
+        const double share = product(change, residual);
+        add(residual, -share, change);
+        add(guess, -share, step);
+        changes.push_back(std::move(change));
+        steps.push_back(std::move(step));
+    }
+    for (std::size_t b = 0; b < guess.size(); ++b) {
+        guess[b].linear += 1 / (1 + kappa_[b]) * residual[b].linear;
+        guess[b].angular += 1 / (1 + kappa_[b]) * residual[b].angular;
+    }
+    return guess;
+}
+
 AddedMassIteration::AddedMassIteration(std::span<const double> mass, std::span<const double> inertia,
                                        std::span<const double> kappa)
     : mass_(mass), inertia_(inertia), kappa_(kappa) {}
@@ -29,6 +84,7 @@ bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::spa
     relaxation_.resize(guess.size());
     residual_ = 0;
     std::vector<body::Acceleration> next = guess;
+    Accelerations residual(guess.size());
     for (std::size_t b = 0; b < guess.size(); ++b) {
         if (!(kappa_[b] > iterates_above)) {
             continue;
@@ -46,14 +102,16 @@ bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::spa
             // The map contracts against itself: a factor outside (0, 1] comes from noise.
             relaxation_[b] = std::clamp(relaxation_[b], 1e-4, 1.0);
         }
-        last_[b] = r;
+        last_[b] = residual[b] = r;
         next[b].linear += relaxation_[b] * r.linear;
         next[b].angular += relaxation_[b] * r.angular;
     }
     if (is_settled() || passes_ >= most) {
         return true;
     }
-    guess = std::move(next);
+    guesses_.push_back(guess);
+    residuals_.push_back(std::move(residual));
+    guess = passes_ < plain ? std::move(next) : combine();
     return false;
 }
 

@@ -17,6 +17,11 @@ namespace riprap::coupling {
 ///     a <- a + w r,   w <- -w (r_old . (r - r_old)) / |r - r_old|^2,   w_0 = 1/(1 + kappa),
 ///
 /// with m a . b + I alpha . beta as the product [KuettlerWall2008].
+///
+/// Bodies that feel each other through the water, or one whose added mass differs much with direction, settle slowly by
+/// that. After `plain` passes all of them are taken together: the combination of all passes so far with the least
+/// residual, and from there a step of relaxation 1/(1 + kappa). Where G is linear, as in a pressure solve, this is
+/// GMRES [WalkerNi2011].
 class AddedMassIteration {
  public:
     /// @param mass, inertia  of every body [kg], [kg m^2]
@@ -26,6 +31,7 @@ class AddedMassIteration {
     static constexpr double iterates_above = 0.1;  ///< lagged feedback then still decays tenfold a step
     static constexpr double tolerance = 1e-2;      ///< of |r| over |a| + |g|
     static constexpr int most = 20;                ///< force passes in one step
+    static constexpr int plain = 8;                ///< of them by Aitken's relaxation
 
     /// Puts the next guess into `guess`, given what came out of it. True when nothing needs to change: the loads of
     /// this pass are those to use.
@@ -38,9 +44,16 @@ class AddedMassIteration {
     double residual() const { return residual_; }  ///< largest |r| over |a| + |g| of the last pass [-]
 
  private:
+    using Accelerations = std::vector<body::Acceleration>;
+
+    /// Returns the guess that follows from all passes so far.
+    Accelerations combine() const;
+    double product(const Accelerations& x, const Accelerations& y) const;
+
     std::span<const double> mass_, inertia_, kappa_;
     std::vector<body::Acceleration> last_;
     std::vector<double> relaxation_;
+    std::vector<Accelerations> guesses_, residuals_;  ///< of all passes
     int passes_{0};
     double residual_{0};
 };
