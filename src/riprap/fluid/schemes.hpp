@@ -29,6 +29,11 @@ inline ParticleSettings& base_of(SchemeSettings& settings) {
 inline bool takes_openings(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_openings(); }, settings);
 }
+/// Whether the scheme reads BoundaryParticles::outward_area.
+inline bool takes_outward_area(const SchemeSettings& settings) {
+    const auto* own = std::get_if<WcmpsSettings>(&settings);
+    return own != nullptr && own->wall_loads == WallLoads::pressure_area;
+}
 inline bool takes_joints(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_joints(); }, settings);
 }

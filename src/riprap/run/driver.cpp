@@ -273,6 +273,17 @@ int Driver::finish(const Progress& progress) {
               fmt::format("{} at step {}, t = {:.6g} s", is_whole ? "finished" : "stopped by max_steps", state().step,
                           state().time),
               {{"step", static_cast<double>(state().step)}, {"time", state().time}});
+    if (const StepCounts& counts = simulation_.counts(); counts.solver_iterations > 0) {
+        const double mean = static_cast<double>(counts.solver_iterations) / static_cast<double>(state().step);
+        const std::string text =
+            fmt::format("pressure equation: {:.1f} iterations a step, {} at most, residual {:.2g} at most", mean,
+                        counts.most_iterations, counts.worst_residual);
+        log_->add("solver", text,
+                  {{"iterations_mean", mean},
+                   {"iterations_max", static_cast<double>(counts.most_iterations)},
+                   {"residual_max", counts.worst_residual}});
+        say(text);
+    }
     const sim::Ledger& ledger = simulation_.report().ledger;
     const std::string unit = sim::unit_in("J", model().bodies.is_planar);
     say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} {} of {:.2g} {} turned over",

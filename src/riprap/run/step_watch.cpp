@@ -17,6 +17,9 @@ void StepCounts::add(const sim::StepReport& report, bool meets_end) {
     above_bound += report.dt > bound_of(report) ? 1 : 0;
     unsettled += report.is_water_settled ? 0 : 1;
     with_intruder += report.intruder.empty() ? 0 : 1;
+    solver_iterations += report.solver_iterations;
+    most_iterations = std::max(most_iterations, report.solver_iterations);
+    worst_residual = std::max(worst_residual, report.solver_residual);
     longest = std::max(longest, report.dt);
     if (!meets_end) {
         shortest = shortest > 0 ? std::min(shortest, report.dt) : report.dt;

@@ -133,6 +133,8 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     if (report.intruder.empty()) {
         report.intruder = brought.step.intruder;
     }
+    report.solver_iterations += brought.step.fluid.solver_iterations;
+    report.solver_residual = std::max(report.solver_residual, brought.step.fluid.solver_residual);
     report.max_water_speed = std::max(report.max_water_speed, brought.step.fluid.max_speed);
     return outcome;
 }

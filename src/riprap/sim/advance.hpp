@@ -66,11 +66,13 @@ struct StepReport {
     std::int64_t contact_count{0};
     std::int64_t pair_count{0};  ///< candidates in the pair cache: Scratch, no quantity of a record
     bool pairs_rebuilt{false};
-    std::int64_t substeps{1};      ///< steps of the solids within this one of the water
-    std::int64_t water_passes{0};  ///< force passes of the water: more than one where light bodies need it
-    double water_residual{0};      ///< of the accelerations of light bodies, over |a| + |g| [-]
-    bool is_water_settled{true};   ///< false where that iteration ended for want of passes
-    double max_water_speed{0};     ///< [m/s]
+    std::int64_t substeps{1};           ///< steps of the solids within this one of the water
+    std::int64_t water_passes{0};       ///< force passes of the water: more than one where light bodies need it
+    double water_residual{0};           ///< of the accelerations of light bodies, over |a| + |g| [-]
+    std::int64_t solver_iterations{0};  ///< of the fluid's pressure equation, all passes and spans
+    double solver_residual{0};          ///< of it, over its right-hand side, the largest of the spans [-]
+    bool is_water_settled{true};        ///< false where that iteration ended for want of passes
+    double max_water_speed{0};          ///< [m/s]
     double water_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the water allows a step that is fixed [s]
     std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };

@@ -56,6 +56,18 @@ std::vector<std::int32_t> find_samples(const ParticleFluid& water, const body::B
                         reach, is_far);
 }
 
+/// Fills the area that each sample of the outermost layer stands for, along its outward normal; zero below it.
+void place_areas(const SampleView& samples, const body::Motion& motion, double spacing,
+                 fluid::BoundaryParticles& walls) {
+    walls.outward_area.resize(at(samples.size()));
+    parallel::for_each(samples.size(), [&](std::int64_t index) {
+        const auto i = at(index);
+        const bool is_outermost = samples.depth(i) < 0.75 * spacing;
+        const double area = is_outermost ? samples.volume(i) / spacing : 0;
+        walls.outward_area[i] = area * rotate(motion.pose[at(samples.body(i).value)].orientation, samples.normal(i));
+    });
+}
+
 double fastest_of(const fluid::ParticleState& particles) {
     return std::sqrt(parallel::reduce(
         particles.size(), 0.0, [&](std::int64_t i) { return norm_squared(particles.velocity[at(i)]); },
@@ -68,6 +80,10 @@ void place_walls(const ParticleFluid& water, const fluid::OpenState& open, doubl
                  ParticleScratch& scratch) {
     place_samples(SampleView(water.samples, scratch.near_numbers), scratch.motion, scratch.walls,
                   scratch.bodies.is_still);
+    if (fluid::takes_outward_area(water.scheme)) {
+        place_areas(SampleView(water.samples, scratch.near_numbers), scratch.motion, water.settings().spacing,
+                    scratch.walls);
+    }
     if (!water.open.empty()) {
         place_openings(water.open, open, water.settings(), time, ahead, scratch.walls);
     }

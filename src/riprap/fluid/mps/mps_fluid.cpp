@@ -28,6 +28,8 @@ void MpsFluid::kick(ParticleState& state, const BoundaryParticles& walls, const 
         kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, solved_, extra_force);
     }
     report = solved_;
+    report.solver_iterations = solved_.solve.iterations;
+    report.solver_residual = solved_.solve.residual;
 }
 
 std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings) {

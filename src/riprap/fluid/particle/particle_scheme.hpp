@@ -43,9 +43,11 @@ struct FluidReport {
     Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
     double mass{0};              ///< [kg]
     double max_speed{0}, max_acceleration{0};
-    double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
-    std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
-    std::string problem;              ///< why, with particle, place and time
+    std::int64_t solver_iterations{0};  ///< of the pressure equation, all passes of the step
+    double solver_residual{0};          ///< of it, over its right-hand side, last pass [-]
+    double max_shift{0};                ///< farthest that shifting moved a particle in this step [m]
+    std::int64_t worst_particle{-1};    ///< first id that is not finite, too fast or out of the domain
+    std::string problem;                ///< why, with particle, place and time
 };
 
 /// What particles of one method do in a step, between the walls that somebody else moves. The driver calls the verbs in

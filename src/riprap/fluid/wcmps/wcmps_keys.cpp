@@ -32,6 +32,10 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                        "Speed of separation over speed of approach in such a collision."),
                 number(&S::courant, "courant", dimension::plain, above(0, 1),
                        "Share of the time that sound needs through a spacing that a step may last."),
+                choice(&S::wall_loads, "wall_loads",
+                       {{"pair_sum", WallLoads::pair_sum}, {"pressure_area", WallLoads::pressure_area}},
+                       "Loads on solids: the reaction pair by pair; or -p A n of the outermost layer as in the source, "
+                       "which keeps neither momentum nor energy (for comparison)."),
                 integer(&S::sort_interval, "sort_interval", 1, 1e6,
                         "Steps between sorts of the particles by place: part of the result, as sums follow the "
                         "order.")},
