@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "riprap/bench/bench.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/run/ensemble.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
@@ -61,18 +62,26 @@ void add_run(CLI::App& app, Action& action) {
     CLI::Option* resume = command->add_flag("--resume", options->resume, "Continue the run in the folder, if any");
     command->add_flag("--force", options->force, "Replace the run in the folder, if any")->excludes(resume);
     command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
-    command->callback([&action, options, limits, out] {
+    auto members = std::make_shared<std::int64_t>(0);
+    command
+        ->add_option(
+            "--ensemble", *members,
+            "Run so many members, each with numbers of its own drawn as [[spread]] of the case says, and write "
+            "bands.csv and bands.svg; members that are there already are continued")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000));
+    command->callback([&action, options, limits, out, members] {
         for (const auto& [key, value] : {std::pair("end=", limits->end), std::pair("max_steps=", limits->max_steps)}) {
             if (value) {
                 options->overrides.push_back(key + *value);
             }
         }
-        action = [options, out] {
+        action = [options, out, members] {
             const std::filesystem::path file = run::find_case(options->case_path);
             options->case_path = file.string();
             options->out =
                 out->empty() ? std::filesystem::path("runs") / run::short_name(file) : std::filesystem::path(*out);
-            return run::run_case(*options);
+            return *members > 0 ? run_ensemble({*options, *members}) : run::run_case(*options);
         };
     });
 }

@@ -10,6 +10,9 @@
 namespace riprap::validation {
 struct ValidateOptions;
 }
+namespace riprap::run {
+struct EnsembleOptions;
+}
 namespace riprap::view {
 struct RenderOptions;
 struct WaveRequest;
@@ -44,6 +47,9 @@ struct ViewOptions {
 
 /// One page with everything that a run left.
 int view_run(const ViewOptions& options);
+
+/// Runs an ensemble and plots its bands: one SVG for every unit that the case records.
+int run_ensemble(const run::EnsembleOptions& options);
 
 /// A picture or a movie of a run.
 int print_render(const view::RenderOptions& options);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "riprap/io/csv.hpp"
+#include "riprap/run/run_case.hpp"
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap::run {
+
+/// One number of a case that is not known exactly: a row of [[spread]].
+struct Spread {
+    std::string key;               ///< path of the number, as for --set
+    double low{0}, high{0};        ///< of the uniform distribution, SI
+    bool is_normal{false};         ///< of mean and deviation instead
+    double mean{0}, deviation{0};  ///< SI
+};
+
+/// Rows of [[spread]] of a case. @throws CaseError where the case has none
+std::vector<Spread> spreads_of(const scene::LoadedCase& loaded);
+
+/// Value of one number in one member: a function of the seed of the case, the member and the key alone, so that more
+/// members or further numbers leave the others as they were.
+double draw(const Spread& spread, std::uint64_t seed, std::int64_t member);
+
+struct EnsembleOptions {
+    RunOptions run;  ///< `out` is the folder of the ensemble; member k lies in out/member-k
+    std::int64_t members{0};
+};
+
+/// Least, mean and largest of a column over all members.
+struct Band {
+    io::CsvColumn column;
+    std::vector<double> low, mean, high;
+};
+
+/// Bands of everything that the members record, at the times of the first one; between its rows a member counts by the
+/// straight line, after its end it does not count.
+struct Bands {
+    std::vector<double> time;  ///< [s]
+    std::vector<Band> bands;
+};
+
+/// Bands of the tables probes.csv of these run folders. @throws FileError
+Bands gather_bands(const std::vector<std::filesystem::path>& members);
+
+/// Writes `time`, then three columns for each band: NAME.low, NAME.mean, NAME.high. @throws FileError
+void write_bands(const std::filesystem::path& path, const Bands& bands);
+
+/// Runs the members one after another, each a run folder of its own with its drawn values as overrides; what is there
+/// already is continued, and a member that is finished is left alone. Writes ensemble.csv (member, values, exit code)
+/// and bands.csv. Stops after the member that a signal ends.
+/// @returns the first exit code that is not zero, else 0
+int run_ensemble(const EnsembleOptions& options);
+
+}  // namespace riprap::run
