@@ -90,6 +90,22 @@ TEST(Wedge, RefusesATopThatEndsBeforeItBegins) {
     EXPECT_THAT(wedge({1, 1, 1}, 0.6, 0.4).problems(), says("before it begins"));
 }
 
+TEST(Sphere, HasTheVolumeOfItsBallAndIsKnownAgain) {
+    const Polyhedron ball = sphere(0.3);
+    EXPECT_EQ(ball.faces.size(), 320U);
+    const MassProperties mass = mass_properties(ball);
+    EXPECT_NEAR(mass.volume, 4 * M_PI / 3 * 0.027, 1e-12);
+    EXPECT_NEAR(norm(mass.centroid), 0, 1e-15);
+    for (const Vec3& corner : ball.vertices) {
+        EXPECT_NEAR(norm(corner), 0.3, 0.013 * 0.3);
+    }
+    EXPECT_TRUE(is_sphere(moved(ball, {{1, 2, 3}, from_rotation_vector({0.3, 1, 2})})));
+    EXPECT_FALSE(is_sphere(icosahedron(1)));
+    Polyhedron dented = ball;
+    dented.vertices[5] *= 0.99;
+    EXPECT_FALSE(is_sphere(dented));
+}
+
 TEST(RegularPolygons, NeedThreeSides) {
     EXPECT_THAT(prism(2, 1, 1).problems(), says("2 sides"));
     EXPECT_THAT(pyramid(0, 1, 1).problems(), says("0 sides"));

@@ -33,7 +33,7 @@ std::vector<ShippedCase> shipped_cases() {
             {"drum", {}, 1500},
             {"floating_box", {"fluid.spacing=0.02"}, 250},
             {"hello_block", {}, 2000},
-            {"ice_jam", {"fluid.spacing=0.04"}, 40},
+            {"ice_jam", {"fluid.spacing=0.04"}, 12},
             {"jointed_slope", {}, 800},
             {"overflow", {"fluid.spacing=0.03"}, 400},
             {"stack", {}, 2000},

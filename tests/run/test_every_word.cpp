@@ -170,12 +170,44 @@ std::string answer(const std::string& word) {
     return text;
 }
 
+/// A ball that is in the floor at the start and moves into it.
+std::string bouncing(const std::string& word) {
+    return R"(gravity = [0, 0, -9.81]
+end = 1.0
+[solid]
+method = "sphere_dem"
+[material.ball]
+density = 1200.0
+normal_stiffness = 1e7
+restitution = 0.9
+[material.floor]
+density = 1200.0
+normal_stiffness = 1e7
+restitution = 0.3
+[contact]
+restitution_mixing = ")" +
+           word + R"("
+[[body]]
+name = "floor"
+material = "floor"
+shape = { half_space = { normal = [0, 0, 1] } }
+fixed = true
+[[body]]
+name = "ball"
+material = "ball"
+shape = { sphere = 0.1 }
+position = [0, 0, 0.0999]
+velocity = [0, 0, -1]
+)";
+}
+
 const std::map<std::string, Scene>& scenes() {
     static const std::map<std::string, Scene> all{
         {"contact.friction_mixing",
          [](const std::string& word) { return mixing("friction_mixing", "cohesion_mixing", word); }},
         {"contact.cohesion_mixing",
          [](const std::string& word) { return mixing("cohesion_mixing", "friction_mixing", word); }},
+        {"contact.restitution_mixing", bouncing},
         {"shape.hull.units",
          [](const std::string& word) { return falling("{ hull = { file = \"p.csv\", units = \"" + word + "\" } }"); }},
         {"shape.surface.units",

@@ -35,6 +35,9 @@ void turn_about(Quat& frame, const Vec3& angular_momentum, int axis, double rate
 
 Quat rotate_free(const Quat& orientation, const Vec3& angular_momentum, const Vec3& principal_moments,
                  const Quat& principal_axes, double dt) {
+    if (principal_moments.x == principal_moments.y && principal_moments.y == principal_moments.z) {
+        return normalized(from_rotation_vector((1 / principal_moments.x * dt) * angular_momentum) * orientation);
+    }
     const AxisOrder order = order_axes(principal_moments);
     const double reference = 1 / principal_moments[order.reference];
     const double rate_first = 1 / principal_moments[order.first] - reference;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -164,6 +165,59 @@ Polyhedron icosahedron(double edge) {
                      {}};
     scale(shape, 0.5 * edge);
     return shape;
+}
+
+namespace {
+
+/// Every triangle cut into four, new corners on the unit sphere.
+Polyhedron divided(const Polyhedron& shape) {
+    Polyhedron finer{shape.vertices, {}, {}};
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+    const auto middle = [&](std::int32_t a, std::int32_t b) {
+        const auto [it, is_new] =
+            middles.try_emplace(std::minmax(a, b), static_cast<std::int32_t>(finer.vertices.size()));
+        if (is_new) {
+            const auto at = [&](std::int32_t v) { return finer.vertices[static_cast<std::size_t>(v)]; };
+            finer.vertices.push_back(normalized(at(a) + at(b)));
+        }
+        return it->second;
+    };
+    for (const auto& face : shape.faces) {
+        const std::int32_t a = face[0], b = face[1], c = face[2], ab = middle(a, b), bc = middle(b, c),
+                           ca = middle(c, a);
+        finer.faces.insert(finer.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    return finer;
+}
+
+constexpr std::size_t sphere_vertices = 162;
+
+}  // namespace
+
+Polyhedron sphere(double radius) {
+    static const Polyhedron unit = [] {
+        Polyhedron shape = icosahedron(1);
+        scale(shape, 1 / norm(shape.vertices[0]));
+        shape = divided(divided(shape));
+        scale(shape, std::cbrt(4 * std::numbers::pi / 3 / mass_properties(shape).volume));
+        return shape;
+    }();
+    Polyhedron shape = unit;
+    scale(shape, radius);
+    return shape;
+}
+
+bool is_sphere(const Polyhedron& shape) {
+    if (shape.vertices.size() != sphere_vertices) {
+        return false;
+    }
+    Vec3 centre{};
+    for (const Vec3& v : shape.vertices) {
+        centre += v / static_cast<double>(sphere_vertices);
+    }
+    const double radius = norm(shape.vertices[0] - centre);
+    return std::ranges::all_of(shape.vertices,
+                               [&](const Vec3& v) { return std::abs(norm(v - centre) - radius) < 1e-6 * radius; });
 }
 
 Polyhedron dodecahedron(double edge) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Material {
     double cohesion{0};         ///< c, added to the shear strength per contact area [Pa]
     double damping_ratio{0};    ///< xi, fraction of critical contact damping [-]
     bool has_torsion{false};    ///< resist spinning about the contact normal
+    // Of bodies made of spheres; empty = those of the method's own keys.
+    std::optional<double> youngs_modulus{};  ///< E [Pa]
+    std::optional<double> poisson_ratio{};   ///< nu [-]
+    std::optional<double> restitution{};     ///< e [-]
 };
 
 /// Rule by which the values of two materials become one. Codes differ silently here, so it is a key of the case.
@@ -33,12 +38,14 @@ struct PairProperties {
     double cohesion{0};
     double damping_ratio{0};
     bool has_torsion{false};
+    std::optional<double> restitution{};  ///< where it is given for the pair; else mixed from the materials [-]
 };
 
 /// Materials by id and the resolved table of all pairs.
 struct MaterialSet {
     std::vector<Material> materials;
     std::vector<PairProperties> pairs;  ///< symmetric, row-major size() x size()
+    Mixing restitution_mixing{Mixing::mean};
 
     int size() const { return static_cast<int>(materials.size()); }
     const Material& operator[](MaterialId id) const { return materials[static_cast<std::size_t>(id.value)]; }

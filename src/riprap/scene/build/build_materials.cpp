@@ -37,7 +37,9 @@ void read_surface(const Value& table, Target& to) {
 }
 
 /// The mixing rule that the case gives. Where the materials in use differ in `value` the case must give one.
-Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, double Material::*value) {
+template <class Number>
+Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, Number Material::*value,
+                   Mixing if_alike = Mixing::minimum) {
     if (contact.find(key) != nullptr) {
         return get_word(contact, key, mixing_rules());
     }
@@ -54,7 +56,13 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
             break;
         }
     }
-    return Mixing::minimum;
+    return if_alike;
+}
+
+void read_number(const Value& table, std::string_view key, std::optional<double>& to) {
+    if (const Value* value = table.find(key)) {
+        to = value->as_number();
+    }
 }
 
 void read_pair(CaseBuild& build, const Value& pair) {
@@ -73,6 +81,7 @@ void read_pair(CaseBuild& build, const Value& pair) {
     const auto a = static_cast<std::size_t>(ids[0].value), b = static_cast<std::size_t>(ids[1].value);
     PairProperties properties = set.pairs[a * size + b];
     read_surface(pair, properties);
+    read_number(pair, "restitution", properties.restitution);
     set.pairs[a * size + b] = properties;
     set.pairs[b * size + a] = properties;
 }
@@ -113,6 +122,9 @@ void build_materials(CaseBuild& build) {
         material.density = get_number(entry.value, "density");
         material.normal_stiffness = get_number(entry.value, "normal_stiffness");
         read_surface(entry.value, material);
+        read_number(entry.value, "youngs_modulus", material.youngs_modulus);
+        read_number(entry.value, "poisson_ratio", material.poisson_ratio);
+        read_number(entry.value, "restitution", material.restitution);
         build.materials[entry.key] = MaterialId{build.model.materials.size()};
         build.model.materials.materials.push_back(std::move(material));
     }
@@ -122,6 +134,8 @@ void build_contact(CaseBuild& build) {
     const Value& contact = get(build.root, "contact");
     const Mixing friction = mixing_rule(build, contact, "friction_mixing", &Material::friction);
     const Mixing cohesion = mixing_rule(build, contact, "cohesion_mixing", &Material::cohesion);
+    build.model.materials.restitution_mixing =
+        mixing_rule(build, contact, "restitution_mixing", &Material::restitution, Mixing::mean);
     material::mix_pairs(build.model.materials, friction, cohesion);
     for (const Value& pair : get(contact, "pair").items) {
         read_pair(build, pair);

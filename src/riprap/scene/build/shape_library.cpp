@@ -92,6 +92,12 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
         const double edge = entry.value.as_number();
         return accept(geometry::planar_prism(rectangle(edge, edge)), entry.place);
     }
+    if (entry.key == "sphere") {  // a regular n-gon has the area n/2 R^2 sin(2 pi/n)
+        constexpr int sides = 64;
+        const double share = sides / (2 * std::numbers::pi) * std::sin(2 * std::numbers::pi / sides);
+        return accept(geometry::planar_prism(regular_polygon(sides, entry.value.as_number() / std::sqrt(share))),
+                      entry.place);
+    }
     if (entry.key == "polygon") {
         return accept(geometry::planar_prism(corners_of(entry.value)), entry.place);
     }
@@ -99,7 +105,7 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
         return make_prism(entry.value);
     }
     problems_.push_back({entry.place, fmt::format("'{}' is no shape of a planar scene", entry.key),
-                         "box, cube, prism, polygon, half_space, or a union of these"});
+                         "box, cube, prism, polygon, sphere, half_space, or a union of these"});
     return std::nullopt;
 }
 
@@ -142,6 +148,8 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
         one = geometry::dodecahedron(edge_of(value, std::sqrt(3.0) * std::numbers::phi / 2));
     } else if (kind == "icosahedron") {
         one = geometry::icosahedron(edge_of(value, std::sqrt(std::numbers::phi * std::sqrt(5.0)) / 2));
+    } else if (kind == "sphere") {
+        one = geometry::sphere(value.as_number());
     } else if (kind == "prism") {
         one = make_prism(value);
     } else if (kind == "hull") {

@@ -21,6 +21,24 @@ KeyList<sim::TimeSettings> time_keys() {
 
 namespace {
 
+const Table& spread_table() {
+    static const Table table{
+        "spread",
+        "[[spread]]",
+        "A number that is not known exactly: `riprap run --ensemble N` draws it anew for every member, from the seed "
+        "of "
+        "the case, the number of the member and the key alone. Runs of one member keep what the case says.",
+        {{"key", {text()}, "Which: the path as for --set, such as \"body.gate.motion.linear.velocity.2\".", {}, true},
+         {"low", {number(dimension::plain)}, "Least value of a uniform distribution, in SI.", {}},
+         {"high", {number(dimension::plain)}, "Its largest value.", {}},
+         {"mean", {number(dimension::plain)}, "Mean of a normal distribution, in SI.", {}},
+         {"deviation", {number(dimension::plain, non_negative())}, "Its standard deviation.", {}}},
+        {{GroupRule::exactly_one, {"low", "mean"}},
+         {GroupRule::all_or_none, {"low", "high"}},
+         {GroupRule::all_or_none, {"mean", "deviation"}}}};
+    return table;
+}
+
 Table rows_of_case() {
     return {
         "case",
@@ -52,6 +70,10 @@ Table rows_of_case() {
          {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
          {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
          {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
+         {"spread",
+          {table_list(spread_table)},
+          "Numbers that differ between the members of an ensemble.",
+          Value::array()},
          {"output", {form::table(output_table)}, "What is written, and how often.", Value::table()},
          {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};
 }
@@ -98,6 +120,10 @@ const Table& contact_pair_table() {
          {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
          {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
          {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
+         {"restitution",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Coefficient of restitution; of solid.method \"sphere_dem\" alone.",
+          {}},
          {"torsion", {boolean()}, "Resist spinning about the contact normal.", {}}},
         {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},
          {GroupRule::at_most_one, {"shear_ratio", "shear_stiffness"}}}};
@@ -153,6 +179,18 @@ const Table& material_table() {
           {number(dimension::plain, between(0, 1))},
           "Share of critical damping of a contact's dashpot.",
           Value::of(0.0)},
+         {"youngs_modulus",
+          {number(dimension::pressure, positive())},
+          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
+          {}},
+         {"poisson_ratio",
+          {number(dimension::plain, between(0, 0.5))},
+          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
+          {}},
+         {"restitution",
+          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
+          {}},
          {"torsion",
           {boolean()},
           "Resist spinning about the contact normal, where both materials ask for it.",
@@ -173,6 +211,10 @@ const Table& contact_table() {
           "Rule for the friction coefficient; required when materials differ in friction.",
           {}},
          {"cohesion_mixing", {choice(mixing_rules())}, "Rule for cohesion; required when materials differ in it.", {}},
+         {"restitution_mixing",
+          {choice(mixing_rules())},
+          "Rule for the restitution of spheres; required when materials differ in it.",
+          {}},
          {"max_initial_overlap",
           {number(dimension::plain, positive())},
           "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",

@@ -207,6 +207,11 @@ const Table& shape_table() {
          {"octahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"dodecahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
          {"icosahedron", {length, form::table(regular_table)}, "Edge length of a regular one, or a table.", {}},
+         {"sphere",
+          {length},
+          "Radius of a ball, in a planar scene of a disc. solid.method \"sphere_dem\" takes it as one sphere; other "
+          "methods, and what is shown, as a polyhedron of 320 triangles (a prism of 64 sides) with its volume.",
+          {}},
          {"hull", {form::table(hull_table)}, "Convex hull of points.", {}},
          {"random_hull", {form::table(random_hull_table)}, "An irregular stone.", {}},
          {"armour", {form::table(armour_table)}, "A concrete unit of a breakwater.", {}},
@@ -221,8 +226,8 @@ const Table& shape_table() {
          {"mesh", {form::table(mesh_table)}, "Ground or walls from triangles.", {}},
          {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
         {{GroupRule::exactly_one,
-          {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "hull",
-           "random_hull", "armour", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
+          {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "sphere",
+           "hull", "random_hull", "armour", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
     return table;
 }
 

@@ -7,6 +7,7 @@
 
 #include "riprap/body/multisphere.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/shapes.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -34,6 +35,22 @@ bool is_box(const geometry::Polyhedron& shape, const Vec3& size) {
                std::abs(std::abs(v.y) - 0.5 * size.y) < tolerance && std::abs(std::abs(v.z) - 0.5 * size.z) < tolerance;
     };
     return shape.vertices.size() == 8 && std::ranges::all_of(shape.vertices, in_corner);
+}
+
+/// A ball, or in the plane a disc: the prism of 64 sides.
+bool is_round(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::size_t body) {
+    if (bodies.part_begin[body + 1] - bodies.part_begin[body] != 1) {
+        return false;
+    }
+    const geometry::Polyhedron shape = shapes.polyhedron(bodies.parts[at(bodies.part_begin[body])].shape);
+    if (!bodies.is_planar) {
+        return geometry::is_sphere(shape);
+    }
+    constexpr std::size_t corners = 128;  // of both ends
+    const double radius = std::hypot(shape.vertices[0].x, shape.vertices[0].y);
+    return shape.vertices.size() == corners && std::ranges::all_of(shape.vertices, [&](const Vec3& v) {
+               return std::abs(std::hypot(v.x, v.y) - radius) < 1e-6 * radius;
+           });
 }
 
 /// Samples of a part, in its own frame.
@@ -91,7 +108,7 @@ SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& s
         if (!may_move(bodies, at(b))) {
             continue;
         }
-        if (settings.sampling == SphereSampling::one) {
+        if (settings.sampling == SphereSampling::one || is_round(bodies, shapes, at(b))) {
             spheres.add(BodyId{b}, radius_of_volume(bodies, materials, at(b)));
             continue;
         }
@@ -109,17 +126,28 @@ SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& s
 }
 
 contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings) {
-    contact::ContactMaterial one;
-    one.youngs_modulus = settings.youngs_modulus;
-    one.poisson_ratio = settings.poisson_ratio;
-    one.restitution = settings.restitution;
-    one.rolling_friction = settings.rolling_friction;
-    const std::vector<contact::ContactMaterial> all(at(materials.size()), one);
-    contact::ContactTable table(all, settings.laws.normal, {}, settings.laws.allows_pull);
+    const contact::ContactMixing mixing{.restitution = materials.restitution_mixing};
+    std::vector<contact::ContactMaterial> all;
+    for (const material::Material& material : materials.materials) {
+        contact::ContactMaterial own;
+        own.youngs_modulus = material.youngs_modulus.value_or(settings.youngs_modulus);
+        own.poisson_ratio = material.poisson_ratio.value_or(settings.poisson_ratio);
+        own.restitution = material.restitution.value_or(settings.restitution);
+        own.rolling_friction = settings.rolling_friction;
+        all.push_back(own);
+    }
+    contact::ContactTable table(all, settings.laws.normal, mixing, settings.laws.allows_pull);
     for (std::int32_t a = 0; a < materials.size(); ++a) {
         for (std::int32_t b = a; b < materials.size(); ++b) {
+            const material::PairProperties& given = materials.pair(MaterialId{a}, MaterialId{b});
             contact::ContactPair pair = table.pair(MaterialId{a}, MaterialId{b});
-            pair.static_friction = pair.kinetic_friction = materials.pair(MaterialId{a}, MaterialId{b}).friction;
+            if (given.restitution) {
+                std::vector<contact::ContactMaterial> two{all[at(a)], all[at(b)]};
+                two[0].restitution = two[1].restitution = *given.restitution;
+                pair = contact::ContactTable(two, settings.laws.normal, mixing, settings.laws.allows_pull)
+                           .pair(MaterialId{0}, MaterialId{1});
+            }
+            pair.static_friction = pair.kinetic_friction = given.friction;
             table.set_pair(MaterialId{a}, MaterialId{b}, pair);
         }
     }

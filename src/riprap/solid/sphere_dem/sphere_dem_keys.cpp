@@ -44,7 +44,8 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
     using S = SphereDemSettings;
     const KeyList<S> own{
         choice(&S::sampling, "spheres", {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}},
-               "Spheres that stand for a free body: samples of its surface, or one of its volume."),
+               "Spheres that stand for a free body: samples of its surface, or one of its volume. Balls and discs are "
+               "always one."),
         number_or_auto(&S::sphere_radius, "sphere_radius", dimension::length, positive(),
                        "Radius of the samples. \"auto\": a third of the least inscribed radius."),
         number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),
