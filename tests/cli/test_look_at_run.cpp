@@ -83,7 +83,7 @@ TEST_F(Looking, ColumnsOfUnlikeUnitsAreDrawnBelowEachOther) {
     have_run();
     const Ending ending = plot({"--column", "solid.kinetic", "--column", "max_speed"});
     EXPECT_EQ(ending.code, 0) << ending.err;
-    const std::string svg = text_of(in("run", "plot.svg"));
+    const std::string svg = text_of(out("plot.svg"));
     EXPECT_THAT(svg, HasSubstr("solid.kinetic [J]"));
     EXPECT_THAT(svg, HasSubstr("max_speed [m/s]"));
 }

@@ -32,10 +32,12 @@ std::vector<ShippedCase> shipped_cases() {
             {"dam_break_floes", {"fluid.spacing=0.0125"}, 24},
             {"drum", {}, 1500},
             {"floating_box", {"fluid.spacing=0.02"}, 250},
+            {"gravity_dam", {}, 12},
             {"hello_block", {}, 2000},
             {"ice_jam", {"fluid.spacing=0.04"}, 12},
             {"jointed_slope", {}, 800},
             {"overflow", {"fluid.spacing=0.03"}, 400},
+            {"rock_slide", {"fluid.spacing=4.0"}, 6},
             {"stack", {}, 2000},
             {"tilting_slope", {}, 2000},
             {"wave_flume", {"fluid.spacing=0.025"}, 60}};

@@ -201,6 +201,52 @@ velocity = [0, 0, -1]
 )";
 }
 
+/// Ground whose size and place follow the unit of its file.
+std::string ground(const std::string& shape) {
+    return falling("{ cube = 0.1 }") +
+           "[[body]]\nname = \"ground\"\nmaterial = \"rock\"\nfixed = true\nshape = " + shape +
+           "\nposition = [0, 0, -5000]\n";
+}
+
+/// Water on a grid that is let go beside stones, with waves through its low side.
+std::string grid_water(const std::string& wave, const std::string& closure) {
+    return R"(dimension = 2
+gravity = [0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1e7
+[[body]]
+name = "sill"
+material = "rock"
+fixed = true
+shape = { box = [0.3, 0.2] }
+position = [2.0, 0.05]
+[fluid]
+method = "grid"
+spacing = 0.02
+domain = { low = [0, 0], high = [4, 0.8] }
+[[fluid.region]]
+box = { low = [0, 0], high = [3, 0.4] }
+[[fluid.wave]]
+towards = "x"
+depth = 0.4
+height = 0.12
+period = 6.0
+absorb = true
+wave = ")" +
+           wave +
+           R"("
+[[fluid.porous]]
+box = { low = [2.5, 0], high = [3.5, 0.3] }
+porosity = 0.4
+grain_size = 0.02
+linear = 200
+quadratic = 1.1
+closure = ")" +
+           closure + "\"\n";
+}
+
 const std::map<std::string, Scene>& scenes() {
     static const std::map<std::string, Scene> all{
         {"contact.friction_mixing",
@@ -210,6 +256,21 @@ const std::map<std::string, Scene>& scenes() {
         {"contact.restitution_mixing", bouncing},
         {"shape.hull.units",
          [](const std::string& word) { return falling("{ hull = { file = \"p.csv\", units = \"" + word + "\" } }"); }},
+        {"shape.armour.unit",
+         [](const std::string& word) {
+             return falling("{ armour = { unit = \"" + word +
+                            "\", nominal_diameter = 0.1 } }\nangular_velocity = [1, 2, 3]");
+         }},
+        {"shape.terrain.units",
+         [](const std::string& word) {
+             return ground("{ terrain = { file = \"p.asc\", units = \"" + word + "\", thickness = 1e-4 } }");
+         }},
+        {"shape.mesh.units",
+         [](const std::string& word) {
+             return ground("{ mesh = { file = \"p.obj\", units = \"" + word + "\", thickness = 1e-4 } }");
+         }},
+        {"fluid.wave.wave", [](const std::string& word) { return grid_water(word, "ding"); }},
+        {"fluid.porous.closure", [](const std::string& word) { return grid_water("regular", word); }},
         {"shape.surface.units",
          [](const std::string& word) { return falling("{ obj = { file = \"p.obj\", units = \"" + word + "\" } }"); }},
         {"motion.wave_maker.paddle",
@@ -231,6 +292,7 @@ const std::map<std::string, Scene>& scenes() {
 /// Choices without a scene here, each with its reason.
 const std::map<std::string, std::string>& excused() {
     static const std::map<std::string, std::string> all{
+        {"fluid.wave.towards", "read as fluid.sponge.towards is; waves along gravity are refused"},
         {"output.probe.quantity", "its words are the rows of the table of quantities, each of which carries its code"}};
     return all;
 }
@@ -239,6 +301,8 @@ TEST(EveryWord, of_a_choice_gives_a_result_of_its_own) {
     const TemporaryFolder folder;
     std::ofstream(folder / "p.csv") << "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n";
     std::ofstream(folder / "p.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    std::ofstream(folder / "p.asc") << "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                       "0 0.1 0\n0 0.2 0\n0 0.1 0\n";
     std::size_t used = 0;
     for (const scene::Table* table : scene::all_tables()) {
         for (const scene::Key& key : table->keys) {

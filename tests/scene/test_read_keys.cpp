@@ -24,6 +24,7 @@ std::string reader_sources() {
         }
     }
     append("src/riprap/scene/read_case.cpp");
+    append("src/riprap/run/ensemble.cpp");  // [[spread]]
     return text;
 }
 
