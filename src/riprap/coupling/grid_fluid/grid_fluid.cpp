@@ -156,8 +156,10 @@ GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const Fl
 }
 
 std::span<const Account> GridFluid::accounts() {
-    static constexpr std::array list{Account{"dissipated", Balance::lost, Booking::across_kick,
-                                             "by viscosity, stones and sponges, and by what the schemes take"}};
+    static constexpr std::array list{Account{
+        "dissipated", Balance::lost, Booking::across_kick,
+        "by viscosity, stones, sponges and the schemes together: what the balance lacks, so that the residual of "
+        "the water itself is zero by construction"}};
     return list;
 }
 
