@@ -9,7 +9,7 @@ import math
 
 WEST, EAST = math.tan(math.radians(35)), math.tan(math.radians(28))  # slopes [-]
 HALF_BED, ROUNDING = 14.0, 1.5                                        # of the floor of the valley [m]
-COLUMNS, ROWS, CELL = 57, 32, 2.0
+COLUMNS, ROWS, CELL = 64, 32, 2.0
 X0, Y0 = -64.0, -26.0                                                 # of the first height [m]
 
 
