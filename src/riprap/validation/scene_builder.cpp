@@ -59,7 +59,7 @@ BodyId SceneBuilder::add_body(const BodySpec& spec) {
 }
 
 Trial::Trial(sim::Model model, sim::State state) : model_(std::move(model)), state_(std::move(state)) {
-    dt_ = sim::largest_time_step(model_, sim::time_step_bound(model_));
+    dt_ = sim::largest_time_step(model_, sim::time_step_bound(model_, state_));
     sim::initialise(model_, state_);
 }
 
