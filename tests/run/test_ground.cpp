@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "io/temporary_folder.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/run/simulation.hpp"
 
@@ -19,18 +19,11 @@ namespace {
 /// A folder with the files of a case.
 class CaseFolder {
  public:
-    CaseFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "riprap-ground-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    CaseFolder(const CaseFolder&) = delete;
-    CaseFolder& operator=(const CaseFolder&) = delete;
-    ~CaseFolder() { std::filesystem::remove_all(path_); }
-    std::string path() const { return path_.string(); }
+    std::string path() const { return folder_.path().string(); }
 
     /// Heights of a surface z(x, y) on points `pitch` apart from (x, y) = (-1, -1).
     void write_heights(int columns, int rows, double pitch, const std::function<double(double, double)>& z) const {
-        std::ofstream file(path_ / "bed.asc");
+        std::ofstream file(folder_ / "bed.asc");
         file << fmt::format("ncols {}\nnrows {}\nxllcenter -1\nyllcenter -1\ncellsize {}\n", columns, rows, pitch);
         for (int j = rows - 1; j >= 0; --j) {
             for (int i = 0; i < columns; ++i) {
@@ -39,10 +32,10 @@ class CaseFolder {
             file << '\n';
         }
     }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
  private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 std::unique_ptr<Simulation> run(const CaseFolder& folder, const std::string& text) {

@@ -2,6 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
+
+#include "io/temporary_folder.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/run/sweep.hpp"
 
@@ -27,6 +31,19 @@ TEST(SweepWords, AGridHasEveryCombinationAndAListItsLines) {
     ASSERT_EQ(list.size(), 2U);
     EXPECT_THAT(list[0].overrides, ElementsAre("a=1", "b=[2,3]"));
     EXPECT_THROW(run::list_of("a,b\n1\n", "runs.txt"), CaseError);
+}
+
+TEST(SweepTables, ADamagedSummaryIsOneRunThatCannotBeRead) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "run_001");
+    run::SweepOptions options;
+    options.case_path = "case.toml";
+    options.points = run::grid_of({{"end", {"1"}}});
+    options.out = folder.path();
+    for (const char* text : {"{\"status\": ", "[1, 2]", ""}) {
+        std::ofstream(folder / "run_001/summary.json") << text;
+        EXPECT_THAT(run::sweep_csv(run::sweep_json(options)), ::testing::HasSubstr("run_001,unreadable")) << text;
+    }
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ Json summary_of(const RunFolder& folder) {
     if (!std::filesystem::exists(folder.summary())) {
         return {{"status", folder.has_run() ? "interrupted" : "not run"}};
     }
-    return Json::parse(io::read_file(folder.summary(), most), nullptr, false);
+    const Json summary = Json::parse(io::read_file(folder.summary(), most), nullptr, false);
+    return summary.is_object() ? summary : Json::object({{"status", "unreadable"}});
 }
 
 Json run_of(const SweepOptions& options, const SweepPoint& point) {
