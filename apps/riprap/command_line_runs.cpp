@@ -11,6 +11,7 @@
 
 #include "command_line_parts.hpp"
 #include "commands.hpp"
+#include "riprap/view/page.hpp"
 #include "riprap/view/render.hpp"
 #include "riprap/view/wave_report.hpp"
 
@@ -33,8 +34,12 @@ void require_extension(const std::filesystem::path& file, std::initializer_list<
 void add_view(CLI::App& app, Action& action) {
     auto options = std::make_shared<ViewOptions>();
     CLI::App* command = app.add_subcommand("view", "Write one page that shows a run in a browser, offline");
-    command->add_option("RUN", options->folder, "The run folder")->required();
-    CLI::Option* out = command->add_option("--out", options->out, "The page (default: RUN/index.html)");
+    command->footer("Example:\n  riprap view runs/fine runs/coarse --out compare.html");
+    command->add_option("RUN", options->folders, "The run folder; two to nine are shown side by side under one clock")
+        ->required()
+        ->expected(1, static_cast<int>(view::most_compared));
+    CLI::Option* out =
+        command->add_option("--out", options->out, "The page (default: RUN/index.html, of several runs compare.html)");
     CLI::Option* serve = command->add_flag("--serve", options->is_served,
                                            "Show it to browsers on this machine instead of writing it, until Ctrl-C");
     serve->excludes(out);

@@ -38,14 +38,14 @@ int print_check(const std::string& case_text, const std::vector<std::string>& ov
 int print_matrix(run::MatrixOptions options, bool as_json);
 
 struct ViewOptions {
-    std::filesystem::path folder;  ///< of the run
-    std::filesystem::path out;     ///< empty: index.html in the folder of the run
-    double budget_mb{60};          ///< bytes of the page [MB]
-    bool is_served{false};         ///< to browsers on this machine, instead of written
-    int port{0};                   ///< 0 = a free one
+    std::vector<std::filesystem::path> folders;  ///< of the runs; several are shown side by side
+    std::filesystem::path out;  ///< empty: index.html in the folder of the run, compare.html for several
+    double budget_mb{60};       ///< bytes of the page [MB]
+    bool is_served{false};      ///< to browsers on this machine, instead of written
+    int port{0};                ///< 0 = a free one
 };
 
-/// One page with everything that a run left.
+/// One page with everything that a run left, or with several runs side by side.
 int view_run(const ViewOptions& options);
 
 /// Runs an ensemble and plots its bands: one SVG for every unit that the case records.

@@ -7,7 +7,6 @@ import {planesOf} from './planes.js';
 import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
 
 const FAINT = 0.16;  // opacity of fixed bodies beside water
-const SELECTED = new THREE.Color(0xff5a36);
 
 const EDGE_VERTEX = `
   attribute mat4 block;
@@ -60,6 +59,7 @@ export class Blocks {
     this.first = first.pose;
     this.group = new THREE.Group();
     this.meshes = [];
+    this.lines = [];
     this.colourBy = 'material';
     this.selected = -1;
     this.edgeColour = new THREE.Color(0x000000);
@@ -88,6 +88,8 @@ export class Blocks {
     mesh.frustumCulled = false;
     mesh.renderOrder = isPlane ? -1 : 0;
     mesh.userData = {members, isPlane, isFaint};
+    mesh.castShadow = !isPlane && !isFaint;
+    mesh.receiveShadow = !isFaint;
     mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * members.length), 3);
     const lines = new THREE.InstancedBufferGeometry();
     lines.setAttribute('position', new THREE.Float32BufferAttribute(edgesOf(shape), 3));
@@ -100,6 +102,7 @@ export class Blocks {
     edges.visible = !isPlane || this.contents.is_planar;  // there a wall is seen from its edge
     this.group.add(mesh, edges);
     this.meshes.push(mesh);
+    this.lines.push(edges);
   }
 
   show(frame) {
@@ -161,13 +164,12 @@ export class Blocks {
   }
 
   paint() {
+    this.#colourEdges();
     const range = this.range(), colour = new THREE.Color();
     for (const mesh of this.meshes) {
       mesh.userData.members.forEach((body, i) => {
         const isFixed = this.frame.motion[MOTION * body + 9] === 0;
-        if (body === this.selected) {
-          colour.copy(SELECTED);
-        } else if (range && !isFixed) {
+        if (range && !isFixed) {
           const low = range.low ?? 0, share = (this.#valueOf(body) - low) / (range.high - low || 1);
           colour.setRGB(...colourAt(MAPS.cividis, share).map(c => c / 255),
                         THREE.SRGBColorSpace);
@@ -187,7 +189,8 @@ export class Blocks {
 
   /** Edges stand out from the faces, and those of glass from what is behind it. */
   #colourEdges() {
-    this.edgeColour.setHex(!this.isDark ? 0x222222 : this.isGlass ? 0xaab2ba : 0x0c0d0f);
+    const isByValue = this.colourBy !== 'material';  // whose lowest colours are dark
+    this.edgeColour.setHex(!this.isDark ? 0x222222 : this.isGlass ? 0xaab2ba : isByValue ? 0x8b949e : 0x0c0d0f);
   }
 
   /** See-through blocks, so that what lies between them can be seen. */
@@ -207,7 +210,36 @@ export class Blocks {
     return hit ? hit.object.userData.members[hit.instanceId] : -1;
   }
 
-  isPlane(body) {
-    return this.meshes.some(mesh => mesh.userData.isPlane && mesh.userData.members.includes(body));
+  isFree(body) {
+    return this.frame.motion[MOTION * body + 9] > 0;
+  }
+
+  /** Where the selected body is, else the middle of the free ones; null where there are none. */
+  middleOf(frame) {
+    const all = [...Array(frame.pose ? frame.pose.length / POSE : 0).keys()];
+    const bodies = this.selected >= 0 ? [this.selected] : all.filter(body => frame.motion[MOTION * body + 9] > 0);
+    const sum = new THREE.Vector3();
+    bodies.forEach(body => sum.add(new THREE.Vector3().fromArray(frame.pose, POSE * body)));
+    return bodies.length > 0 ? sum.divideScalar(bodies.length) : null;
+  }
+
+  /** What is drawn without hiding what is behind it. */
+  withoutDepth() {
+    return [...this.meshes.filter(mesh => mesh.userData.isFaint), ...this.lines];
+  }
+
+  /** The selected body alone, for its outline; null where none is selected. */
+  pickedMesh() {
+    const of = this.selected < 0 ? null : this.meshes.find(mesh => mesh.userData.members.includes(this.selected));
+    if (!of) {
+      return null;
+    }
+    const mesh = new THREE.Mesh(of.geometry);
+    of.getMatrixAt(of.userData.members.indexOf(this.selected), mesh.matrix);
+    mesh.matrix.decompose(mesh.position, mesh.quaternion, mesh.scale);
+    mesh.matrixAutoUpdate = false;
+    mesh.matrixWorldNeedsUpdate = true;
+    mesh.frustumCulled = false;
+    return mesh;
   }
 }

@@ -3,12 +3,15 @@
 
 import './style.css';
 import {wordsOf} from './blocks.js';
+import {compareRuns} from './compare.js';
 import {drawCompass} from './compass.js';
 import {showLegends} from './legends.js';
 import {reading} from './numbers.js';
 import {HELP, showBody, showCase, showRun, showWarningCount} from './panel.js';
+import {Address} from './address.js';
 import {Plots} from './plots.js';
 import {MOTION_VALUES as MOTION, Recording, readContents} from './recording.js';
+import {save} from './save.js';
 import {Scene} from './scene.js';
 
 const $ = id => document.getElementById(id);
@@ -34,6 +37,7 @@ class Page {
     this.wanted = 0;
     this.selected = -1;
     this.isPlaying = false;
+    this.address = new Address(this);
     document.title = $('title').textContent = contents.title || 'Riprap';
     $('status').textContent = contents.status;
     $('status').className = contents.status.replace(' ', '-');
@@ -57,14 +61,15 @@ class Page {
     }
     if (recording.frameCount > 0) {
       await this.#openScene();
-      await this.show(0);
+      await this.address.restore();
       this.#legends();
     } else {
       $('trouble').textContent = 'The run has no frames to show. ' + (contents.notices[0] ?? '');
     }
     const tables = await Promise.all(contents.tables.map(t => recording.table(t)));
-    this.plots = new Plots($('tab-plots'), tables, time => this.goToTime(time));
+    this.plots = new Plots($('tab-plots'), tables, contents.summary?.expects ?? [], time => this.goToTime(time));
     this.plots.at(recording.times[this.index] ?? 0);
+    this.address.keep();
     recording.loadAll().then(() => note('loaded'), error => {
       $('trouble').textContent ||= `Not every frame can be shown: ${error.message}`;
     });
@@ -85,12 +90,19 @@ class Page {
     }
     $('contact-choice').hidden = !contents.contacts.some(count => count > 0);
     try {
-      this.scene = new Scene($('scene'), contents, shapes, first);
+      this.scene = new Scene($('scene'), $('gauges'), contents, shapes, first);
     } catch (error) {  // no WebGL, say; plots and readings work without
       giveUp(`The scene cannot be drawn: ${error.message}`);
       return;
     }
-    this.scene.onView = (camera, scale) => drawCompass($('compass'), camera, contents.gravity, scale);
+    this.scene.onView = (camera, scale, axes, gravity) => {
+      drawCompass($('compass'), camera, axes, contents.gravity, gravity, scale);
+      this.address.note();
+      this.onView?.();
+    };
+    $('gravity-choice').hidden = !contents.gravity_at;
+    $('stretch-choice').hidden = !this.scene.isLong;
+    $('gauges-choice').hidden = this.scene.gauges.count === 0;
     this.scene.setTheme(this.theme);
     this.scene.showWater($('water-by').value);
     $('camera').value = this.scene.preset;
@@ -114,13 +126,15 @@ class Page {
     }
     this.index = wanted;
     this.frame = frame;
-    this.scene?.show(frame);
+    this.scene?.show(frame, wanted);
     $('time').value = wanted;
     const time = reading(frame.time, 5), clock = `t = ${time} s`;
     $('clock').textContent = `${clock}  (${wanted + 1} of ${recording.frameCount})`;
     $('caption').textContent = `${this.contents.title}   ${clock}`;
     $('time').setAttribute('aria-valuetext', clock);
     this.plots?.at(frame.time);
+    this.address.note();
+    this.onTime?.(frame.time);
     if (this.selected >= 0) {
       showBody($('tab-body'), this.contents, frame, this.selected);
     }
@@ -198,11 +212,11 @@ class Page {
     return Math.min(Math.max(this.recording.frameCount / FRAMES_PER_SECOND, SHORTEST_PLAY), LONGEST_PLAY);
   }
 
-  /** A pace in seconds of the run per second. */
+  /** Paces as seconds of the run that pass in one second. */
   #namePaces() {
     const {times} = this.recording, span = times.at(-1) - times[0];
     for (const option of $('pace').options) {
-      option.textContent = `${option.textContent}\u00d7 (${reading(option.value * span / this.#length, 2)} s of the run per second)`;
+      option.textContent = `${reading(option.value * span / this.#length, 2)} s of the run per second`;
     }
   }
 
@@ -256,6 +270,36 @@ class Page {
     this.scene?.setPreset(name);
   }
 
+  setGravityDown(isOn) {
+    $('gravity-down').checked = isOn;
+    this.scene?.setGravityDown(isOn);
+  }
+
+  setStretch(factor) {
+    $('stretch').value = String(factor);
+    this.scene?.setStretch(Number(factor));
+  }
+
+  setFollowing(isOn) {
+    $('follow').checked = isOn;
+    this.scene?.setFollowing(isOn, this.frame);
+  }
+
+  showGauges(isOn) {
+    $('show-gauges').checked = isOn;
+    if (this.scene) {
+      this.scene.gauges.group.visible = isOn;
+      this.scene.redraw();
+    }
+  }
+
+  /** The scene as a picture of the reader's own. */
+  savePicture() {
+    this.scene?.draw();  // read before the browser gives the buffer away
+    const time = reading(this.recording.times[this.index], 4);
+    $('scene').toBlob(blob => blob && save(`${(this.contents.title || 'riprap').replace(/[^\w]+/g, '_')}_${time}s.png`, blob));
+  }
+
   #legends() {
     if (this.scene && this.frame) {
       showLegends($('legends'), this.scene);
@@ -265,6 +309,13 @@ class Page {
   #wire() {
     const choose = (id, act) => $(id).addEventListener('change', event => act(event.target.value));
     choose('camera', value => this.setCamera(value));
+    choose('stretch', value => this.setStretch(value));
+    const tick = (id, act) => $(id).addEventListener('change', event => act(event.target.checked));
+    tick('gravity-down', isOn => this.setGravityDown(isOn));
+    tick('follow', isOn => this.setFollowing(isOn));
+    tick('show-gauges', isOn => this.showGauges(isOn));
+    $('fit').addEventListener('click', () => this.scene?.fit());
+    $('save').addEventListener('click', () => this.savePicture());
     choose('water-by', value => this.colourWater(value));
     choose('block-by', value => this.colourBlocks(value));
     $('contacts').addEventListener('change', event => this.setContacts(event.target.checked));
@@ -319,7 +370,9 @@ class Page {
       '4': () => this.setCamera('top'), '[': () => this.step(-1), ']': () => this.step(1),
       'Escape': () => this.select(-1), 'c': () => this.setContacts(!$('contacts').checked),
       'w': () => next('water-by', v => this.colourWater(v)), 'b': () => next('block-by', v => this.colourBlocks(v)),
-      'd': () => $('theme').click(), 'f': () => this.#togglePanel(), '?': () => $('help').showModal(),
+      'd': () => $('theme').click(), 'f': () => this.#togglePanel(),
+      'a': () => this.scene?.fit(), 't': () => this.setFollowing(!$('follow').checked), 'p': () => this.savePicture(),
+      'g': () => this.setGravityDown(!$('gravity-down').checked), '?': () => $('help').showModal(),
     };
     const action = actions[event.key];
     if (action && (this.scene || !'ArrowLeft ArrowRight Home End'.includes(event.key))) {
@@ -338,6 +391,10 @@ function remote(page, opened) {
     get index() { return page.index; },
     get blockColours() { return [...$('block-by').options].map(option => option.value); },
     get scene() { return page.scene; },
+    get contents() { return page.contents; },
+    set onView(act) { page.onView = act; },
+    stretch: factor => page.setStretch(factor),
+    gauges: isOn => page.showGauges(isOn),
     get recording() { return page.recording; },
     show: index => page.show(index),
     showTime: time => page.goToTime(time),
@@ -355,20 +412,24 @@ function remote(page, opened) {
       page.setContacts(contacts);
     },
     /** Only the scene, its caption and its legends. */
-    picture: async theme => {
-      document.body.classList.add('picture');
+    picture: async (theme, isPart = false) => {
+      document.body.classList.add(isPart ? 'part' : 'picture');
       page.setTheme(theme);
       page.scene?.resize();
     },
   };
 }
 
-try {
+async function openRun() {
   const page = new Page(readContents());
   const opened = page.open();
   window.riprap = remote(page, opened);
   await opened;
   note('opened');
+}
+
+try {
+  await ($('compared') ? compareRuns() : openRun());
 } catch (error) {
   giveUp(`This page cannot be shown: ${error.message}`);
   throw error;

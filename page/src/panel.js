@@ -172,11 +172,14 @@ export const HELP = `
     <tr><th>1 2 3 4</th><td>from a corner, the front, the side, above</td></tr>
     <tr><th>[ ]</th><td>select the block before, after, free ones first; escape lets go</td></tr>
     <tr><th>c</th><td>contact forces</td></tr>
-    <tr><th>w</th><td>water: pressure, speed, hidden</td></tr>
+    <tr><th>w</th><td>water: surface, pressure, speed, hidden</td></tr>
     <tr><th>b</th><td>blocks: material, speed, displacement, contact force</td></tr>
+    <tr><th>a</th><td>see all that moves; t: go with it</td></tr>
+    <tr><th>g</th><td>turn the scene with gravity, where gravity turns</td></tr>
+    <tr><th>p</th><td>save the picture</td></tr>
     <tr><th>d</th><td>dark, light</td></tr>
     <tr><th>f</th><td>panel, or the whole width for the scene</td></tr>
     <tr><th>?</th><td>this list</td></tr>
   </table>
-  <p>Drag turns the scene, the right button shifts it, the wheel comes closer. A click in a plot goes to that time.</p>
+  <p>Drag turns the scene, the right button shifts it, the wheel comes closer. A click in a plot goes to that time, a drag in it zooms, a double click shows the whole time. The address holds time and view.</p>
   <form method="dialog"><button autofocus>close</button></form>`;

@@ -6,7 +6,7 @@ import {MAPS, colourAt} from './colours.js';
 
 const VERTEX = `
   uniform vec3 origin;
-  uniform float step, ball, pixels;
+  uniform float step, ball, pixels, stretch;
   uniform bool bySpeed;
   attribute vec4 cell;
   varying float share;
@@ -15,13 +15,14 @@ const VERTEX = `
     share = (bySpeed ? cell.w - 256.0 * pressure : pressure) / 255.0;
     vec4 place = modelViewMatrix * vec4(origin + step * cell.xyz, 1.0);
     gl_Position = projectionMatrix * place;
-    gl_PointSize = max(1.5, ball * pixels * projectionMatrix[1][1] / gl_Position.w);
+    gl_PointSize = max(1.5, stretch * ball * pixels * projectionMatrix[1][1] / gl_Position.w);
   }`;
 const FRAGMENT = `
   uniform sampler2D map;
+  uniform float stretch;
   varying float share;
   void main() {
-    vec2 at = 2.0 * gl_PointCoord - 1.0;
+    vec2 at = (2.0 * gl_PointCoord - 1.0) * vec2(stretch, 1.0);
     float r2 = dot(at, at);
     if (r2 > 1.0) discard;
     float facing = sqrt(1.0 - r2);
@@ -49,7 +50,7 @@ export class Particles {
       vertexShader: VERTEX, fragmentShader: FRAGMENT,
       uniforms: {
         origin: {value: new THREE.Vector3(...water.origin)}, step: {value: water.step},
-        ball: {value: 1.05 * water.spacing}, pixels: {value: 1}, bySpeed: {value: false},
+        ball: {value: 1.05 * water.spacing}, pixels: {value: 1}, bySpeed: {value: false}, stretch: {value: 1},
         map: {value: mapTexture(MAPS.viridis)},
       }});
     this.points = new THREE.Points(this.geometry, this.material);
@@ -67,6 +68,11 @@ export class Particles {
       this.geometry.setAttribute('cell', new THREE.BufferAttribute(cells, 4).setUsage(THREE.DynamicDrawUsage));
     }
     this.geometry.setDrawRange(0, cells.length / 4);
+  }
+
+  /** Heights are drawn so many times. */
+  setStretch(factor) {
+    this.material.uniforms.stretch.value = factor;
   }
 
   colourBy(quantity) {

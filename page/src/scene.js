@@ -4,54 +4,34 @@
 import * as THREE from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {Blocks} from './blocks.js';
+import {Effects} from './effects.js';
 import {Forces} from './forces.js';
+import {FIELD_OF_VIEW, boundsOf, cornersOf, directionOf, fit, lengthOf, upOf} from './framing.js';
+import {Gauges} from './gauges.js';
 import {Particles} from './particles.js';
 import {WaterSurface} from './surface.js';
 
-const FIELD_OF_VIEW = 35;  // degrees
-const MARGIN = 1.12;       // around the scene
-const AROUND = 0.08;       // of the size of what moves, shown of what is fixed
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
-
-/** The axis nearest to "against gravity"; without gravity z, in a planar scene y. */
-function upOf(contents) {
-  const g = contents.gravity, k = [0, 1, 2].reduce((a, b) => Math.abs(g[b]) > Math.abs(g[a]) ? b : a);
-  const up = new THREE.Vector3();
-  if (g[k] === 0) {
-    return contents.is_planar ? up.set(0, 1, 0) : up.set(0, 0, 1);
-  }
-  return up.setComponent(k, g[k] > 0 ? -1 : 1);
-}
-
-const boxOf = six => new THREE.Box3(new THREE.Vector3(...six.slice(0, 3)), new THREE.Vector3(...six.slice(3)));
-const lengthOf = box => box.getSize(new THREE.Vector3()).length();
-
-/**
- * The box that a reader wants to see: where free blocks and water were at the start, and went, if they did not fly away.
- * Of what is fixed it shows the part around them: a wall that is higher than the water may not fill the picture.
- */
-function boundsOf(contents) {
-  const {box, box_at_start: atStart, box_fixed: fixed} = contents;
-  if (!atStart && !fixed) {
-    return new THREE.Box3(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
-  }
-  if (!atStart) {
-    return boxOf(fixed);
-  }
-  const start = boxOf(atStart), reach = start.clone().expandByScalar(lengthOf(start));
-  const loose = start.union(boxOf(box).intersect(reach));
-  return fixed ? loose.clone().union(boxOf(fixed).intersect(loose.clone().expandByScalar(AROUND * lengthOf(loose)))) : loose;
-}
+const OUTLINE = {light: '#d8400b', dark: '#ff8a5c'};
+const LONG = 5;        // lengths over heights from which heights can be exaggerated
+const NEAR_CLICK = 6;  // pixels around a click within which a free block is preferred to what stands still
 
 export class Scene {
-  constructor(canvas, contents, shapes, first) {
+  constructor(canvas, labels, contents, shapes, first) {
     this.canvas = canvas;
     this.isPlanar = contents.is_planar;
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
     this.world = new THREE.Scene();
+    this.root = new THREE.Group();  // the run, turned so that gravity points down, and stretched
+    this.root.matrixAutoUpdate = false;
+    this.world.add(this.root);
     this.up = upOf(contents);
     this.box = boundsOf(contents);
-    this.size = this.box.getSize(new THREE.Vector3()).length() || 1;
+    this.size = lengthOf(this.box) || 1;
+    this.gravity = contents.gravity;
+    this.gravityAt = contents.gravity_at ?? null;
+    this.keepsGravityDown = this.gravityAt !== null;
+    this.stretch = 1;
     // Planar bodies are drawn one metre thick: with perspective their near faces would hide what is beside them.
     this.camera = contents.is_planar ? new THREE.OrthographicCamera(-1, 1, 1, -1, this.size / 200, this.size * 20) :
                                        new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 200, this.size * 200);
@@ -60,7 +40,8 @@ export class Scene {
     this.controls.addEventListener('change', () => this.redraw());
     this.controls.addEventListener('start', () => { this.preset = null; });
     this.#light();
-    this.#fill(contents, shapes, first);
+    this.#fill(contents, labels, shapes, first);
+    this.turn(0);
     this.preset = contents.is_planar ? 'front' : 'corner';
     this.resize();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -71,29 +52,116 @@ export class Scene {
     sky.position.copy(this.up);
     this.lamp = new THREE.DirectionalLight(0xffffff, 1.9);
     this.world.add(sky, this.lamp, this.lamp.target);
+    if (this.isPlanar) {
+      return;
+    }
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    const {lamp, size} = this, center = this.box.getCenter(new THREE.Vector3()), half = 0.62 * size;
+    lamp.target.position.copy(center);
+    lamp.position.copy(center).addScaledVector(this.up, 1.1 * size)
+        .addScaledVector(directionOf('front', this.up), 0.55 * size).addScaledVector(directionOf('side', this.up), -0.35 * size);
+    lamp.castShadow = true;
+    lamp.shadow.mapSize.set(2048, 2048);
+    lamp.shadow.radius = 3;
+    lamp.shadow.bias = -0.0006;
+    lamp.shadow.normalBias = 0.0015 * size;
+    Object.assign(lamp.shadow.camera, {left: -half, right: half, top: half, bottom: -half, near: 0.2 * size, far: 2.6 * size});
   }
 
-  #fill(contents, shapes, first) {
+  #fill(contents, labels, shapes, first) {
     if (contents.bodies) {
       this.blocks = new Blocks(contents, shapes, first, this.box);
       this.forces = new Forces(contents, this.size);
-      this.world.add(this.blocks.group, this.forces.group);
+      this.root.add(this.blocks.group, this.forces.group);
     }
     if (contents.water) {
       this.particles = new Particles(contents.water);
-      this.world.add(this.particles.points);
+      this.root.add(this.particles.points);
       this.surface = new WaterSurface(this.particles, contents.is_planar);
     }
+    this.gauges = new Gauges(contents, labels, this.up, this.box, this.size);
+    this.root.add(this.gauges.group);
+    this.effects = new Effects(this.renderer, this.size);
   }
 
-  show(frame) {
+  /** Heights may be stretched where the scene is long and low. */
+  get isLong() {
+    const extent = this.box.getSize(new THREE.Vector3()), high = Math.abs(extent.dot(this.up));
+    return Math.max(extent.x, extent.y, extent.z) > LONG * high;
+  }
+
+  /** Gravity of a frame, as the run has it. */
+  gravityOf(index) {
+    return this.gravityAt ? this.gravityAt.slice(3 * index, 3 * index + 3) : this.gravity;
+  }
+
+  /** How the run is turned so that gravity of the frame points down. */
+  turnOf(index) {
+    const turn = new THREE.Quaternion();
+    const g = new THREE.Vector3(...this.gravityOf(index)), start = new THREE.Vector3(...this.gravity);
+    return this.keepsGravityDown && g.length() > 0 && start.length() > 0 ?
+        turn.setFromUnitVectors(g.normalize(), start.normalize()) : turn;
+  }
+
+  /** The run as it is drawn: turned about its middle, and stretched along the vertical. */
+  matrixOf(index) {
+    const center = this.box.getCenter(new THREE.Vector3());
+    const along = [0, 1, 2].map(k => this.up.getComponent(k) !== 0 ? this.stretch : 1);
+    return new THREE.Matrix4().makeTranslation(center)
+        .multiply(new THREE.Matrix4().makeScale(...along))
+        .multiply(new THREE.Matrix4().makeRotationFromQuaternion(this.turnOf(index)))
+        .multiply(new THREE.Matrix4().makeTranslation(center.clone().negate()));
+  }
+
+  turn(index) {
+    this.index = index;
+    this.root.matrix.copy(this.matrixOf(index));
+    this.root.updateMatrixWorld(true);
+    this.surface?.follow(this.root.matrix);
+    this.axes = this.turnOf(index);
+  }
+
+  show(frame, index = 0) {
     if (frame.pose) {
       this.blocks?.show(frame);
     }
     this.forces?.show(frame);
     this.particles?.show(frame);
+    this.turn(index);
+    this.#follow(frame);
     this.isShown = true;
     this.draw();
+  }
+
+  /** Moves with the picked body, or with the middle of the free ones, where the reader has asked for it. */
+  #follow(frame) {
+    const place = this.isFollowing ? this.blocks?.middleOf(frame)?.applyMatrix4(this.root.matrix) : null;
+    if (place) {
+      const by = place.clone().sub(this.followed ?? place);
+      this.camera.position.add(by);
+      this.controls.target.add(by);
+      this.controls.update();
+    }
+    this.followed = place;
+  }
+
+  setFollowing(isOn, frame) {
+    this.isFollowing = isOn;
+    this.followed = null;
+    this.#follow(frame);
+  }
+
+  setGravityDown(isOn) {
+    this.keepsGravityDown = isOn && this.gravityAt !== null;
+    this.turn(this.index);
+    this.refit();
+  }
+
+  setStretch(factor) {
+    this.stretch = factor;
+    this.turn(this.index);
+    this.refit();
   }
 
   /** Draws once before the screen is next shown, however often it was asked. */
@@ -105,14 +173,66 @@ export class Scene {
   }
 
   draw() {
-    const {camera} = this;
+    const {camera, renderer} = this, looseOnes = [this.particles?.points, this.forces?.group, this.gauges.group].filter(Boolean);
     this.isStale = false;
-    this.lamp.position.copy(camera.position).addScaledVector(this.up, 0.6 * this.size)
-        .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
-    this.lamp.target.position.copy(this.controls.target);
-    this.renderer.render(this.world, camera);
-    this.surface?.draw(this.renderer, camera, this.up);
-    this.onView?.(camera, this.#pixelsPerMetre());
+    this.#setDepths();
+    if (this.isPlanar) {
+      this.lamp.position.copy(camera.position).addScaledVector(this.up, 0.6 * this.size)
+          .addScaledVector(new THREE.Vector3(1, 0, 0).applyQuaternion(camera.quaternion), 0.4 * this.size);
+      this.lamp.target.position.copy(this.controls.target);
+    }
+    this.#setSeenStretch();
+    const shown = looseOnes.map(one => one.visible);
+    looseOnes.forEach(one => { one.visible = false; });
+    renderer.render(this.world, camera);
+    if (!this.isPlanar && this.blocks && !this.blocks.isGlass) {
+      this.effects.darken(this.world, camera, this.blocks.withoutDepth());
+    }
+    looseOnes.forEach((one, k) => { one.visible = shown[k]; });
+    if (shown.some(Boolean)) {
+      this.#drawOnly(looseOnes);
+    }
+    this.surface?.draw(renderer, camera, this.up);
+    const picked = this.blocks?.pickedMesh();
+    if (picked) {
+      picked.applyMatrix4(this.root.matrix);
+      this.effects.ring(picked, camera, OUTLINE[this.theme ?? 'light']);
+    }
+    this.gauges.place(point => this.#pixelWithin(point));
+    this.onView?.(camera, this.#pixelsPerMetre(), this.axes, this.gravityOf(this.index));
+  }
+
+  /** Puts the nearest and the farthest depth close around the scene: depths are known the better. */
+  #setDepths() {
+    const {camera} = this, away = camera.position.distanceTo(this.box.getCenter(new THREE.Vector3()));
+    if (!camera.isOrthographicCamera) {
+      const reach = 2 * this.size * this.stretch;
+      Object.assign(camera, {near: Math.max(away - reach, 0.02 * away, 0.002 * this.size), far: away + 4 * reach});
+      camera.updateProjectionMatrix();
+    }
+  }
+
+  /** Draws some things over the picture, behind what is nearer. */
+  #drawOnly(things) {
+    const {renderer, blocks} = this, shadows = renderer.shadowMap.autoUpdate;
+    if (blocks) {
+      blocks.group.visible = false;
+    }
+    renderer.autoClear = renderer.shadowMap.autoUpdate = false;
+    renderer.render(this.world, this.camera);
+    renderer.autoClear = true;
+    renderer.shadowMap.autoUpdate = shadows;
+    if (blocks) {
+      blocks.group.visible = true;
+    }
+  }
+
+  /** Balls of water become tall where heights are stretched; from above they stay round. */
+  #setSeenStretch() {
+    const away = this.camera.getWorldDirection(new THREE.Vector3()).dot(this.up);
+    const seen = 1 + (this.stretch - 1) * Math.sqrt(Math.max(0, 1 - away * away));
+    this.particles?.setStretch(seen);
+    this.surface?.setStretch(seen);
   }
 
   /** Of the page, at the middle of the scene. */
@@ -137,9 +257,7 @@ export class Scene {
     if (this.particles) {
       this.particles.material.uniforms.pixels.value = height * ratio / 2;
     }
-    if (this.preset) {
-      this.setPreset(this.preset);
-    }
+    this.refit();
     if (this.isShown) {  // at once: the canvas is empty now
       this.draw();
     }
@@ -153,7 +271,7 @@ export class Scene {
     camera.updateProjectionMatrix();
   }
 
-  /** Water as "surface", as particles coloured by their "pressure" or "speed", or as "none". */
+  /** Water as a "surface", as particles coloured by their "pressure" or "speed", or as "none". */
   showWater(by) {
     if (this.particles) {
       this.particles.colourBy(by);
@@ -163,68 +281,95 @@ export class Scene {
   }
 
   setTheme(theme) {
+    this.theme = theme;
     this.renderer.setClearColor(BACKGROUND[theme]);
     this.blocks?.setTheme(theme);
+    this.surface?.setTheme(theme);
+    this.gauges.setTheme(theme);
     this.redraw();
+  }
+
+  /** Corners of what is to be seen over the run, as gravity turns it. */
+  #corners() {
+    const frames = this.gravityAt && this.keepsGravityDown ? this.gravityAt.length / 3 : 1;
+    return [...new Set([0, Math.floor(frames / 2), frames - 1])].flatMap(
+        index => cornersOf(this.box).map(corner => corner.applyMatrix4(this.matrixOf(index))));
   }
 
   /** Looks at the whole scene from a corner, the front, a side or above. */
   setPreset(name) {
-    this.preset = name;
-    const right = new THREE.Vector3(1, 0, 0);
-    if (Math.abs(this.up.x) > 0.5) {
-      right.set(0, 1, 0);
+    this.#look(name, directionOf(name, this.up));
+  }
+
+  /** Moves the eye of the reader until the whole scene is seen, in the direction that it has. */
+  fit() {
+    const from = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.#look(this.preset, from);
+  }
+
+  refit() {
+    if (this.preset) {
+      this.setPreset(this.preset);
+    } else {
+      this.redraw();
     }
-    const forward = new THREE.Vector3().crossVectors(this.up, right);  // into the picture of the front view
-    const from = {
-      front: forward.clone().negate(),
-      side: right.clone(),
-      top: this.up.clone().addScaledVector(forward, -1e-3),
-      corner: forward.clone().multiplyScalar(-1).addScaledVector(right, 0.55).addScaledVector(this.up, 0.5),
-    }[name].normalize();
-    const center = this.box.getCenter(new THREE.Vector3());
+  }
+
+  #look(preset, from) {
+    const {center, distance, half} = fit(this.camera, this.aspect, from, this.#corners());
+    if (this.camera.isOrthographicCamera) {
+      Object.assign(this.camera, {top: half, bottom: -half, zoom: 1});
+      this.#setAspect(this.aspect);
+    }
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(from, this.#fit(from, center));
+    this.camera.position.copy(center).addScaledVector(from, this.camera.isOrthographicCamera ? 2 * this.size : distance);
     this.controls.update();
-    this.preset = name;
+    this.preset = preset;
+    this.followed = null;
     this.redraw();
   }
 
-  /** How far away the eye must be to see every corner of the box; without perspective, how wide it must see. */
-  #fit(from, center) {
-    const camera = this.camera.clone();
-    camera.position.copy(center).add(from);
-    camera.lookAt(center);
-    const toCamera = camera.quaternion.clone().invert(), tan = Math.tan(FIELD_OF_VIEW * Math.PI / 360);
-    let distance = 0, half = 0;
-    for (let k = 0; k < 8; ++k) {
-      const corner = new THREE.Vector3(k & 1 ? this.box.max.x : this.box.min.x, k & 2 ? this.box.max.y : this.box.min.y,
-                                       k & 4 ? this.box.max.z : this.box.min.z).sub(center).applyQuaternion(toCamera);
-      const needed = Math.max(Math.abs(corner.y), Math.abs(corner.x) / this.aspect);
-      half = Math.max(half, needed);
-      distance = Math.max(distance, corner.z + needed / tan);
-    }
-    if (!this.camera.isOrthographicCamera) {
-      return MARGIN * distance;
-    }
-    Object.assign(this.camera, {top: MARGIN * half, bottom: -MARGIN * half, zoom: 1});
-    this.#setAspect(this.aspect);
-    return 2 * this.size;
+  /** The place of the eye as numbers: its position, what it looks at, its zoom. */
+  get eye() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
   }
 
-  /** The body at a place of the canvas, in pixels of the page; -1 where there is none. */
+  set eye(numbers) {
+    this.camera.position.fromArray(numbers);
+    this.controls.target.fromArray(numbers, 3);
+    this.camera.zoom = numbers[6] || 1;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.preset = null;
+    this.redraw();
+  }
+
+  /** The body at a place of the canvas, in pixels of the page; -1 where there is none. A free one close by comes first. */
   bodyAt(x, y) {
-    const place = this.canvas.getBoundingClientRect();
-    const caster = new THREE.Raycaster();
+    if (!this.blocks) {
+      return -1;
+    }
+    const around = [...Array(8).keys()].map(k => [NEAR_CLICK * Math.cos(k * Math.PI / 4), NEAR_CLICK * Math.sin(k * Math.PI / 4)]);
+    const hit = this.#bodyUnder(x, y);
+    return hit >= 0 && this.blocks.isFree(hit) ? hit :
+        around.map(([dx, dy]) => this.#bodyUnder(x + dx, y + dy)).find(body => body >= 0 && this.blocks.isFree(body)) ?? hit;
+  }
+
+  #bodyUnder(x, y) {
+    const place = this.canvas.getBoundingClientRect(), caster = new THREE.Raycaster();
     caster.setFromCamera(new THREE.Vector2(2 * (x - place.left) / place.width - 1, 1 - 2 * (y - place.top) / place.height),
                          this.camera);
-    return this.blocks ? this.blocks.pick(caster) : -1;
+    return this.blocks.pick(caster);
   }
 
-  /** Where a point of the scene is on the page, in pixels. */
+  #pixelWithin(point) {
+    const seen = point.clone().applyMatrix4(this.root.matrix).project(this.camera);
+    return [(seen.x + 1) / 2 * this.canvas.clientWidth, (1 - seen.y) / 2 * this.canvas.clientHeight];
+  }
+
+  /** Where a point of the run is on the page, in pixels. */
   pixelOf(point) {
-    const place = this.canvas.getBoundingClientRect();
-    const seen = new THREE.Vector3(...point).project(this.camera);
-    return [place.left + (seen.x + 1) / 2 * place.width, place.top + (1 - seen.y) / 2 * place.height];
+    const place = this.canvas.getBoundingClientRect(), [x, y] = this.#pixelWithin(new THREE.Vector3(...point));
+    return [place.left + x, place.top + y];
   }
 }

@@ -8,25 +8,27 @@ import * as THREE from 'three';
 const BALL = 2.2;      // diameter of what a particle covers, in spacings
 const DOT = 3.0;       // the same in a planar scene: rows of soft dots overlap, their sum is 1.6 inside and half of it at the edge
 const ROUNDS = 2;      // times that depths are smoothed
+const COLOURS = {
+  light: {deep: 0x0f4c81, shallow: 0x58b6d8, sky: 0xe8f2f8}, dark: {deep: 0x0d3f6e, shallow: 0x3f9cc4, sky: 0xb9d3e4}};
 const PASS = `
   varying vec2 at;
   void main() { at = 0.5 * position.xy + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 const PLACE = `
   uniform vec3 origin;
-  uniform float step, ball, pixels;
+  uniform float step, ball, pixels, stretch;
   attribute vec4 cell;
   varying float depth;
   void main() {
     vec4 place = modelViewMatrix * vec4(origin + step * cell.xyz, 1.0);
     depth = -place.z;
     gl_Position = projectionMatrix * place;
-    gl_PointSize = max(2.0, ball * pixels * projectionMatrix[1][1] / gl_Position.w);
+    gl_PointSize = max(2.0, stretch * ball * pixels * projectionMatrix[1][1] / gl_Position.w);
   }`;
 const DEPTH = `
-  uniform float ball;
+  uniform float ball, stretch;
   varying float depth;
   void main() {
-    vec2 d = 2.0 * gl_PointCoord - 1.0;
+    vec2 d = (2.0 * gl_PointCoord - 1.0) * vec2(stretch, 1.0);
     float r2 = dot(d, d);
     if (r2 > 1.0) discard;
     float here = depth - 0.5 * ball * sqrt(1.0 - r2);
@@ -34,9 +36,9 @@ const DEPTH = `
     gl_FragDepth = clamp(here / (here + 1.0e3 * ball), 0.0, 1.0);
   }`;
 const AMOUNT = `
-  uniform float ball;
+  uniform float ball, stretch;
   void main() {
-    vec2 d = 2.0 * gl_PointCoord - 1.0;
+    vec2 d = (2.0 * gl_PointCoord - 1.0) * vec2(stretch, 1.0);
     float r2 = dot(d, d);
     if (r2 > 1.0) discard;
     gl_FragColor = vec4(exp(-4.0 * r2) - 0.018, 0.0, 0.0, 1.0);
@@ -92,7 +94,8 @@ const SHADE = `
       return;
     }
     vec3 here = placeOf(at);
-    if (here.z >= 0.0) discard;
+    float edge = smoothstep(0.25, 0.6, amount);  // the rim of the outermost balls is no water
+    if (here.z >= 0.0 || edge <= 0.0) discard;
     vec3 normal = normalize(cross(slope(vec2(pixel.x, 0.0), here), slope(vec2(0.0, pixel.y), here)));
     vec3 eye = isFlat > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-here);
     float facing = clamp(dot(normal, eye), 0.0, 1.0);
@@ -101,8 +104,8 @@ const SHADE = `
     float light = 0.55 + 0.45 * clamp(dot(normal, lamp), 0.0, 1.0);
     float shine = pow(clamp(dot(reflect(-lamp, normal), eye), 0.0, 1.0), 60.0);
     float thick = 1.0 - exp(-0.22 * amount);
-    vec3 colour = mix(mix(shallow, deep, thick) * light, sky, mirror) + 0.5 * shine;
-    gl_FragColor = vec4(colour, mix(0.45, 0.96, thick));
+    vec3 colour = mix(mix(shallow, deep, thick) * light, sky, mirror) + 0.3 * shine;
+    gl_FragColor = vec4(colour, edge * mix(0.45, 0.96, thick));
     vec4 clip = projection * vec4(here, 1.0);
     gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
   }`;
@@ -119,7 +122,8 @@ export class WaterSurface {
     const {water} = particles;
     this.spacing = water.spacing;
     const shared = {origin: {value: new THREE.Vector3(...water.origin)}, step: {value: water.step},
-                    ball: {value: (isPlanar ? DOT : BALL) * water.spacing}, pixels: {value: 1}};
+                    ball: {value: (isPlanar ? DOT : BALL) * water.spacing}, pixels: {value: 1},
+                    stretch: {value: 1}};
     this.shared = shared;
     this.depthMaterial = new THREE.ShaderMaterial({vertexShader: PLACE, fragmentShader: DEPTH, uniforms: shared});
     this.amountMaterial = new THREE.ShaderMaterial({
@@ -135,16 +139,34 @@ export class WaterSurface {
       uniforms: {depths: {value: null}, amounts: {value: null}, pixel: {value: new THREE.Vector2()},
                  view: {value: new THREE.Vector2()}, up: {value: new THREE.Vector3()},
                  projection: {value: new THREE.Matrix4()}, isFlat: {value: 0}, isPlane: {value: isPlanar ? 1 : 0},
-                 ball: shared.ball, deep: {value: new THREE.Color(0x0f4c81)}, shallow: {value: new THREE.Color(0x58b6d8)},
-                 sky: {value: new THREE.Color(0xe8f2f8)}}});
+                 ball: shared.ball, deep: {value: new THREE.Color()}, shallow: {value: new THREE.Color()},
+                 sky: {value: new THREE.Color()}}});
     this.dots = new THREE.Points(particles.geometry, this.depthMaterial);
     this.dots.frustumCulled = false;
+    this.dots.matrixAutoUpdate = false;
     this.quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.smooth);
     this.quad.frustumCulled = false;
     this.camera = new THREE.Camera();
+    this.setTheme('light');
     this.depths = target(THREE.FloatType);
     this.other = target(THREE.FloatType);
     this.amounts = target(THREE.HalfFloatType);
+  }
+
+  /** Lies where the run is drawn. */
+  follow(matrix) {
+    this.dots.matrix.copy(matrix);
+    this.dots.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Heights are drawn so many times. */
+  setStretch(factor) {
+    this.shared.stretch.value = factor;
+  }
+
+  setTheme(theme) {
+    const {deep, shallow, sky} = this.shade.uniforms;
+    [[deep, 'deep'], [shallow, 'shallow'], [sky, 'sky']].forEach(([uniform, name]) => uniform.value.set(COLOURS[theme][name]).convertLinearToSRGB());
   }
 
   /** Draws over what is on the canvas, before and behind it. */

@@ -5,7 +5,8 @@ import assert from 'node:assert/strict';
 import {readFileSync, truncateSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {Stage, differs, lookAt, table} from './stage.js';
+import {pathToFileURL} from 'node:url';
+import {Stage, differs, lookAt, riprap, table} from './stage.js';
 
 const DIGITS = 7;
 let stage, run, page;
@@ -163,7 +164,7 @@ test('after a click on a button or a box the space bar plays', async () => {
 
 test('keys that were set by hand stand above the case, and their paces have a unit', async () => {
   assert.match(await page.textContent('#tab-case .banner'), /2 keys set by hand.*end = 0\.3.*output\.interval = 0\.01/s);
-  assert.match(await page.textContent('#pace option[value="1"]'), /1\u00d7 \([0-9.]+ s of the run per second\)/);
+  assert.match(await page.textContent('#pace option[value="1"]'), /^[0-9.]+ s of the run per second$/);
 });
 
 test('axes, gravity and a length are shown below the scene, which nothing covers', async () => {
@@ -203,4 +204,71 @@ test('where nothing can be drawn, plots, readings and the slider work all the sa
   assert.equal(await blind.textContent('#tab-body [data-field=name]'), 'block');
   await blind.click('[data-tab=plots]');
   assert.ok(await blind.locator('#tab-plots canvas').count() > 0);
+});
+
+test('a drag in a chart zooms into it, and its curves are saved as a table', async () => {
+  await page.click('[data-tab=plots]');
+  const over = page.locator('#tab-plots .u-over').first(), box = await over.boundingBox();
+  await page.mouse.move(box.x + 0.3 * box.width, box.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 40, {steps: 4});
+  await page.mouse.up();
+  const button = page.locator('#tab-plots .tools button', {hasText: 'whole time'}).first();
+  await button.waitFor({state: 'visible'});
+  await button.click();
+  await button.waitFor({state: 'hidden'});
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#tab-plots .tools button', {hasText: 'CSV'}).first().click()]);
+  const rows = table(readFileSync(await download.path(), 'utf8')), [, column] = Object.keys(rows[0]);
+  const whole = ['probes.csv', 'ledger.csv'].map(name => table(readFileSync(join(run, name), 'utf8'))).find(t => t[0][column] !== undefined);
+  assert.equal(rows.length, whole.length);
+  assert.deepEqual(rows.map(row => Number(row.time)), whole.map(row => Number(row.time)));
+});
+
+test('the address leads to the time, the colours and the view that it was taken from', async () => {
+  await page.evaluate(() => { window.riprap.choose({blocks: 'speed', contacts: false}); window.riprap.camera('side'); });
+  await goTo(12);
+  await page.waitForFunction(() => /t=0\.12.*blocks=speed.*camera=side/.test(location.hash));
+  await page.evaluate(() => { const {eye} = window.riprap.scene; window.riprap.scene.eye = eye.map((v, k) => k < 3 ? 1.5 * v : v); });
+  await page.waitForFunction(() => location.hash.includes('eye='));
+  const [address, eye] = await page.evaluate(() => [location.href, window.riprap.scene.eye]);
+  const other = await stage.browser.newPage({viewport: {width: 1280, height: 720}});
+  await other.goto(address);
+  await other.waitForFunction(() => document.documentElement.dataset.opened);
+  const seen = await other.evaluate(() => [window.riprap.index, document.getElementById('block-by').value, window.riprap.scene.eye]);
+  assert.deepEqual(seen.slice(0, 2), [12, 'speed']);
+  seen[2].forEach((v, k) => assert.ok(Math.abs(v - eye[k]) < 1e-4 * (1 + Math.abs(eye[k])), `${seen[2]} for ${eye}`));
+  await other.close();
+});
+
+test('two runs stand side by side under one clock', async () => {
+  const short = stage.run('short', 'cases/hello_block', ['end=0.2', 'output.interval=0.01']), out = join(stage.folder, 'compare.html');
+  assert.equal(riprap(['view', run, short, '--out', out]).status, 0);
+  const both = await stage.browser.newPage({viewport: {width: 1280, height: 720}});
+  const requests = [];
+  both.on('request', request => requests.push(request.url()));
+  await both.goto(pathToFileURL(out).href);
+  await both.waitForFunction(() => document.documentElement.dataset.opened);
+  await both.evaluate(() => window.riprap.show(0.25));
+  assert.deepEqual(await both.evaluate(() => window.riprap.runs.map(({riprap}) => riprap.times[riprap.index])).then(t => t.map(v => v.toFixed(2))),
+                   ['0.25', '0.20']);
+  assert.match(await both.textContent('#runs figure:last-child'), /short.*ended at 0\.2/);
+  assert.deepEqual(requests.filter(url => !url.startsWith('about:')), [pathToFileURL(out).href]);
+  await both.close();
+});
+
+test('where gravity turns, it points down the picture all the time', async () => {
+  const tilted = await stage.visit(stage.run('tilted', 'cases/tilting_slope', ['end=2.2', 'output.interval=0.2']));
+  const downs = await tilted.evaluate(async () => {
+    const {scene, frameCount} = window.riprap, list = [];
+    for (const index of [0, frameCount - 1]) {
+      await window.riprap.show(index);
+      const g = scene.gravityOf(index), middle = [0, 1, 2].map(k => (scene.box.min.toArray()[k] + scene.box.max.toArray()[k]) / 2);
+      const [a, b] = [middle, middle.map((v, k) => v + 0.01 * g[k])].map(p => scene.pixelOf(p));
+      list.push([b[0] - a[0], b[1] - a[1], g[0]]);
+    }
+    return list;
+  });
+  assert.ok(Math.abs(downs[1][2] - downs[0][2]) > 1, 'gravity has turned');
+  downs.forEach(([x, y]) => assert.ok(y > 10 * Math.abs(x), `down is ${[x, y]}`));
+  await tilted.close();
 });

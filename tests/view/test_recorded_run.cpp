@@ -80,6 +80,21 @@ TEST_F(ARunFolder, IsReadWholeWithoutANotice) {
     EXPECT_EQ(nlohmann::json::parse(content.contents_json)["times"].size(), 11U);
 }
 
+TEST_F(ARunFolder, TellsGravityOfEveryFrameWhereItTurns) {
+    EXPECT_TRUE(contents()["gravity_at"].is_null());
+    std::ofstream(run_ / "resolved.toml")
+        << "[gravity]\nvalue = [0.0, 0.0, -10.0]\n"
+           "rotation = { axis = [0.0, -2.0, 0.0], rate = 10.0, start = 0.025 }\n"
+           "[[output.gauge]]\nname = \"shore\"\nkind = \"level\"\npoint = [1.0, 2.0]\n";
+    const nlohmann::json turning = contents();
+    ASSERT_EQ(turning["gravity_at"].size(), 33U);
+    EXPECT_EQ(turning["gravity_at"][0], 0);
+    EXPECT_NEAR(turning["gravity_at"][30].get<double>(), 10 * std::sin(0.25), 1e-9);  // at 0.05 s
+    EXPECT_NEAR(turning["gravity_at"][32].get<double>(), -10 * std::cos(0.25), 1e-9);
+    EXPECT_EQ(turning["gauges"][0]["name"], "shore");
+    EXPECT_EQ(turning["gauges"][0]["point"], (nlohmann::json{1.0, 2.0, 0.0}));
+}
+
 TEST_F(ARunFolder, IsLeftInTheMiddleOfPackingWhenTheUserStops) {
     const RecordedRun run = read_run(run_);
     const run::StopRequest stop;

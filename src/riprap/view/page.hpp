@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "riprap/view/page_content.hpp"
 
@@ -17,5 +18,11 @@ std::string_view page_template();
 
 /// The page of one run: everything in one text. @throws FileError when the program carries no page
 std::string page_of(const PageContent& content);
+
+/// Most runs that one page shows side by side.
+inline constexpr std::size_t most_compared = 9;
+
+/// The page of several runs side by side under one clock; `names` are their headings. @throws FileError
+std::string page_of(const std::vector<PageContent>& contents, const std::vector<std::string>& names);
 
 }  // namespace riprap::view

@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr int format = 1;                   ///< of the contents; page/src/recording.js asks for the same
 constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told apart on a screen
 constexpr std::size_t told_notices = 6;
+constexpr double near_share = 0.2;  // of the size of what is free: driven bodies are shown as far around it
 constexpr double base64_growth = 4.0 / 3;
 constexpr std::size_t escape_growth = 5;       // "<" becomes "\\u003c"
 constexpr std::size_t bytes_per_piece = 100;   // its element and its name
@@ -34,6 +35,24 @@ struct Box {
     void add(const Vec3& x) {
         low = min(low, x);
         high = max(high, x);
+    }
+    void add(const Box& box) {
+        low = min(low, box.low);
+        high = max(high, box.high);
+    }
+    bool is_empty() const { return low.x > high.x; }
+    double length() const { return is_empty() ? 0 : norm(high - low); }
+    /// Whether it lies within `by` of the other one [m].
+    bool is_near(const Box& other, double by) const {
+        const Vec3 reach{by, by, by};
+        const Vec3 below = other.low - reach - low, above = high - other.high - reach;
+        return std::max({below.x, below.y, below.z, above.x, above.y, above.z}) <= 0;
+    }
+    /// The part of it within `by` of the other one [m]; empty where there is none.
+    Box within(const Box& other, double by) const {
+        const Vec3 reach{by, by, by};
+        const Box part{max(low, other.low - reach), min(high, other.high + reach)};
+        return part.low.x > part.high.x || part.low.y > part.high.y || part.low.z > part.high.z ? Box() : part;
     }
     Json json() const { return low.x > high.x ? Json() : Json{low.x, low.y, low.z, high.x, high.y, high.z}; }
 };
@@ -57,6 +76,7 @@ class Packer {
         pack_table("gauges and bodies", run_.probes);
         pack_table("ledger", run_.ledger);
         pack_all_water(budget);
+        find_boxes();
         shorten_notices();
         content_.contents_json = contents_json();
         return std::move(content_);
@@ -119,6 +139,7 @@ class Packer {
         const bool is_first = first_pose_.empty();
         if (is_first) {
             first_pose_ = frame.pose;
+            paths_.resize(bodies_.body_count());
         }
         const auto length = [](const auto* v) {
             return std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
@@ -129,11 +150,16 @@ class Packer {
             const double* first = &first_pose_[pose_values * body];
             const DrawnShape& shape = bodies_.shapes[static_cast<std::size_t>(bodies_.shape[body])];
             if (shape.faces.size() > 1) {  // a half-space is drawn as a square around the scene, and has no size
-                Box& box = motion[9] > 0 ? box_all_ : box_fixed_;
+                Box box;
                 const Vec3 x{pose[0], pose[1], pose[2]};
                 for (const Vec3& corner : shape.corners) {
                     box.add(x + rotate({pose[3], pose[4], pose[5], pose[6]}, corner));
                 }
+                Path& path = paths_[body];
+                path.all.add(box);
+                path.start.add(is_first ? box : path.start);
+                path.is_free = path.is_free || motion[9] > 0;
+                path.moves = path.moves || path.is_free || !std::equal(pose, pose + pose_values, first);
             }
             most_.speed = std::fmax(most_.speed, length(motion));
             const double moved[3] = {pose[0] - first[0], pose[1] - first[1], pose[2] - first[2]};
@@ -142,8 +168,57 @@ class Packer {
                 most_.force = std::fmax(most_.force, length(motion + 6));
             }
         }
-        box_first_ = is_first ? box_all_ : box_first_;
         note_range_of_fields(frame);
+    }
+
+    /// Finds what a reader wants to see over the run: free bodies and water, and of driven bodies what is near them.
+    /// Pieces that fly off by more than the length of the start are left out, where nine in ten of the bodies stay.
+    void find_boxes() {
+        box_first_.add(box_water_);
+        std::size_t free = 0, away = 0;
+        Box driven;
+        for (const Path& path : paths_) {
+            (path.is_free ? box_first_ : path.moves ? driven : box_fixed_).add(path.is_free ? path.start : path.all);
+            free += path.is_free ? 1 : 0;
+        }
+        const double reach = box_first_.length();
+        const auto flew_off = [&](const Path& path) { return !path.all.is_near(box_first_, reach); };
+        for (const Path& path : paths_) {
+            away += path.is_free && flew_off(path) ? 1 : 0;
+        }
+        box_all_.add(box_water_);
+        for (const Path& path : paths_) {
+            if (path.is_free) {
+                box_all_.add(flew_off(path) && 10 * away < free ? path.start : path.all);
+            }
+        }
+        box_all_.add(box_all_.is_empty() ? driven : driven.within(box_all_, near_share * box_all_.length()));
+    }
+
+    /// Gravity of every frame, where it is not the same all the time.
+    Json gravity_of_frames() const {
+        const body::Gravity& gravity = run_.gravity_law;
+        if (gravity.rate == 0 && gravity.ramp == 0) {
+            return nullptr;
+        }
+        Json values = Json::array();
+        for (const FrameFiles& files : shown_) {
+            const Vec3 g = gravity.at(files.time);
+            values.insert(values.end(), {g.x, g.y, g.z});
+        }
+        return values;
+    }
+
+    Json gauges_json() const {
+        Json list = Json::array();
+        const auto triple = [](const Vec3& x) { return Json{x.x, x.y, x.z}; };
+        for (const GaugePlace& gauge : run_.gauges) {
+            list.push_back({{"name", gauge.name},
+                            {"kind", gauge.kind},
+                            {"point", triple(gauge.point)},
+                            {"end", gauge.end ? triple(*gauge.end) : Json()}});
+        }
+        return list;
     }
 
     /// Lowest and highest value of every shown field of free bodies.
@@ -293,9 +368,8 @@ class Packer {
                 "{} pressures and speeds of water are not finite: they are drawn as the lowest", water.not_numbers));
         }
         content_.water_error = water.error();
-        for (Box* box : {&box_first_, &box_all_}) {
-            box->add(water.low);
-            box->add(water.high);
+        for (const Vec3& x : {water.low, water.high}) {
+            box_water_.add(x);
         }
         const Vec3& origin = water.scale.origin;
         water_ = {{"origin", {origin.x, origin.y, origin.z}},
@@ -331,6 +405,8 @@ class Packer {
                   {"title", run_.title},
                   {"status", run_.status},
                   {"gravity", {run_.gravity.x, run_.gravity.y, run_.gravity.z}},
+                  {"gravity_at", gravity_of_frames()},
+                  {"gauges", gauges_json()},
                   {"is_planar", run_.is_planar},
                   {"group", frames_per_group},
                   {"box_at_start", box_first_.json()},
@@ -378,8 +454,15 @@ class Packer {
     std::vector<float> contacts_;
     std::vector<std::size_t> contact_counts_;
     std::vector<double> first_pose_;
-    Box box_first_, box_all_;  ///< of free bodies and water
-    Box box_fixed_;            ///< of bodies that are fixed or driven
+    /// What one body was seen to fill.
+    struct Path {
+        Box start, all;
+        bool is_free{false}, moves{false};
+    };
+    std::vector<Path> paths_;  ///< of the bodies; half-spaces have none
+    Box box_first_, box_all_;  ///< of what moves, and of the water
+    Box box_fixed_;            ///< of bodies that stand still
+    Box box_water_;
     struct {
         double speed{0}, displacement{0}, force{0}, contact{0};  // [m/s], [m], [N], [N]
     } most_;

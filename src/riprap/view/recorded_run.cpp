@@ -189,14 +189,60 @@ void read_bodies(RecordedRun& run, const fs::path& path) {
     });
 }
 
-/// A vector of three numbers; nothing else counts.
+/// A vector of two or three numbers; nothing else counts.
 bool read_vector(const scene::Value* value, Vec3& vector) {
-    if (value == nullptr || !value->is_array() || value->items.size() != 3 ||
+    if (value == nullptr || !value->is_array() || value->items.size() < 2 || value->items.size() > 3 ||
         !std::all_of(value->items.begin(), value->items.end(), [](const scene::Value& v) { return v.is_number(); })) {
         return false;
     }
-    vector = scene::to_vector(*value);
+    const std::vector<scene::Value>& items = value->items;
+    vector = {items[0].as_number(), items[1].as_number(), items.size() > 2 ? items[2].as_number() : 0};
     return true;
+}
+
+void read_number(const scene::Value& table, const char* key, double& number) {
+    if (const scene::Value* value = table.find(key); value != nullptr && value->is_number()) {
+        number = value->as_number();
+    }
+}
+
+void read_gravity(const scene::Value* gravity, body::Gravity& law) {
+    if (read_vector(gravity, law.value) || gravity == nullptr || !gravity->is_table()) {
+        return;
+    }
+    read_vector(gravity->find("value"), law.value);
+    read_number(*gravity, "ramp", law.ramp);
+    const scene::Value* rotation = gravity->find("rotation");
+    if (rotation != nullptr && rotation->is_table() && read_vector(rotation->find("axis"), law.axis) &&
+        norm(law.axis) > 0) {
+        law.axis = law.axis / norm(law.axis);
+        read_number(*rotation, "rate", law.rate);
+        read_number(*rotation, "start", law.start);
+        read_number(*rotation, "stop", law.stop);
+    }
+}
+
+/// Gauges that stand still; one that names a body moves with it.
+void read_gauges(const scene::Value* output, std::vector<GaugePlace>& places) {
+    const scene::Value* gauges = output != nullptr && output->is_table() ? output->find("gauge") : nullptr;
+    if (gauges == nullptr || !gauges->is_array()) {
+        return;
+    }
+    for (const scene::Value& gauge : gauges->items) {
+        const scene::Value* name = gauge.is_table() ? gauge.find("name") : nullptr;
+        const scene::Value* kind = gauge.is_table() ? gauge.find("kind") : nullptr;
+        GaugePlace place;
+        if (name == nullptr || !name->is_text() || gauge.find("body") != nullptr ||
+            !read_vector(gauge.find("point"), place.point)) {
+            continue;
+        }
+        place.name = name->text;
+        place.kind = kind != nullptr && kind->is_text() ? kind->text : "";
+        if (Vec3 end; read_vector(gauge.find("end"), end)) {
+            place.end = end;
+        }
+        places.push_back(std::move(place));
+    }
 }
 
 void read_resolved(RecordedRun& run, const fs::path& path) {
@@ -216,10 +262,9 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
     }
     const scene::Value* dimension = root.find("dimension");
     run.is_planar = dimension != nullptr && dimension->is_number() && dimension->as_number() == 2;
-    const scene::Value* gravity = root.find("gravity");
-    if (!read_vector(gravity, run.gravity) && gravity != nullptr && gravity->is_table()) {
-        read_vector(gravity->find("value"), run.gravity);
-    }
+    read_gravity(root.find("gravity"), run.gravity_law);
+    run.gravity = run.gravity_law.value;
+    read_gauges(root.find("output"), run.gauges);
 }
 
 /// Events in the log of the run, used where the summary lacks them.

@@ -5,9 +5,11 @@
 // with a notice, and everything else still works.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "riprap/body/gravity.hpp"
 #include "riprap/core/vec3.hpp"
 #include "riprap/io/csv_reader.hpp"
 
@@ -17,6 +19,13 @@ namespace riprap::view {
 struct FrameFiles {
     double time{0};  ///< [s]
     std::filesystem::path bodies, water, contacts;
+};
+
+/// The place of a gauge: a point, or a line from `point` to `end`.
+struct GaugePlace {
+    std::string name, kind;
+    Vec3 point;               ///< [m]
+    std::optional<Vec3> end;  ///< [m]
 };
 
 /// A run folder without the content of its frames.
@@ -31,7 +40,9 @@ struct RecordedRun {
     std::vector<std::string> material_names;
     std::string case_text, resolved_text;
     std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
-    Vec3 gravity;                           ///< at the start [m/s^2]
+    Vec3 gravity;                           ///< at full strength, before it turns [m/s^2]
+    body::Gravity gravity_law;              ///< the same over time
+    std::vector<GaugePlace> gauges;         ///< fixed in space
     bool is_planar{false};
     std::vector<std::string> warnings;  ///< of the run itself, about its results
     std::vector<std::string> notices;   ///< what could not be read, for the user
