@@ -158,6 +158,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.limited_by = bound.reason;
     check.end = model.time.end;
     check.warnings = loaded.warnings;
+    check.notes = loaded.notes;
     check.waves = loaded.waves;
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[static_cast<std::size_t>(i)] == body::Drive::free) {
@@ -253,6 +254,9 @@ std::string check_text(const CaseCheck& check) {
         text += fmt::format("  gauge         {} in the face of {} towards ({:.3g}, {:.3g}, {:.3g})\n", face.gauge,
                             face.body, face.normal.x, face.normal.y, face.normal.z);
     }
+    for (const std::string& note : check.notes) {
+        text += "  read          " + note + '\n';
+    }
     for (const std::string& warning : check.warnings) {
         text += "  warning: " + warning + '\n';
     }
@@ -285,6 +289,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"memory_bytes", check.memory_bytes},
                                 {"output_bytes", check.output_bytes},
                                 {"refusal", check.refusal},
+                                {"notes", check.notes},
                                 {"warnings", check.warnings}};
     json["face_gauges"] = nlohmann::ordered_json::array();
     for (const CaseCheck::FaceGauge& face : check.face_gauges) {

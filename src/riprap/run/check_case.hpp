@@ -51,8 +51,9 @@ struct CaseCheck {
     double max_overlap{0};     ///< at time 0 [m]
     double max_potential{0};   ///< at time 0, of the inscribed radius [-]
     std::size_t memory_bytes{0};
-    std::size_t output_bytes{0};  ///< predicted for all frames and tables
-    std::string refusal;          ///< what the tried step was refused for; empty = accepted
+    std::size_t output_bytes{0};     ///< predicted for all frames and tables
+    std::string refusal;             ///< what the tried step was refused for; empty = accepted
+    std::vector<std::string> notes;  ///< what was read from other programs' files
     std::vector<std::string> warnings;
 };
 

@@ -130,12 +130,14 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     loaded.overrides.assign(overrides.begin(), overrides.end());
     CaseFiles files(folder);
     ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings);
-    CaseBuild build{resolved, is_planar, loaded.model, loaded.state, files, shapes, problems, loaded.warnings};
+    CaseBuild build{resolved, is_planar, loaded.model,    loaded.state, files,
+                    shapes,   problems,  loaded.warnings, loaded.notes};
     build_settings(build);
     build_materials(build);
     build_bodies(build);
     build_packs(build);
     build_rock_masses(build);
+    build_sections(build);
     build_contact(build);
     build.has_all_bodies = problems.empty();
     if (build.has_sound_bodies) {
@@ -144,7 +146,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     }
     if (loaded.model.bodies.size() == 0 && loaded.model.particles() == nullptr && problems.empty()) {
         build.problem(resolved.place, "the case has no bodies and no water",
-                      "at least one [[body]], [[pack]], [[rock_mass]] or [fluid]");
+                      "at least one [[body]], [[pack]], [[rock_mass]], [[section]] or [fluid]");
     }
     build_output(build);
     if (build.has_sound_bodies) {

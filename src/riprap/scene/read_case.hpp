@@ -43,6 +43,7 @@ struct LoadedCase {
     std::string resolved_json;           ///< the same as JSON
     std::vector<InputFile> inputs;       ///< other files read, sorted by path
     std::vector<std::string> warnings;   ///< worth knowing, no reason to stop
+    std::vector<std::string> notes;      ///< what was read from other programs' files
     std::vector<std::string> overrides;  ///< as they were given
     std::vector<PaddleWave> waves;       ///< that paddles are to make
 };

@@ -258,7 +258,7 @@ void CaseBuild::claim_name(const Value& table) {
     const Value* name = table.find("name");
     if (name != nullptr && !names.emplace(name->text, name->place).second) {
         problem(name->place, fmt::format("the name '{}' is taken", name->text),
-                "names of [[body]], [[pack]] and [[rock_mass]] are unique");
+                "names of [[body]], [[pack]], [[rock_mass]] and [[section]] are unique");
     }
 }
 

@@ -35,8 +35,9 @@ struct CaseBuild {
     ShapeLibrary& shapes;
     std::vector<Diagnostic>& problems;
     std::vector<std::string>& warnings;
+    std::vector<std::string>& notes;
     std::map<std::string, MaterialId> materials{};
-    std::map<std::string, SourcePlace> names{};  ///< of bodies, packs and rock masses, and where they stand
+    std::map<std::string, SourcePlace> names{};  ///< of bodies, packs, rock masses and sections, and where they stand
     std::set<std::int32_t> used_materials{};
     std::vector<coupling::PaddleAbsorption> absorptions{};  ///< of paddles that have one
     std::vector<SourcePlace> absorption_places{};           ///< of their 'absorb'
@@ -69,6 +70,7 @@ void build_settings(CaseBuild& build);
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);
+void build_sections(CaseBuild& build);
 void build_fluid(CaseBuild& build);  ///< after all bodies: water fills what they leave
 /// Sponges, inflows and outflows of the [fluid] in `table`; after depth and State of the water.
 void build_openings(CaseBuild& build, const Value& table, coupling::ParticleFluid& fluid);

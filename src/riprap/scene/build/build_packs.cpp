@@ -7,8 +7,8 @@
 
 #include "riprap/geometry/joint_sets.hpp"
 #include "riprap/geometry/voronoi.hpp"
-#include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/random_stream.hpp"
+#include "riprap/scene/build/recipe_blocks.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
@@ -18,40 +18,12 @@ using geometry::Polyhedron;
 
 namespace {
 
-std::uint64_t seed_for(const CaseBuild& build, const Value& owner, const std::string& name) {
-    const Value* seed = owner.find("seed");
-    return seed != nullptr ? static_cast<std::uint64_t>(seed->integer) : seed_of(build.model.seed, name);
-}
-
-/// Returns a block with all that the blocks of a pack or rock mass have in common.
-body::NewBody common_block(CaseBuild& build, const Value& table) {
-    body::NewBody block;
-    block.name = get_text(table, "name");
-    block.material = build.material_of(table);
-    if (block.material.is_valid()) {
-        block.density = build.model.materials[block.material].density;
-    }
-    const Value* release = table.find("release_time");
-    const bool is_fixed = get_boolean(table, "fixed");
-    if (release != nullptr && !is_fixed && table.find("fixed_below") == nullptr) {
-        build.problem(release->place, fmt::format("the blocks of '{}' are free from the start", block.name),
-                      "release_time is for fixed blocks");
-    }
-    block.drive = is_fixed ? body::Drive::fixed : body::Drive::free;
-    block.release_time = release != nullptr ? release->as_number() : block.release_time;
-    return block;
-}
-
-void add_block(CaseBuild& build, body::NewBody block, std::int64_t index) {
-    block.name_index = static_cast<std::int32_t>(index);
-    body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, block);
-}
-
 /// The one convex region that a recipe fills, in world axes. Nothing, with a problem, otherwise.
 std::optional<Polyhedron> region_of(CaseBuild& build, const Value& table) {
     const Value& shape = get(table, "region");
     if (build.is_planar) {
-        build.problem(shape.place, "regions are not cut in a scene with dimension = 2", "use [[body]] or a lattice");
+        build.problem(shape.place, "regions are not cut in a scene with dimension = 2",
+                      "use [[section]], [[body]] or a lattice");
         return std::nullopt;
     }
     const auto pieces = build.shapes.pieces(shape);
@@ -65,20 +37,10 @@ std::optional<Polyhedron> region_of(CaseBuild& build, const Value& table) {
     return geometry::moved(pieces->front(), {get_vector(table, "position"), orientation_of(table.find("orientation"))});
 }
 
-template <class T>
-bool accept(CaseBuild& build, const geometry::Outcome<T>& outcome, const SourcePlace& place) {
-    for (const geometry::GeometryProblem& problem : outcome.problems()) {
-        build.problem(place, problem.message, problem.allowed);
-    }
-    return outcome.has_value();
-}
-
 /// Adds blocks given in world coordinates, each with a shape of its own.
 void add_blocks(CaseBuild& build, const Value& table, const body::NewBody& common,
                 const std::vector<Polyhedron>& blocks) {
-    if (build.model.bodies.size() + static_cast<std::int64_t>(blocks.size()) > limits::bodies) {
-        build.problem(table.place, fmt::format("'{}' has {} blocks", common.name, blocks.size()),
-                      fmt::format("a scene has at most {} bodies", limits::bodies));
+    if (!has_room(build, table.place, common.name, blocks.size())) {
         return;
     }
     const double fixed_below = get_number_or(table, "fixed_below", -1e300);
@@ -91,7 +53,7 @@ void add_blocks(CaseBuild& build, const Value& table, const body::NewBody& commo
         block.pose.position = part.local.position;  // the body frame of a block has its origin in the centre of mass
         part.local.position = {};
         block.parts = {part};
-        add_block(build, std::move(block), static_cast<std::int64_t>(i));
+        add_recipe_block(build, std::move(block), static_cast<std::int64_t>(i));
     }
 }
 
@@ -176,7 +138,7 @@ void build_lattice(CaseBuild& build, const Value& table, const body::NewBody& co
         if (get_boolean(table, "random_orientation")) {
             block.pose.orientation = random.orientation(build.is_planar);
         }
-        add_block(build, std::move(block), i);
+        add_recipe_block(build, std::move(block), i);
     }
 }
 

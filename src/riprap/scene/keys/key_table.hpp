@@ -124,6 +124,7 @@ const Table& load_table();
 const Table& repeat_table();
 const Table& pack_table();
 const Table& rock_mass_table();
+const Table& section_table();
 const Table& fluid_table();
 const Table& output_table();
 const Table& expect_table();

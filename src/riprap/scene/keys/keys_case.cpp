@@ -70,6 +70,7 @@ Table rows_of_case() {
          {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
          {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
          {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
+         {"section", {table_list(section_table)}, "A planar section cut into blocks along lines.", Value::array()},
          {"spread",
           {table_list(spread_table)},
           "Numbers that differ between the members of an ensemble.",
