@@ -28,6 +28,7 @@ std::vector<ShippedCase> shipped_cases() {
     return {{"arch", {}, 1500},
             {"armour_slope", {"fluid.spacing=0.02"}, 60},
             {"armour_unit", {}, 2000},
+            {"breakwater", {"fluid.spacing=0.5"}, 6},
             {"dam_break", {}, 60},
             {"dam_break_floes", {"fluid.spacing=0.0125"}, 24},
             {"drum", {}, 1500},

@@ -18,7 +18,7 @@ using geometry::Polyhedron;
 
 /// A closed share above 1 less this is 1: slivers of a face that no flow comes through [-].
 constexpr double closed_tolerance = 1e-9;
-/// A gap between two bodies that leaves less than this of a cell is a joint [-].
+/// A gap between two bodies that leaves less than this of a cell or of a face is a joint [-].
 constexpr double joint_share = 0.05;
 /// Cells around a body in which faces know their distance from it.
 constexpr int margin = 2;
@@ -285,12 +285,34 @@ bool Cutter::is_joint(std::int64_t cell) const {
     return false;
 }
 
+/// A narrow rest of the face below a cell with two bodies in the cells on its sides. All that bodies displace on one
+/// side of it might have to come through, at any speed.
+bool Cutter::is_narrow(int a, std::int64_t cell) const {
+    const double open = out_.open.area[at(a)][at(cell)];
+    if (open <= 0 || open >= joint_share) {
+        return false;
+    }
+    const std::int32_t below = touched_[at(cell - mesh_->box.stride[at(a)])], above = touched_[at(cell)];
+    return below == -2 || above == -2 || (below != -1 && above != -1 && below != above);
+}
+
 void Cutter::close_joints() {
     std::vector<std::int64_t> joints;
+    std::vector<std::pair<int, std::int64_t>> narrow;
     for (const CutFacet& facet : out_.facets) {
         if (is_joint(facet.cell)) {
             joints.push_back(facet.cell);
         }
+        for (int a = 0; a < mesh_->box.axes; ++a) {
+            for (const std::int64_t face : {facet.cell, facet.cell + mesh_->box.stride[at(a)]}) {
+                if (is_narrow(a, face)) {
+                    narrow.emplace_back(a, face);
+                }
+            }
+        }
+    }
+    for (const auto& [a, face] : narrow) {
+        out_.open.area[at(a)][at(face)] = 0;
     }
     for (const std::int64_t cell : joints) {
         out_.open.volume[at(cell)] = 0;

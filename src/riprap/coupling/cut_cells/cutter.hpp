@@ -38,6 +38,7 @@ class Cutter {
     void close_shares();
     void close_joints();
     bool is_joint(std::int64_t cell) const;
+    bool is_narrow(int a, std::int64_t cell) const;
     void find_joints();
     void list_near_faces();
 

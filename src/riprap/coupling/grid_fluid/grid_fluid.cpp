@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/coupling/added_mass.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
@@ -31,7 +33,17 @@ void note_cut(const body::Motion& motion, GridFluidFields& fields) {
     fields.cut_stretch = motion.stretch;
 }
 
-/// Added mass over mass of every body that forces may move: that of the water it displaces, as far as it is wet.
+/// Where bodies are free, steps grow from this share of what gravity allows in water at rest by this share of the time
+/// since the start [-]: bodies take up their weight and buoyancy first, for which no force of a contact is known yet.
+constexpr double first_share = 0.02, share_of_time = 0.05;
+
+/// Of every body that moves, so that its loads are always those of its own acceleration [-]. A body in air feels water
+/// too, through air that cannot get away: a unit that falls on others, say, or a piston over a cushion of air. By its
+/// wet surface alone it would feel nothing, and a load that lags by a step swings from step to step.
+constexpr double least_feedback = 1.5 * AddedMassIteration::iterates_above;
+
+/// Added mass over mass of every body that forces may move: that of the water it displaces, as far as it is wet, and
+/// least_feedback at least.
 std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSettings& settings,
                                       const GridState& water, const CutBodies& cut) {
     const auto count = at(scene.bodies.size());
@@ -47,7 +59,8 @@ std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSe
             volume += scene.shapes.volume(scene.bodies.parts[at(p)].shape);
         }
         const double mass = scene.bodies.mass[b];
-        share[b] = whole[b] > 0 && mass > 0 ? wet[b] / whole[b] * settings.rest_density * volume / mass : 0;
+        const double by_wet_surface = wet[b] / whole[b] * settings.rest_density * volume / mass;
+        share[b] = whole[b] > 0 && mass > 0 ? std::max(by_wet_surface, least_feedback) : 0;
     }
     return share;
 }
@@ -164,7 +177,15 @@ std::span<const Account> GridFluid::accounts() {
 }
 
 StepLimit GridFluid::limit() const {
-    return {stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
+    double longest = stable_step(settings_->grid, fields_->water, scratch_->grid);
+    const bool has_free = std::any_of(scene_->bodies.drive.begin(), scene_->bodies.drive.end(),
+                                      [](body::Drive drive) { return drive == body::Drive::free; });
+    if (has_free) {
+        const GridSettings& grid = settings_->grid;
+        const double at_rest = std::sqrt(grid.courant * grid.mesh.smallest_width() / norm(grid.gravity));
+        longest = std::min(longest, first_share * at_rest + share_of_time * fields_->water.time);
+    }
+    return {longest, false, "Courant number of the water"};
 }
 
 Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& /*now*/, const body::Motion& middle,

@@ -13,6 +13,7 @@ namespace {
 // Constants of [Launder1974]; sigma_t of the buoyancy, lambda_2 of [Larsen2018].
 constexpr double c_mu = 0.09, c_1 = 1.44, c_2 = 1.92, sigma_k = 1.0, sigma_epsilon = 1.3, sigma_t = 0.85;
 constexpr double lambda_2 = 0.05, kappa = 0.41;
+constexpr double realizable = 0.6;                        ///< alpha of [Durbin1996]
 constexpr double least_k = 1e-12, least_epsilon = 1e-14;  ///< floors [m^2/s^2], [m^2/s^3]
 constexpr double start_k = 1e-8, start_epsilon = 1e-4;    ///< of still water [m^2/s^2], [m^2/s^3]
 
@@ -92,9 +93,14 @@ Sources find_sources(const GridSettings& settings, const GridState& state, const
         for (int a = 0; a < mesh.box.axes; ++a) {
             const std::int64_t t = mesh.box.stride[at(a)];
             const int p = place[at(a)];
-            const double rise =
-                density_of(settings, state.fraction[at(c + t)]) - density_of(settings, state.fraction[at(c - t)]);
-            sources.buoyancy += nu_t / sigma_t * g[a] * rise / (mesh.d(a, p) + mesh.d(a, p + 1)) / density;
+            // cells filled by solids have no density; nor does air beside water turn over as fast as g says: the
+            // density is that of both cells
+            const auto beside = [&](std::int64_t other) {
+                return s.capacity[at(other)] > 0 ? density_of(settings, state.fraction[at(other)]) : density;
+            };
+            const double below = beside(c - t), above = beside(c + t);
+            sources.buoyancy += nu_t / sigma_t * g[a] * (above - below) / (mesh.d(a, p) + mesh.d(a, p + 1)) /
+                                std::max({density, below, above});
         }
     }
     const double n = s.medium.has_stones ? s.medium.porosity[at(c)] : 1;
@@ -108,11 +114,17 @@ Sources find_sources(const GridSettings& settings, const GridState& state, const
     return sources;
 }
 
-/// Mass times a cell quantity carried and diffused into a cell in the step, explicit.
+/// A cell into which a step brings more than this share of its mass takes the mean of what is there and comes in [-].
+constexpr double most_flushed = 0.45;
+
+/// A cell quantity after it was carried and diffused over the step, explicit. Slivers beside solids, which a step
+/// flushes, take a weighted mean: positive and bounded for any step, and nearly the same weights for k and epsilon, so
+/// that k^2/epsilon stays near those around.
 double carried(const GridSettings& settings, const GridState& state, const GridScratch& s, const std::vector<double>& q,
                double sigma, std::int64_t c, const std::array<int, 3>& place, double dt) {
     const Mesh& mesh = settings.mesh;
-    double sum = 0;
+    const double before = s.mass_before[at(c)];
+    double sum = before * q[at(c)], mean = sum, weight = before;
     for (int a = 0; a < mesh.box.axes; ++a) {
         const std::int64_t t = mesh.box.stride[at(a)];
         for (const int side : {0, 1}) {
@@ -127,10 +139,16 @@ double carried(const GridSettings& settings, const GridState& state, const GridS
                 return viscosity_of(settings, state.fraction[at(cell)]) + density * s.eddy_viscosity[at(cell)] / sigma;
             };
             const double area = s.area[at(a)][at(f)], distance = mesh.d(a, place[at(a)] + side);
-            sum += dt * area * 0.5 * (conductivity(c) + conductivity(other)) * (q[at(other)] - q[at(c)]) / distance;
+            const double exchanged = dt * area * 0.5 * (conductivity(c) + conductivity(other)) / distance;
+            sum += exchanged * (q[at(other)] - q[at(c)]);
+            mean += (std::max(0.0, in) + exchanged) * q[at(other)];
+            weight += std::max(0.0, in) + exchanged;
         }
     }
-    return sum;
+    if (s.open.has_bodies && weight - before > most_flushed * std::min(before, s.mass[at(c)])) {
+        return weight > 0 ? mean / weight : q[at(c)];
+    }
+    return sum / s.mass[at(c)];
 }
 
 }  // namespace
@@ -149,7 +167,10 @@ void find_eddy_viscosity(const GridSettings& settings, const GridState& state, G
         double rate = state.dissipation_rate[at(c)];
         if (settings.turbulence == Turbulence::k_epsilon_stable) {
             const Rates rates = rates_of(velocity_gradient(mesh, state, c, {i, j, k}));
-            rate = std::max(rate, lambda_2 * c_2 / c_1 * rates.strain / std::max(rates.rotation, 1e-300) * rate);
+            // where the strain is fast against k/epsilon, normal stresses would be negative and k grow without bound
+            const double strained = std::sqrt(3 * rates.strain) * c_mu / realizable * energy;
+            rate = std::max(
+                {rate, strained, lambda_2 * c_2 / c_1 * rates.strain / std::max(rates.rotation, 1e-300) * rate});
         }
         s.eddy_viscosity[at(c)] = c_mu * energy * energy / rate;
     });
@@ -182,19 +203,16 @@ void advance_turbulence(const GridSettings& settings, GridState& state, GridScra
             sources.production = u_tau * u_tau * u_tau / (kappa * y);
         }
         const double frequency = rate / energy;
-        const double k_start = (s.mass_before[at(c)] * energy +
-                                carried(settings, state, s, state.turbulent_energy, sigma_k, c, place, dt)) /
-                               s.mass[at(c)];
-        const double e_start = (s.mass_before[at(c)] * rate +
-                                carried(settings, state, s, state.dissipation_rate, sigma_epsilon, c, place, dt)) /
-                               s.mass[at(c)];
+        const double k_start = carried(settings, state, s, state.turbulent_energy, sigma_k, c, place, dt);
+        const double e_start = carried(settings, state, s, state.dissipation_rate, sigma_epsilon, c, place, dt);
         const double sink = std::max(0.0, sources.buoyancy) / energy, gain = std::max(0.0, -sources.buoyancy);
         k_new[at(c)] =
             std::max(least_k, (std::max(0.0, k_start) + dt * (sources.production + gain + sources.k_stones)) /
                                   (1 + dt * (frequency + sink)));
         e_new[at(c)] = std::max(
-            least_epsilon, (std::max(0.0, e_start) + dt * (c_1 * sources.production * frequency + sources.e_stones)) /
-                               (1 + dt * c_2 * frequency));
+            least_epsilon,
+            (std::max(0.0, e_start) + dt * (c_1 * (sources.production + gain) * frequency + sources.e_stones)) /
+                (1 + dt * c_2 * frequency));
         if (y > 0) {
             e_new[at(c)] = std::pow(c_mu, 0.75) * std::pow(k_new[at(c)], 1.5) / (kappa * y);
         }

@@ -11,7 +11,8 @@ namespace riprap::fluid::grid {
 void start_turbulence(const GridSettings& settings, GridState& state);
 
 /// Eddy viscosity nu_t = C_mu k^2/epsilon; in the stable variant epsilon is at least what the strain S and rotation W
-/// ask for, lambda_2 C_2/C_1 S/W epsilon with S = 2 |sym grad u|^2, W = 2 |skew grad u|^2 [Larsen2018, eq. 2.27].
+/// ask for, lambda_2 C_2/C_1 S/W epsilon with S = 2 |sym grad u|^2, W = 2 |skew grad u|^2 [Larsen2018, eq. 2.27], and
+/// what keeps normal stresses positive, sqrt(3 S) C_mu k/0.6 [Durbin1996].
 void find_eddy_viscosity(const GridSettings& settings, const GridState& state, GridScratch& scratch);
 
 /// Advances k and epsilon by dt and finds the eddy viscosity.

@@ -5,6 +5,7 @@
 
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/pockets.hpp"
 
 namespace riprap::fluid::grid {
 
@@ -61,17 +62,23 @@ void find_conductances(const GridSettings& settings, const GridState& state, Gri
 }
 
 /// Takes the mean off the right side of a domain that nothing leaves: its sum is what solves cannot take away.
-void balance(const GridSettings& settings, GridScratch& s) {
+void balance(const GridSettings& settings, const std::vector<Pocket>& pockets, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
     for (int side = 0; side < 2 * box.axes; ++side) {
         if (settings.side[at(side)].kind == SideKind::open) {
             return;
         }
     }
-    const double sum = reduce_cells(
+    double sum = reduce_cells(
         box, 0.0, [&](std::int64_t c, int, int, int) { return s.rhs[at(c)]; }, sum_of);
-    const double volume = reduce_cells(
+    double volume = reduce_cells(
         box, 0.0, [&](std::int64_t c, int, int, int) { return s.capacity[at(c)]; }, sum_of);
+    for (const Pocket& pocket : pockets) {
+        for (const std::int64_t c : pocket.cells) {
+            sum -= s.rhs[at(c)];
+            volume -= s.capacity[at(c)];
+        }
+    }
     for_cells(box, [&](std::int64_t c, int, int, int) { s.rhs[at(c)] -= sum * s.capacity[at(c)] / volume; });
 }
 
@@ -96,7 +103,9 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
         s.rhs[at(c)] = s.capacity[at(c)] > 0 ? -net_outflow(box, s.predicted, s, c) : 0;
     });
     find_conductances(settings, state, s, dt);
-    balance(settings, s);
+    const std::vector<Pocket> pockets = s.open.has_bodies ? find_pockets(settings, s) : std::vector<Pocket>{};
+    balance(settings, pockets, s);
+    balance_pockets(pockets, s);
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double open = 0;
         for (int a = 0; a < box.axes; ++a) {
@@ -116,6 +125,7 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     const double tolerance = state.step == 0 ? first_tolerance : settings.tolerance;
     const linear::PoissonReport report =
         s.solver.solve(s.conductance, s.rhs, state.pressure, tolerance, settings.longest_solve);
+    level_pockets(settings, state, s, pockets, state.time + dt);
     for (int side = 0; side < 2 * box.axes; ++side) {
         const bool is_open = settings.side[at(side)].kind == SideKind::open;
         for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
