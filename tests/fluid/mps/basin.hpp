@@ -22,17 +22,19 @@ struct Basin {
     std::int64_t step_count{0};
     MpsReport report;  ///< of the last step
     double viscous{0}, collisions{0}, pressure_loss{0}, work_on_solids{0}, work_external{0};
+    double booked_in_step{0};  ///< of these, in the last step: half of it comes after the kick
     Vec3 impulse{};
 
     double stored() const { return report.kinetic + report.potential; }
     /// Constant where every change of energy is booked [J]
-    double closure() const { return stored() + viscous + collisions + pressure_loss + work_on_solids - work_external; }
+    double closure() const { return stored() + booked() - 0.5 * booked_in_step; }
+    double booked() const { return viscous + collisions + pressure_loss + work_on_solids - work_external; }
 
     void step(double dt_most = 1e9) {
         if (step_count++ % settings.sort_interval == 0) {
             sort_by_place(state, settings.domain, settings.spacing);
         }
-        const double dt = std::min(choose_fluid_time_step(settings, state).limit, dt_most);
+        const double dt = std::min(choose_fluid_time_step(settings, state).limit, dt_most), before = booked();
         report = {};
         drift(settings, state, 0.5 * dt);
         accelerate(settings, state, walls, gravity, dt, time, scratch, report);
@@ -43,6 +45,7 @@ struct Basin {
         work_on_solids += report.work_on_solids;
         work_external += report.work_external;
         impulse += report.impulse;
+        booked_in_step = booked() - before;
         time += dt;
         last_dt = dt;
     }

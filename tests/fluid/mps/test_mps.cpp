@@ -60,19 +60,19 @@ TEST(MpsNeighbours, are_all_within_the_support_in_rising_order_with_their_weight
     }
 }
 
-// The second row from above misses what is not there beyond the surface: 0.5 % of the pressure at the floor.
+// The second row from above misses what is not there beyond the surface: 0.5 % of the pressure at the floor. Water that
+// gravity has accelerated towards the floor counted once more as water that closes a gap: twice the pressure.
 TEST(MpsPressure, of_still_water_on_the_lattice_is_hydrostatic) {
     Basin basin = still_basin(12);
     basin.settings.compressibility = 1e-13;  // incompressible
     basin.settings.relaxation = 1e-9;        // and nothing of the densities at the surface
-    basin.settings.divergence_share = 0;
     basin.settings.tolerance = 1e-10;
     for (double& density : basin.state.density) {
         density = 1000;  // the solve starts from nothing
     }
     MpsScratch& scratch = basin.scratch;
-    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, scratch, basin.report);
-    load_walls(basin.settings, basin.state, basin.walls, basin.gravity, 1e-3, 0, scratch, basin.report);
+    begin_forces(basin.settings, basin.state, basin.walls, basin.gravity, 1e-4, 0, scratch, basin.report);
+    load_walls(basin.settings, basin.state, basin.walls, basin.gravity, 1e-4, 0, scratch, basin.report);
     ASSERT_EQ(basin.report.problem, "");
     const double surface = 0.5 - 0.5 * basin.settings.spacing;  // the top row has p = 0
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
@@ -116,7 +116,7 @@ TEST(Mps, a_dam_break_books_its_energy_and_its_momentum_and_tells_of_its_solver)
     ASSERT_EQ(basin.report.problem, "");
     const double turnover = potential - basin.report.potential;
     EXPECT_GT(turnover, 0.2 * potential);
-    EXPECT_LT(std::abs(basin.closure() - start), 2e-3 * turnover);
+    EXPECT_LT(std::abs(basin.closure() - start), 1e-9 * turnover);  // works of halves of steps: an identity
     EXPECT_LT(std::abs(basin.pressure_loss), 0.3 * turnover);
     EXPECT_LT(norm(basin.report.momentum - momentum - basin.impulse), 1e-6 * basin.report.mass * 9.81 * basin.time);
     EXPECT_GT(most, 0);

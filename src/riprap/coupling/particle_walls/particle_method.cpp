@@ -101,7 +101,7 @@ std::span<const Account> ParticleMethod::accounts() {
         Account{"diffusion", Balance::lost, Booking::since_kick,
                 "by the diffusion of density and by tearing; may be negative for a while, as neither is a friction",
                 true},
-        Account{"projection", Balance::lost, Booking::since_kick, "by a pressure that is solved for", true},
+        Account{"projection", Balance::lost, Booking::across_kick, "by a pressure that is solved for", true},
         Account{"shifting", Balance::lost, Booking::since_kick,
                 "potential energy and that of compression that shifting took away", true},
         Account{"wall_exchange", Balance::lost, Booking::across_kick,

@@ -40,7 +40,7 @@ struct MpsScratchData {
 
     std::vector<double> wall_share, wall_mirrors, wall_given;  ///< as of weakly compressible MPS
     std::vector<double> wall_ones;
-    std::vector<Vec3> wall_head;
+    std::vector<Vec3> wall_head, wall_start;  ///< rho_0 (g - a_w) [Pa/m], u_n + dt g [m/s]
     std::vector<double> wall_weight, wall_pressure;
     std::vector<Vec3> wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity;
     std::vector<std::array<double, symmetric_numbers>> wall_spread;
@@ -54,7 +54,7 @@ struct MpsScratchData {
     std::size_t bytes() const {
         return bytes_of(start_velocity, predicted, predicted_walls, viscous_force, approaching, share, collision,
                         density, surface, unknown, particle, pressure, pressure_force, ones, grip_share, right,
-                        solution, wall_share, wall_mirrors, wall_given, wall_ones, wall_head, wall_weight,
+                        solution, wall_share, wall_mirrors, wall_given, wall_ones, wall_head, wall_start, wall_weight,
                         wall_pressure, wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity,
                         wall_spread, wall_viscous, wall_collision) +
                fluid.bytes() + walls.bytes() + matrix.bytes() + preconditioner.bytes() + solver.bytes() +

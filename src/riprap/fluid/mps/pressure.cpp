@@ -175,9 +175,10 @@ Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, con
     return is_regular ? even * (inverse(moment) * sum) : sum;
 }
 
-/// div u** = D/n_0 sum v.d W/r^2, walls moving as mirror images.
-double divergence(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                  const Separation& separation, std::size_t i, const MpsScratchData& s) {
+/// div u** = D/n_0 sum v.d W/r^2, walls moving as mirror images. Walls have u** too, u_n + dt g: what they accelerate
+/// otherwise is in the pressure that they mirror, and gravity would count twice if it closed the gap to them here.
+double divergence(const MpsSettings& settings, const ParticleState& state, const MpsScratchData& s,
+                  const Separation& separation, std::size_t i) {
     const MpsWeight weight = settings.weight();
     double sum = 0;
     for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
@@ -188,7 +189,7 @@ double divergence(const MpsSettings& settings, const ParticleState& state, const
     for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
         const std::size_t w = s.walls.index(e);
         const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
-        sum += (1 + s.wall_mirrors[w]) * s.wall_share[w] * dot(state.velocity[i] - walls.velocity[w], d) *
+        sum += (1 + s.wall_mirrors[w]) * s.wall_share[w] * dot(state.velocity[i] - s.wall_start[w], d) *
                weight.over_square(norm_squared(d), s.walls.weight(e));
     }
     return sum;
@@ -230,9 +231,11 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
     const double flow = settings.divergence_share * lattice.first_order() * settings.rest_density / dt;
     const double stiffness = settings.relaxation * settings.rest_density / (dt * dt);
     s.wall_head.resize(walls.position.size());
+    s.wall_start.resize(walls.position.size());
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         s.wall_head[w] = s.wall_mirrors[w] * settings.rest_density * (gravity - walls.acceleration[w]);
+        s.wall_start[w] = walls.velocity[w] + s.wall_mirrors[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
     });
     s.right.resize(s.particle.size());
     s.solution.resize(s.particle.size());
@@ -247,7 +250,7 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
         }
         s.right[row] = stiffness * (s.density[i] - 1) + c * flux;
         if (flow > 0) {
-            s.right[row] -= flow * divergence(settings, state, walls, separation, i, s);
+            s.right[row] -= flow * divergence(settings, state, s, separation, i);
         }
         s.solution[row] = s.pressure[i];
     });
