@@ -26,9 +26,9 @@ double AddedMassIteration::product(const Accelerations& x, const Accelerations& 
 }
 
 AddedMassIteration::Accelerations AddedMassIteration::combine() const {
-    // Differences from the last pass, made orthogonal one after another (Gram and Schmidt, twice over is not needed: a
+    // Differences from the best pass, made orthogonal one after another (Gram and Schmidt, twice over is not needed: a
     // direction that keeps little of its length says nothing new and is left out).
-    Accelerations guess = guesses_.back(), residual = residuals_.back();
+    Accelerations guess = guesses_[best_], residual = residuals_[best_];
     std::vector<Accelerations> steps, changes;
     const auto add = [](Accelerations& to, double factor, const Accelerations& x) {
         for (std::size_t b = 0; b < to.size(); ++b) {
@@ -36,10 +36,13 @@ AddedMassIteration::Accelerations AddedMassIteration::combine() const {
             to[b].angular += factor * x[b].angular;
         }
     };
-    for (std::size_t k = guesses_.size() - 1; k-- > 0;) {
+    for (std::size_t k = guesses_.size(); k-- > 0;) {
+        if (k == best_) {
+            continue;
+        }
         Accelerations step = guesses_[k], change = residuals_[k];
-        add(step, -1, guesses_.back());
-        add(change, -1, residuals_.back());
+        add(step, -1, guesses_[best_]);
+        add(change, -1, residuals_[best_]);
         const double before = product(change, change);
         for (std::size_t j = 0; j < changes.size(); ++j) {
             const double share = product(changes[j], change);
@@ -111,7 +114,15 @@ bool AddedMassIteration::accept(std::vector<body::Acceleration>& guess, std::spa
     }
     guesses_.push_back(guess);
     residuals_.push_back(std::move(residual));
-    guess = passes_ < plain ? std::move(next) : combine();
+    if (guesses_.size() == 1 || residual_ < least_) {
+        least_ = residual_;
+        best_ = guesses_.size() - 1;
+    }
+    if (passes_ + 1 == most) {
+        guess = guesses_[best_];
+    } else {
+        guess = passes_ < plain ? std::move(next) : combine();
+    }
     return false;
 }
 

@@ -21,7 +21,8 @@ namespace riprap::coupling {
 /// Bodies that feel each other through the water, or one whose added mass differs much with direction, settle slowly by
 /// that. After `plain` passes all of them are taken together: the combination of all passes so far with the least
 /// residual, and from there a step of relaxation 1/(1 + kappa). Where G is linear, as in a pressure solve, this is
-/// GMRES [WalkerNi2011].
+/// GMRES [WalkerNi2011]. Where water does not pull, G has kinks: a body that leaves the water may not settle. The last
+/// pass then takes the best guess again, for loads of a far one would kick body and water apart.
 class AddedMassIteration {
  public:
     /// @param mass, inertia  of every body [kg], [kg m^2]
@@ -54,6 +55,8 @@ class AddedMassIteration {
     std::vector<body::Acceleration> last_;
     std::vector<double> relaxation_;
     std::vector<Accelerations> guesses_, residuals_;  ///< of all passes
+    std::size_t best_{0};                             ///< of these
+    double least_{0};                                 ///< its residual
     int passes_{0};
     double residual_{0};
 };

@@ -165,11 +165,14 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
 
 /// Books what both sides exchanged, and ends the last span of the fluid.
 template <class Fluid>
-Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
-                 std::vector<FluidSpan>& spans, StepReport& report) {
+Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, const body::Loads& contacts,
+                 ScratchData& data, std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
     const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
     note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
+    if (cycle.pieces > 1) {
+        forget_impacts(model, data.prediction.kinematics, contacts, cycle.dt, state);
+    }
     const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
     if constexpr (!Fluid::leads) {
         // Such a fluid does not move by itself: its work is what the bodies say, whatever was predicted of them.
@@ -212,7 +215,8 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
     }
     if constexpr (Fluid::is_there) {
         if (report.status.ok()) {
-            report.status.text = end_flow(model, state, fluid, cycle, data, spans, report).problem;
+            const body::Loads& contacts = Solid::contact_loads(std::get<typename Solid::Scratch>(data.solids));
+            report.status.text = end_flow(model, state, fluid, cycle, contacts, data, spans, report).problem;
         }
     }
     report.dt_bound *= static_cast<double>(cycle.pieces);

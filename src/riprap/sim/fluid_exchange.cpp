@@ -166,6 +166,26 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
     }
 }
 
+namespace {
+
+/// Returns `last`, where the push has ended, else `mean`.
+Vec3 going_on(const Vec3& mean, const Vec3& last) { return dot(mean, last) < 0.5 * norm_squared(mean) ? last : mean; }
+
+}  // namespace
+
+void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,
+                    State& state) {
+    coupling::CouplingState& coupling = state.coupling;
+    const Vec3 gravity = model.gravity.at(state.time + dt);
+    for (std::size_t b = 0; b < contacts.size() && b < coupling.dry_acceleration.size(); ++b) {
+        if (kinematics.inverse_mass[b] > 0) {
+            Vec3 &linear = coupling.dry_acceleration[b], &angular = coupling.dry_angular_acceleration[b];
+            linear = gravity + going_on(linear - gravity, kinematics.inverse_mass[b] * contacts.force[b]);
+            angular = going_on(angular, kinematics.inverse_inertia[b] * contacts.torque[b]);
+        }
+    }
+}
+
 void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
                 Ledger& ledger) {
     double work_seen = 0;
