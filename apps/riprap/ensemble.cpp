@@ -7,6 +7,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/sweep_page.hpp"
 
 namespace riprap {
 
@@ -49,9 +50,10 @@ int run_ensemble(const run::EnsembleOptions& options) {
     if (!bands.bands.empty()) {
         validation::write_svg(options.run.out / "bands.svg", plot_of(bands));
     }
+    const std::filesystem::path page = view::write_ensemble_page(options.run.out);
     if (!options.run.quiet) {
-        fmt::print("{} members, {} bands in {}\n", options.members, bands.bands.size(),
-                   printable((options.run.out / "bands.csv").string()));
+        fmt::print("{} members, {} bands in {}, shown in {}\n", options.members, bands.bands.size(),
+                   printable((options.run.out / "bands.csv").string()), printable(page.string()));
     }
     return code;
 }

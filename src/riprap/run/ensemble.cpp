@@ -13,6 +13,7 @@
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/run/run_folder.hpp"
+#include "riprap/run/sweep.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 
 namespace riprap::run {
@@ -162,15 +163,21 @@ int run_ensemble(const EnsembleOptions& options) {
     std::filesystem::create_directories(options.run.out);
     std::vector<std::filesystem::path> folders;
     std::vector<Member> members;
+    SweepOptions study;
+    study.case_path = options.run.case_path;
+    study.overrides = options.run.overrides;
+    study.out = options.run.out;
     int worst = 0;
     for (std::int64_t k = 1; k <= options.members; ++k) {
         Member member;
         RunOptions run = options.run;
+        SweepPoint& point = study.points.emplace_back(SweepPoint{fmt::format("member-{}", k), {}});
         for (const Spread& spread : spreads) {
             member.values.push_back(draw(spread, seed, k));
-            run.overrides.push_back(fmt::format("{}={}", spread.key, member.values.back()));
+            point.overrides.push_back(fmt::format("{}={}", spread.key, member.values.back()));
         }
-        run.out = options.run.out / fmt::format("member-{}", k);
+        run.overrides.insert(run.overrides.end(), point.overrides.begin(), point.overrides.end());
+        run.out = options.run.out / point.name;
         run.resume = !run.force;
         run.quiet = true;
         if (!options.run.quiet) {
@@ -180,6 +187,7 @@ int run_ensemble(const EnsembleOptions& options) {
         members.push_back(member);
         folders.push_back(run.out);
         write_members(options.run.out / "ensemble.csv", seed, spreads, members);
+        io::write_file(options.run.out / "ensemble.json", sweep_json(study));
         worst = worst == 0 ? member.code : worst;
         if (member.code > static_cast<int>(ExitCode::signal_base)) {
             return member.code;

@@ -52,8 +52,8 @@ Bands gather_bands(const std::vector<std::filesystem::path>& members);
 void write_bands(const std::filesystem::path& path, const Bands& bands);
 
 /// Runs the members one after another, each a run folder of its own with its drawn values as overrides; what is there
-/// already is continued, and a member that is finished is left alone. Writes ensemble.csv (member, values, exit code)
-/// and bands.csv. Stops after the member that a signal ends.
+/// already is continued, and a member that is finished is left alone. Writes ensemble.csv (member, values, exit code),
+/// ensemble.json (the same as sweep.json has of a study) and bands.csv. Stops after the member that a signal ends.
 /// @returns the first exit code that is not zero, else 0
 int run_ensemble(const EnsembleOptions& options);
 

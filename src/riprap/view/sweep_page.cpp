@@ -45,8 +45,8 @@ const shown = v => v === null || v === undefined || !isFinite(v) ? "" : v === 0 
 const union = list => [...new Set(list)];
 const keys = union(runs.flatMap(r => Object.keys(r.set))), answers = union(runs.flatMap(r => r.answers.map(a => a.name)));
 const columns = union(runs.flatMap(r => Object.keys(r.columns)));
-document.title = document.getElementById("title").textContent = "Study of " + study.case;
-document.getElementById("about").textContent = `${runs.length} runs, ${runs.filter(r => r.status === "finished").length} finished` + (study.set.length ? "; all with " + study.set.join(", ") : "");
+document.title = document.getElementById("title").textContent = (study.bands ? "Ensemble of " : "Study of ") + study.case;
+document.getElementById("about").textContent = `${runs.length} ${study.bands ? "members" : "runs"}, ${runs.filter(r => r.status === "finished").length} finished` + (study.set.length ? "; all with " + study.set.join(", ") : "");
 const marks = runs.map(() => []);
 const point = (i, on) => marks[i].forEach(e => e.classList.toggle("on", on) || (e.tagName === "path" && e.setAttribute("stroke-width", on ? 3.5 : 1.5)));
 const watch = (e, i) => { marks[i].push(e); e.onmouseenter = () => point(i, true); e.onmouseleave = () => point(i, false); };
@@ -67,7 +67,12 @@ function ticks(low, high) {
   const span = high - low, step0 = Math.pow(10, Math.floor(Math.log10(span / 4))), step = [1, 2, 5, 10].map(m => m * step0).find(s => span / s <= 5);
   const list = []; for (let k = Math.ceil(low / step); k * step <= high * (1 + 1e-12) + 1e-300; ++k) list.push(k * step); return list;
 }
-function chart(caption, xName, series, isLine, band) {
+function bandOf(c) {
+  const b = study.bands; if (!b || !b[c + ".low"]) return null;
+  const rows = b.time.map((t, n) => [t, b[c + ".low"][n], b[c + ".mean"][n], b[c + ".high"][n]]).filter(r => r.every(v => v !== null && isFinite(v)));
+  return rows.length > 1 ? rows : null;
+}
+function chart(caption, xName, series, isLine, band, envelope) {
   const good = series.map(s => ({ ...s, xy: s.xy.filter(p => isFinite(p[0]) && isFinite(p[1]) && p[0] !== null && p[1] !== null) })), all = good.flatMap(s => s.xy);
   if (!all.length) return null;
   const range = k => { let values = all.map(p => p[k]); if (k === 1 && band) values = values.concat(band); let low = Math.min(...values), high = Math.max(...values); const pad = high > low ? (k === 1 || !isLine ? 0.06 * (high - low) : 0) : Math.abs(high) * 0.1 || 1; return [low - pad, high + pad]; };
@@ -78,6 +83,11 @@ function chart(caption, xName, series, isLine, band) {
   for (const y of ticks(y0, y1)) { box.append(svg("line", { x1: left, x2: W - 10, y1: Y(y), y2: Y(y), stroke: "#8884" })); const t = svg("text", { x: left - 6, y: Y(y) + 4, "text-anchor": "end" }); t.textContent = shown(y); box.append(t); }
   for (const x of ticks(x0, x1)) { const t = svg("text", { x: X(x), y: bottom + 15, "text-anchor": "middle" }); t.textContent = shown(x); box.append(t); }
   const name = svg("text", { x: (left + W) / 2, y: H - 4, "text-anchor": "middle" }); name.textContent = xName; box.append(name);
+  if (envelope) {
+    const path = list => list.map((q, k) => (k ? "L" : "M") + X(q[0]).toFixed(1) + " " + Y(q[1]).toFixed(1)).join("");
+    box.append(svg("path", { d: path(envelope.map(r => [r[0], r[3]]).concat(envelope.map(r => [r[0], r[1]]).reverse())) + "Z", fill: "#4a7fd0", opacity: 0.18, "data-band": caption }));
+    box.append(svg("path", { d: path(envelope.map(r => [r[0], r[2]])), fill: "none", stroke: "currentColor", "stroke-width": 2, "data-mean": caption }));
+  }
   for (const s of good) {
     if (isLine) { const p = svg("path", { d: s.xy.map((q, k) => (k ? "L" : "M") + X(q[0]).toFixed(1) + " " + Y(q[1]).toFixed(1)).join(""), fill: "none", stroke: colour(s.run), "stroke-width": 1.5 }); watch(p, s.run); box.append(p); }
     else for (const q of s.xy) { const c = svg("circle", { cx: X(q[0]), cy: Y(q[1]), r: 5, fill: colour(s.run) }); const t = svg("title", {}); t.textContent = `${runs[s.run].name}: ${shown(q[1])}`; c.append(t); watch(c, s.run); box.append(c); }
@@ -91,7 +101,8 @@ for (const k of keys) {
   const measured = answers.length ? answers.map(a => [a, unitOf(a), r => r.answers.find(x => x.name === a)?.value, runs.flatMap(r => r.answers.filter(x => x.name === a))[0]]) : columns.map(c => [c + " max", "", r => r.columns[c]?.max, null]);
   section("Answers over " + k, measured.map(([name, unit, of, one]) => chart(`${name}${unit ? ` [${unit}]` : ""}`, k, runs.map((r, i) => ({ run: i, xy: [[parseFloat(r.set[k]), of(r) ?? NaN]] })), false, one && isFinite(one.low) && isFinite(one.high) && one.low !== null && one.high !== null ? [one.low, one.high] : null)));
 }
-section("Over time", columns.map(c => chart(`${c} [${runs.find(r => r.columns[c])?.columns[c].unit ?? ""}]`, "time [s]", runs.map((r, i) => ({ run: i, xy: (r.curves?.[c] ?? []).map((y, n) => [r.curves.time[n], y]) })), true, null)));
+section("Over time", columns.map(c => chart(`${c} [${runs.find(r => r.columns[c])?.columns[c].unit ?? ""}]`, "time [s]", runs.map((r, i) => ({ run: i, xy: (r.curves?.[c] ?? []).map((y, n) => [r.curves.time[n], y]) })), true, null, bandOf(c))));
+if (study.bands) more.append(make("p", "Shaded: from the least to the largest member. Black or white line: their mean.", "soft"));
 </script></body></html>
 )page";
 
@@ -124,17 +135,32 @@ std::string for_script(const Json& json) {
 
 }  // namespace
 
-std::filesystem::path write_sweep_page(const std::filesystem::path& folder) {
+namespace {
+
+std::filesystem::path write_study_page(const std::filesystem::path& folder, const char* file, Json bands) {
     constexpr std::size_t most = std::size_t{64} << 20U;
-    Json study = Json::parse(io::read_file(folder / "sweep.json", most));
+    Json study = Json::parse(io::read_file(folder / file, most));
     for (Json& run : study["runs"]) {
         const std::string name = run["name"].get<std::string>();
         run["curves"] = curves_of(folder / name / "probes.csv");
         run["page"] = std::filesystem::exists(folder / name / "index.html") ? name + "/index.html" : "";
     }
+    if (!bands.is_null()) {
+        study["bands"] = std::move(bands);
+    }
     const std::filesystem::path page = folder / "index.html";
     io::write_file(page, std::string(page_before) + for_script(study) + std::string(page_after));
     return page;
+}
+
+}  // namespace
+
+std::filesystem::path write_sweep_page(const std::filesystem::path& folder) {
+    return write_study_page(folder, "sweep.json", nullptr);
+}
+
+std::filesystem::path write_ensemble_page(const std::filesystem::path& folder) {
+    return write_study_page(folder, "ensemble.json", curves_of(folder / "bands.csv"));
 }
 
 }  // namespace riprap::view
