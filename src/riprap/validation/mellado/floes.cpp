@@ -23,6 +23,11 @@ constexpr std::array depths{0.0, 0.01, 0.025, 0.05};  ///< of the water below th
 
 double spacing_of(const CaseSetting& setting) { return setting.is_full ? 0.00326087 : 0.0125; }
 
+/// Depth below the dam in whole spacings: at a coarse spacing the bed of 1 cm is one layer of 1.25 cm.
+double filled(double depth, double spacing) {
+    return depth == 0 ? 0 : spacing * std::max(1.0, std::round(depth / spacing));
+}
+
 /// Smoothing ratio of a method: both MPS take the support of the article's three dimensions.
 std::string support_of(std::string_view fluid) { return fluid == "sph" ? "" : "fluid.smoothing_ratio=1.05"; }
 
@@ -45,7 +50,7 @@ std::vector<std::string> overrides_of(const FloeRun& run, double spacing) {
     all.push_back(fmt::format("fluid.region.0.box.high=[{},0.15,0.15]", is_dry ? 0.075 : 0.15));
     all.push_back(fmt::format("fluid.region.1.box.low=[{},0,0]", is_dry ? 0.075 : length_up + gate));
     all.push_back(is_dry ? "fluid.region.1.box.high=[0.15,0.15,0.15]"
-                         : fmt::format("fluid.region.1.box.high=[0.7,0.15,{}]", run.depth));
+                         : fmt::format("fluid.region.1.box.high=[0.7,0.15,{}]", filled(run.depth, spacing)));
     if (const std::string support = support_of(run.fluid); !support.empty()) {
         all.push_back(support);
     }
@@ -92,7 +97,7 @@ Outcome run_floes(const CaseSetting& setting, const std::string& folder, const F
     Outcome outcome;
     const auto start = std::chrono::steady_clock::now();
     outcome.trial.emplace(in_folder(setting, folder), overrides_of(run, spacing));
-    Arrival arrival{run.depth + (run.depth > 0 ? 1.5 * spacing : 0), spacing};
+    Arrival arrival{run.depth > 0 ? filled(run.depth, spacing) + 1.5 * spacing : 0, spacing};
     double start_volume = 0;
     outcome.trial->run([&](const WaterTrial& trial) {
         arrival.look(trial);
