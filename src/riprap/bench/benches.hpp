@@ -24,6 +24,9 @@ void pile_voronoi(const Setting& setting, std::vector<Result>& results);
 void sph_h1732(const Setting& setting, std::vector<Result>& results);
 void sph_h12(const Setting& setting, std::vector<Result>& results);
 
+// water.cpp
+void water_schemes(const Setting& setting, std::vector<Result>& results);
+
 // step.cpp
 void step_dam_break(const Setting& setting, std::vector<Result>& results);
 void step_floes(const Setting& setting, std::vector<Result>& results);

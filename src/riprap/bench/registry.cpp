@@ -25,6 +25,8 @@ std::span<const Bench> all_benches() {
         Bench{"grid.dambreak", "Water and air on a grid, dam break over an obstacle", false, grid_dambreak},
         Bench{"sph.h1732", "Water by SPH, smoothing length of 1.732 spacings", false, sph_h1732},
         Bench{"sph.h12", "Water by SPH, smoothing length of 1.2 spacings", false, sph_h12},
+        Bench{"water.schemes", "Water by delta_sph, wcmps and mps: a particle-step, a simulated second", false,
+              water_schemes},
         Bench{"step.dam_break", "Whole steps: a dam break on a box", false, step_dam_break},
         Bench{"step.floes", "Whole steps: a dam break carries floating blocks", false, step_floes},
         Bench{"step.rubble", "Whole steps: 3000 blocks, a third of them in water", false, step_rubble},

@@ -10,12 +10,13 @@
 namespace riprap::bench {
 
 namespace {
-constexpr std::array<int, 3> lattice{60, 50, 50};
+constexpr std::array<int, 3> finest{60, 50, 50};
 constexpr int wall_layers = 3;
-constexpr double spacing = 0.01;  // [m]
 }  // namespace
 
-SphColumn sph_column(double smoothing_ratio) {
+SphColumn sph_column(double smoothing_ratio, int coarsening) {
+    const double spacing = 0.01 * coarsening;  // [m]
+    const std::array<int, 3> lattice{finest[0] / coarsening, finest[1] / coarsening, finest[2] / coarsening};
     SphColumn column;
     fluid::SphSettings& s = column.settings;
     const double height = lattice[2] * spacing;
@@ -23,7 +24,7 @@ SphColumn sph_column(double smoothing_ratio) {
     s.smoothing_ratio = smoothing_ratio;
     s.particle_mass = s.rest_density * spacing * spacing * spacing;
     s.sound_speed = 10 * std::sqrt(2 * norm(column.gravity) * height);
-    s.domain.low = {-0.1, -0.1, -0.1};
+    s.domain.low = {-0.2, -0.2, -0.2};
     s.domain.high = {2, 0.7, 0.7};
 
     std::mt19937_64 random(7);

@@ -20,6 +20,7 @@ struct SphColumn {
 };
 
 /// @param smoothing_ratio  h/dp [-]
-SphColumn sph_column(double smoothing_ratio);
+/// @param coarsening       spacings and counts along each edge are this many times larger and smaller
+SphColumn sph_column(double smoothing_ratio, int coarsening = 1);
 
 }  // namespace riprap::bench
