@@ -113,9 +113,9 @@ TEST_P(Pairings, the_energy_ledger_closes) {
     scene::LoadedCase loaded = start();
     sim::Scratch scratch;
     const sim::Ledger ledger = step(loaded.model, loaded.state, scratch, steps()).ledger;
-    // Polyhedra with mps miss 2.1 %: the upper block falls onto the lower one within a step in which the water stops that,
-    // and the water has done its work on a motion without the blow. Its steps are ten times those of the other fluids;
-    // contact and water would have to be iterated together.
+    // Polyhedra with mps miss 2.1 %: the upper block falls onto the lower one within a step in which the water stops
+    // that, and the water has done its work on a motion without the blow. Its steps are ten times those of the other
+    // fluids; contact and water would have to be iterated together.
     EXPECT_LT(std::abs(ledger.residual), 0.02 * ledger.turnover);
 }
 
