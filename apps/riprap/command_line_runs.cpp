@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "riprap/view/page.hpp"
 #include "riprap/view/render.hpp"
+#include "riprap/view/surface_export.hpp"
 #include "riprap/view/wave_report.hpp"
 
 namespace riprap {
@@ -77,8 +78,20 @@ void add_render(CLI::App& app, Action& action) {
         ->excludes(time);
     command->add_option_function<std::string>(
         "--size", [options](const std::string& text) { read_size(text, *options); }, "WIDTHxHEIGHT [pixels]");
-    command->add_option("--camera", options->camera, "Where from")
-        ->check(CLI::IsMember({"corner", "front", "side", "top"}));
+    command->add_option("--camera", options->camera,
+                        "corner, front, side, top, or the address of a page as seen in the browser (#...)");
+    command
+        ->add_option("--camera-to", options->camera_to,
+                     "Where a movie's camera goes by its end, as --camera; give the option again for more stops")
+        ->allow_extra_args(false);
+    command->add_option("--fps", options->frames_per_second, "Pictures of a movie per second (default: 25)")
+        ->check(CLI::Range(1, 120));
+    command
+        ->add_option("--length", options->movie_seconds,
+                     "How long a movie plays [s] (default: every frame once); frames are repeated or left out")
+        ->check(CLI::Range(0.1, 3600.0));
+    command->add_option("--from", options->from, "Start of a movie [s of the run]");
+    command->add_option("--to", options->to, "End of a movie [s of the run]");
     command->add_option("--water", options->water, "Water as a surface, or as particles of this colour")
         ->check(CLI::IsMember({"surface", "pressure", "speed", "none"}));
     command->add_option("--blocks", options->blocks,
@@ -90,6 +103,30 @@ void add_render(CLI::App& app, Action& action) {
     command->callback([&action, options] {
         require_extension(options->out, {options->is_movie ? ".mp4" : ".png"});
         action = [options] { return print_render(*options); };
+    });
+}
+
+void add_surface(CLI::App& app, Action& action) {
+    auto options = std::make_shared<view::SurfaceOptions>();
+    CLI::App* command =
+        app.add_subcommand("surface", "Write the surface of the water and the blocks for ParaView, Blender and others");
+    command->footer("Example:\n  riprap surface runs/dam --time 0.4 --format glb");
+    command->add_option("RUN", options->folder, "The run folder")->required();
+    command->add_option("--out", options->out, "A folder (default: RUN/surface)");
+    CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default: all)");
+    command->add_option("--time", options->time, "The frame nearest to this time [s]")->excludes(frame);
+    auto formats = std::make_shared<std::vector<std::string>>();
+    command->add_option("--format", *formats, "vtp, ply, glb (glTF), separated by commas (default: all three)")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"vtp", "ply", "glb"}));
+    command->callback([&action, options, formats] {
+        if (!formats->empty()) {
+            options->formats = {formats->begin(), formats->end()};
+        }
+        action = [options] {
+            fmt::print("{}\n", view::export_surfaces(*options));
+            return 0;
+        };
     });
 }
 
@@ -148,6 +185,7 @@ void add_waves(CLI::App& app, Action& action) {
 void add_commands_of_runs(CLI::App& app, Action& action) {
     add_view(app, action);
     add_render(app, action);
+    add_surface(app, action);
     add_plot(app, action);
     add_waves(app, action);
 }

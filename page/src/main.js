@@ -401,6 +401,24 @@ function remote(page, opened) {
     select: body => page.select(body),
     camera: name => page.setCamera(name),
     theme: theme => page.setTheme(theme),
+    /** Stops of a camera: names of views or addresses of the page; returns what is wrong with one of them. */
+    stops: list => {
+      page.stops = [];
+      for (const stop of list) {
+        const said = new URLSearchParams(stop.replace(/^.*#/, '')), eye = (said.get('eye') ?? '').split(',').map(Number);
+        const name = stop === '' ? $('camera').value : said.get('camera') ?? stop;
+        if (eye.length === 7 && eye.every(Number.isFinite)) {
+          page.stops.push(eye);
+        } else if ([...$('camera').options].some(option => option.value === name)) {
+          page.setCamera(name);
+          page.stops.push(page.scene?.eye);
+        } else {
+          return `there is no view '${stop}'; allowed: ${[...$('camera').options].map(o => o.value).join(', ')}, or an address of the page`;
+        }
+      }
+      return null;
+    },
+    travel: share => page.stops.length > 0 && page.scene?.travel(page.stops, share),
     /** What is drawn and coloured how; an empty choice leaves what is. */
     choose: ({water, blocks, contacts}) => {
       if (water) {

@@ -344,6 +344,20 @@ export class Scene {
     this.redraw();
   }
 
+  /** Brings the eye to a share of its way through several places of it: around what it looks at, not through it. */
+  travel(stops, share) {
+    const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), Math.max(stops.length - 2, 0));
+    const [a, b] = [stops[k], stops[Math.min(k + 1, stops.length - 1)]], t = at - k, part = t * t * (3 - 2 * t);
+    const mix = (x, y) => x + part * (y - x);
+    const [fromA, fromB] = [a, b].map(eye => new THREE.Vector3(...eye.slice(0, 3)).sub(new THREE.Vector3(...eye.slice(3, 6))));
+    const turn = new THREE.Quaternion().slerp(
+        new THREE.Quaternion().setFromUnitVectors(fromA.clone().normalize(), fromB.clone().normalize()), part);
+    const target = [3, 4, 5].map(i => mix(a[i], b[i]));
+    const from = fromA.clone().normalize().applyQuaternion(turn).multiplyScalar(mix(fromA.length(), fromB.length()));
+    this.eye = [...from.add(new THREE.Vector3(...target)).toArray(), ...target, mix(a[6], b[6])];
+    this.draw();
+  }
+
   /** The body at a place of the canvas, in pixels of the page; -1 where there is none. A free one close by comes first. */
   bodyAt(x, y) {
     if (!this.blocks) {

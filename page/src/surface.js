@@ -7,6 +7,7 @@ import * as THREE from 'three';
 
 const BALL = 2.2;      // diameter of what a particle covers, in spacings
 const DOT = 3.0;       // the same in a planar scene: rows of soft dots overlap, their sum is 1.6 inside and half of it at the edge
+const COARSE = 0.5;   // of the pixels of the picture, for the amount of water
 const ROUNDS = 2;      // times that depths are smoothed
 const COLOURS = {
   light: {deep: 0x0f4c81, shallow: 0x58b6d8, sky: 0xe8f2f8}, dark: {deep: 0x0d3f6e, shallow: 0x3f9cc4, sky: 0xb9d3e4}};
@@ -151,6 +152,7 @@ export class WaterSurface {
     this.depths = target(THREE.FloatType);
     this.other = target(THREE.FloatType);
     this.amounts = target(THREE.HalfFloatType);
+    this.amounts.texture.minFilter = this.amounts.texture.magFilter = THREE.LinearFilter;
   }
 
   /** Lies where the run is drawn. */
@@ -175,10 +177,12 @@ export class WaterSurface {
       return;
     }
     const size = renderer.getDrawingBufferSize(new THREE.Vector2()), isFlat = camera.isOrthographicCamera === true;
-    for (const one of [this.depths, this.other, this.amounts]) {
+    for (const one of [this.depths, this.other]) {
       one.setSize(size.x, size.y);
     }
-    this.shared.pixels.value = size.y / 2;
+    // How much water is behind varies slowly; in planar scenes it draws the surface itself.
+    const coarse = this.isPlanar ? 1 : COARSE;
+    this.amounts.setSize(Math.ceil(coarse * size.x), Math.ceil(coarse * size.y));
     const tan = isFlat ? (camera.top - camera.bottom) / (2 * camera.zoom) : Math.tan(camera.fov * Math.PI / 360);
     const clearColour = renderer.getClearColor(new THREE.Color()), clearAlpha = renderer.getClearAlpha();
     renderer.setClearColor(0, 0);
@@ -188,7 +192,9 @@ export class WaterSurface {
       renderer.clear();
       renderer.render(what, what === this.dots ? camera : this.camera);
     };
+    this.shared.pixels.value = coarse * size.y / 2;
     render(this.dots, this.amounts, this.amountMaterial);
+    this.shared.pixels.value = size.y / 2;
     if (!this.isPlanar) {
       render(this.dots, this.depths, this.depthMaterial);
       const {uniforms} = this.smooth;

@@ -65,27 +65,27 @@ class Frames : public RunFixture {
 
 TEST_F(Frames, EveryFrameOfARunOpensInVtksOwnReader) {
     ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "end=0.035"}).code, 0);
-    const std::string said = opened("a", "paraview/jointed_slope.py");
+    const std::string said = opened("a", "paraview/riprap_run.py");
     if (said.empty()) {
         GTEST_SKIP() << no_vtk;
     }
     // Frames at 0, 0.01, 0.02, 0.03 and the end: one half-space as a square, three boxes.
     EXPECT_THAT(said, HasSubstr("bodies: 5 frames, 95 cells"));
     EXPECT_THAT(said, HasSubstr("contacts: 5 frames"));
-    EXPECT_THAT(said, HasSubstr("jointed_slope.py: 3 arrays are there"));
+    EXPECT_THAT(said, HasSubstr("riprap_run.py: 3 arrays are there"));
 }
 
 TEST_F(Frames, EveryFrameOfWaterOpensInVtksOwnReader) {
     const Ending ending = run({"run", write_case("tank.toml", tank), "--out", out("water")});
     ASSERT_EQ(ending.code, 0) << ending.err;
-    const std::string said = opened("water", "paraview/dam_break_floes.py");
+    const std::string said = opened("water", "paraview/riprap_run.py");
     if (said.empty()) {
         GTEST_SKIP() << no_vtk;
     }
     EXPECT_THAT(said, HasSubstr("water: 5 frames"));
     EXPECT_THAT(said, HasSubstr("bodies: 5 frames"));
     EXPECT_THAT(said, HasSubstr("contacts: 5 frames"));
-    EXPECT_THAT(said, HasSubstr("dam_break_floes.py: 5 arrays are there"));
+    EXPECT_THAT(said, HasSubstr("riprap_run.py: 3 arrays are there"));
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ class Browser {
     std::string picture();
 
  private:
+    void start(const std::filesystem::path& program, int width, int height, bool has_sandbox);
     nlohmann::json call(const std::string& method, nlohmann::json parameters);
     void send(const nlohmann::json& message);
     nlohmann::json receive();

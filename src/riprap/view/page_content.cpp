@@ -23,7 +23,8 @@ using Json = nlohmann::ordered_json;
 constexpr int format = 1;                   ///< of the contents; page/src/recording.js asks for the same
 constexpr std::size_t plotted_rows = 4000;  ///< of a table; more cannot be told apart on a screen
 constexpr std::size_t told_notices = 6;
-constexpr double near_share = 0.2;  // of the size of what is free: driven bodies are shown as far around it
+constexpr double same_place = 1e-6;  // of the size of what is free
+constexpr double near_share = 0.2;   // of the size of what is free: driven bodies are shown as far around it
 constexpr double base64_growth = 4.0 / 3;
 constexpr std::size_t escape_growth = 5;       // "<" becomes "\\u003c"
 constexpr std::size_t bytes_per_piece = 100;   // its element and its name
@@ -42,7 +43,7 @@ struct Box {
     }
     bool is_empty() const { return low.x > high.x; }
     double length() const { return is_empty() ? 0 : norm(high - low); }
-    /// Whether it lies within `by` of the other one [m].
+    /// Whether all of it lies within `by` of the other one [m].
     bool is_near(const Box& other, double by) const {
         const Vec3 reach{by, by, by};
         const Vec3 below = other.low - reach - low, above = high - other.high - reach;
@@ -176,8 +177,9 @@ class Packer {
     void find_boxes() {
         box_first_.add(box_water_);
         std::size_t free = 0, away = 0;
-        Box driven;
+        Box driven, driven_first;
         for (const Path& path : paths_) {
+            driven_first.add(path.moves && !path.is_free ? path.start : Box());
             (path.is_free ? box_first_ : path.moves ? driven : box_fixed_).add(path.is_free ? path.start : path.all);
             free += path.is_free ? 1 : 0;
         }
@@ -193,6 +195,9 @@ class Packer {
             }
         }
         box_all_.add(box_all_.is_empty() ? driven : driven.within(box_all_, near_share * box_all_.length()));
+        if (box_first_.is_near(driven_first, same_place * reach)) {  // a drum
+            box_all_.add(driven_first);
+        }
     }
 
     /// Gravity of every frame, where it is not the same all the time.

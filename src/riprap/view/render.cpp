@@ -50,8 +50,14 @@ class Stage {
         }
         browser_.evaluate(fmt::format("riprap.choose({{water: {}, blocks: {}, contacts: {}}})", quoted(options.water),
                                       quoted(options.blocks), options.shows_contacts));
-        if (!options.camera.empty()) {
-            browser_.evaluate(fmt::format("riprap.camera({})", quoted(options.camera)));
+        std::vector<std::string> stops;
+        if (!options.camera.empty() || !options.camera_to.empty()) {
+            stops.push_back(options.camera);
+        }
+        stops.insert(stops.end(), options.camera_to.begin(), options.camera_to.end());
+        const auto trouble = browser_.evaluate(fmt::format("riprap.stops({})", nlohmann::json(stops).dump()));
+        if (trouble.is_string()) {
+            throw FileError(trouble.get<std::string>());
         }
     }
 
@@ -87,6 +93,8 @@ class Stage {
         return fmt::format("frame {} of 0 to {}, t = {:.6g} s", index, frame_count() - 1,
                            times_[static_cast<std::size_t>(index)]);
     }
+    /// Brings the camera to a share of its way through the stops, from 0 to 1.
+    void travel(double share) { browser_.evaluate(fmt::format("riprap.travel({})", share)); }
     std::string picture() { return browser_.picture(); }
 
  private:
@@ -165,34 +173,65 @@ class Encoder {
     io::FileDescriptor pipe_;
 };
 
+/// The frames of a movie, one for each of its pictures.
+std::vector<int> frames_of_movie(const Stage& stage, const RenderOptions& options) {
+    const int first = options.from ? stage.frame_at(*options.from) : 0;
+    const int last = options.to ? stage.frame_at(*options.to) : stage.frame_count() - 1;
+    if (last < first) {
+        throw FileError(fmt::format("the movie would end at {:.6g} s, before it begins", *options.to));
+    }
+    std::vector<int> frames;
+    if (!(options.movie_seconds > 0)) {
+        for (int frame = first; frame <= last; ++frame) {
+            frames.push_back(frame);
+        }
+        return frames;
+    }
+    const std::vector<double>& times = stage.times();
+    const double begin = times[static_cast<std::size_t>(first)], end = times[static_cast<std::size_t>(last)];
+    const int count = std::max(2, static_cast<int>(std::lround(options.movie_seconds * options.frames_per_second)));
+    for (int k = 0; k < count; ++k) {
+        frames.push_back(stage.frame_at(begin + (end - begin) * k / (count - 1)));
+    }
+    return frames;
+}
+
+/// Draws the pictures of a movie one after another.
+template <class Take>
+void draw_movie(Stage& stage, const std::vector<int>& frames, const run::StopRequest& stop, const Take& take) {
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        heed(&stop);
+        stage.show(frames[k]);
+        stage.travel(frames.size() > 1 ? static_cast<double>(k) / static_cast<double>(frames.size() - 1) : 0);
+        take(k, stage.picture());
+    }
+}
+
 std::string render_movie(Stage& stage, const RenderOptions& options, const run::StopRequest& stop) {
+    const std::vector<int> frames = frames_of_movie(stage, options);
     const auto ffmpeg = find_program("ffmpeg");
     if (!ffmpeg) {
         const fs::path folder =
             options.out.empty() ? options.folder / "movie" : fs::path(options.out).replace_extension();
         io::make_folder(folder);
-        for (int frame = 0; frame < stage.frame_count(); ++frame) {
-            heed(&stop);
-            stage.show(frame);
-            io::write_file(folder / fmt::format("{:06}.png", frame), stage.picture(), io::Durability::later);
-        }
+        draw_movie(stage, frames, stop, [&](std::size_t k, const std::string& png) {
+            io::write_file(folder / fmt::format("{:06}.png", k), png, io::Durability::later);
+        });
         return fmt::format("there is no ffmpeg to make a movie (Debian's package ffmpeg); its {} pictures are in {}",
-                           stage.frame_count(), folder.string());
+                           frames.size(), folder.string());
     }
     const fs::path out = options.out.empty() ? options.folder / "movie.mp4" : options.out;
     const fs::path partial = out.string() + ".partial";
     Encoder encoder(*ffmpeg, partial, options.frames_per_second);
-    for (int frame = 0; frame < stage.frame_count(); ++frame) {
-        heed(&stop);
-        stage.show(frame);
-        encoder.add(stage.picture());
-    }
+    draw_movie(stage, frames, stop, [&](std::size_t, const std::string& png) { encoder.add(png); });
     if (!encoder.finish()) {
         throw FileError("ffmpeg could not make the movie; what it said is above");
     }
     fs::rename(partial, out);
-    return fmt::format("{}: {} frames, t = {:.6g} to {:.6g} s", out.string(), stage.frame_count(),
-                       stage.times().front(), stage.times().back());
+    const auto time = [&](int frame) { return stage.times()[static_cast<std::size_t>(frame)]; };
+    return fmt::format("{}: {} pictures, {:.4g} s, t = {:.6g} to {:.6g} s", out.string(), frames.size(),
+                       static_cast<double>(frames.size()) / options.frames_per_second, time(frames.front()),
+                       time(frames.back()));
 }
 
 std::string render(const RenderOptions& options, const run::StopRequest& stop) {
@@ -200,6 +239,7 @@ std::string render(const RenderOptions& options, const run::StopRequest& stop) {
     if (options.is_movie) {
         return render_movie(stage, options, stop);
     }
+    stage.travel(0);
     const std::string shown = stage.show(options.time ? stage.frame_at(*options.time) : options.frame.value_or(-1));
     const fs::path out = options.out.empty() ? options.folder / "picture.png" : options.out;
     io::write_file(out, stage.picture());
