@@ -36,6 +36,8 @@ def metadata():
 
 def compile_module():
     """Configures and builds what the package consists of; returns its folder."""
+    if "RIPRAP_BUILD" in os.environ:  # scripts/package has built it
+        return pathlib.Path(os.environ["RIPRAP_BUILD"]).resolve() / "python" / "riprap"
     configure = ["cmake", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=Release", "-DRIPRAP_TESTS=OFF",
                  "-DRIPRAP_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
     subprocess.run(configure, check=True)
@@ -75,7 +77,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = compile_module()
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    files = sorted(file for file in package.iterdir() if file.suffix == ".py" or file.name.endswith(suffix))
+    files = sorted(file for file in package.iterdir() if file.suffix in (".py", ".pyi") or file.name == "py.typed" or file.name.endswith(suffix))
     info = f"riprap-{version()}.dist-info"
     contents = {f"riprap/{file.name}": file.read_bytes() for file in files}
     contents |= {f"riprap/{file.relative_to(ROOT).as_posix()}": file.read_bytes() for file in examples()}
@@ -94,3 +96,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 def build_sdist(sdist_directory, config_settings=None):
     raise NotImplementedError("riprap is installed from its source tree: pip install .")
+
+
+if __name__ == "__main__":  # python3 python/build_backend.py FOLDER
+    print(os.path.join(sys.argv[1], build_wheel(sys.argv[1])))
