@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/pybind11.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "case.hpp"
 #include "errors.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/io/atomic_file.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
+#include "riprap/view/page.hpp"
+#include "riprap/view/sweep_page.hpp"
 #include "simulation.hpp"
 #include "values.hpp"
 
@@ -19,6 +23,18 @@ void set_threads(int count) {
         throw py::value_error("threads: 1 to 1024");
     }
     riprap::parallel::set_thread_count(count);
+}
+
+/// The page of a run, as `riprap view` writes it.
+void write_page(const std::filesystem::path& folder, const std::filesystem::path& out) {
+    const py::gil_scoped_release unlocked;
+    namespace view = riprap::view;
+    riprap::io::write_file(out, view::page_of(view::pack_run(view::read_run(folder), view::default_budget)));
+}
+
+void write_study_page(const std::filesystem::path& folder) {
+    const py::gil_scoped_release unlocked;
+    riprap::view::write_sweep_page(folder);
 }
 
 }  // namespace
@@ -35,6 +51,8 @@ PYBIND11_MODULE(_riprap, module) {
     module.def(
         "build_info", [] { return riprap::python::from_json(riprap::run::build_json()); },
         "How the library was built (dict).");
+    module.def("_write_page", &write_page, "folder"_a, "out"_a);
+    module.def("_write_study_page", &write_study_page, "folder"_a);
     module.attr("__version__") = riprap::run::build_info().version;
     riprap::run::use_threads(0);
 }

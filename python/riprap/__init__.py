@@ -39,7 +39,7 @@ from .errors import (  # noqa: E402
     NumericalError,
     Problem,
 )
-from .records import Run, Table, open, sweep  # noqa: E402, A004
+from .records import Frame, Run, Table, open, sweep  # noqa: E402, A004
 
 _add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples that came with the package
 
@@ -49,7 +49,7 @@ if hasattr(_os, "register_at_fork"):
 
 # Without `list` and `open`, which `from riprap import *` would put over Python's own.
 __all__ = [
-    "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "InternalError", "NumericalError",
+    "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "Frame", "InternalError", "NumericalError",
     "Problem", "Run", "Simulation", "Table", "__version__", "build", "build_info", "load", "loads", "run", "set_threads",
     "sweep", "threads", "waves",
 ]

@@ -1,12 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a run left in its folder, and studies of many runs."""
+import base64 as _base64
 import csv as _csv
+import difflib as _difflib
 import itertools as _itertools
 import json as _json
 import os as _os
 import pathlib as _pathlib
+import re as _re
+import xml.etree.ElementTree as _xml
+import zlib as _zlib
+from typing import Any as _Any
 
 import numpy as _np
+
+
+def _unknown(kind, name, known):
+    """A KeyError that names the nearest word there is."""
+    near = _difflib.get_close_matches(str(name), [str(one) for one in known], 1, 0.5)
+    hint = f"; did you mean '{near[0]}'?" if near else f"; there are: {', '.join(known)}" if known else ""
+    return KeyError(f"there is no {kind} '{name}'{hint}")
 
 
 class Table(dict):
@@ -24,7 +37,15 @@ class Table(dict):
             self.units[name] = unit.rstrip("]")
             self[name] = _np.array([float(row[k]) if row[k] else _np.nan for row in body])
 
-    def to_pandas(self):
+    def __missing__(self, name):
+        raise _unknown("column", name, list(self))
+
+    def at(self, time: float) -> dict[str, float]:
+        """The last row at or before a time [s], as a dict."""
+        row = max(0, int(_np.searchsorted(self["time"], time * (1 + 1e-12), side="right")) - 1)
+        return {name: float(values[row]) for name, values in self.items()}
+
+    def to_pandas(self) -> _Any:
         """The same as a pandas DataFrame, the time as its index."""
         import pandas
 
@@ -36,35 +57,188 @@ class Table(dict):
         return f"<riprap.Table of {rows} rows: {', '.join(self)}>"
 
 
+_NUMBERS = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1"}
+
+
+def _array(element):
+    """The values of a DataArray, base64 and zlib by blocks, as riprap writes them."""
+    if element.get("format") == "ascii":
+        return _np.array((element.text or "").split(), float)
+    text = _re.sub(r"\s", "", element.text or "")
+    if not text:
+        return _np.empty(0)
+    count = int.from_bytes(_base64.b64decode(text[:12])[:8], "little")
+    head = -(-8 * (3 + count) // 3) * 4
+    sizes = _np.frombuffer(_base64.b64decode(text[:head])[24:24 + 8 * count], "<u8")
+    packed, parts, at = _base64.b64decode(text[head:]), [], 0
+    for size in sizes:
+        parts.append(_zlib.decompress(packed[at:at + int(size)]))
+        at += int(size)
+    values = _np.frombuffer(b"".join(parts), _NUMBERS[element.get("type")])
+    components = int(element.get("NumberOfComponents", 1))
+    return values.reshape(-1, components) if components > 1 else values
+
+
+def _renamed(arrays):
+    return {{"Points": "position"}.get(name, name): values for name, values in arrays.items()}
+
+
+def _per_body(arrays):
+    """Arrays with a row for every body, from those with a row for every face."""
+    faces = arrays.get("body", _np.empty(0))
+    _, first = _np.unique(faces, return_index=True)
+    bodies = {"position": arrays.get("body_position"), "orientation": arrays.get("body_orientation")}
+    for name, values in arrays.items():
+        if len(values) == len(faces) and name not in ("body", "offsets", "Points", "connectivity", "body_position", "body_orientation"):
+            bodies[name] = values[first]
+    return {name: values for name, values in bodies.items() if values is not None}
+
+
+class Frame:
+    """What a run wrote for one time: arrays of the water, the bodies and the contacts by name, read when they are asked for.
+
+    frame.water["position"], frame.water["pressure"]: a row for every particle; frame.bodies["position"],
+    frame.bodies["velocity"]: a row for every body, in the order of bodies.csv; `time` [s].
+    """
+
+    def __init__(self, time, files):
+        self.time = time
+        self._files = files
+        self._read = {}
+
+    def _part(self, kind):
+        if kind not in self._read:
+            arrays = {}
+            if kind in self._files:
+                for element in _xml.parse(self._files[kind]).getroot().iter("DataArray"):
+                    arrays.setdefault(element.get("Name"), _array(element))
+                arrays = _per_body(arrays) if kind == "bodies" else _renamed(arrays)
+            self._read[kind] = _Arrays(kind, arrays)
+        return self._read[kind]
+
+    @property
+    def water(self):
+        return self._part("water")
+
+    @property
+    def bodies(self):
+        return self._part("bodies")
+
+    @property
+    def contacts(self):
+        return self._part("contacts")
+
+    @property
+    def surface(self):
+        """Of the grid fluid."""
+        return self._part("surface")
+
+    def __repr__(self):
+        return f"<riprap.Frame at {self.time:.6g} s: {', '.join(sorted(self._files))}>"
+
+
+class _Arrays(dict):
+    def __init__(self, kind, arrays):
+        super().__init__(arrays)
+        self._kind = kind
+
+    def __missing__(self, name):
+        raise _unknown(f"array of the {self._kind}", name, list(self))
+
+    def __repr__(self):
+        return f"<riprap arrays of the {self._kind}: {', '.join(self) or 'none'}>"
+
+
 class Run:
-    """The folder of a run: `summary` (a dict), `probes` and `ledger` (tables), `times` of its frames."""
+    """The folder of a run: `summary` (a dict), `probes` and `ledger` (tables), `body_names`, `times` and `frames`."""
 
     def __init__(self, folder):
         self.folder = _pathlib.Path(folder)
         if not (self.folder / "run.json").is_file():
             from .errors import FileError
 
-            raise FileError(f"'{folder}' holds no run")
+            parent = self.folder.parent
+            runs = [one.name for one in parent.iterdir() if (one / "run.json").is_file()] if parent.is_dir() else []
+            near = _difflib.get_close_matches(self.folder.name, runs, 1, 0.5)
+            raise FileError(f"'{folder}' holds no run" + (f"; did you mean '{parent / near[0]}'?" if near else ""))
 
     @property
-    def summary(self):
+    def summary(self) -> dict[str, _Any]:
         path = self.folder / "summary.json"
         return _json.loads(path.read_text()) if path.is_file() else {}
 
     @property
-    def status(self):
+    def status(self) -> str:
         return self.summary.get("status", "not finished")
 
     @property
-    def probes(self):
+    def probes(self) -> Table:
         return Table(self.folder / "probes.csv")
 
     @property
-    def ledger(self):
+    def ledger(self) -> Table:
         return Table(self.folder / "ledger.csv")
 
+    def __getitem__(self, name: str) -> _np.ndarray:
+        """A column of the probes or the ledger: run["block.displacement.x"]"""
+        tables = [table for table in (self.probes, self.ledger) if table]
+        for table in tables:
+            if name in table:
+                return table[name]
+        raise _unknown("column", name, [column for table in tables for column in table])
+
     @property
-    def answers(self):
+    def frames(self) -> list[Frame]:
+        """What was written at each time (list of Frame); nothing is read before it is asked for."""
+        found = {}
+        for listing in ("out.pvd", "contacts.pvd"):
+            path = self.folder / listing
+            if not path.is_file():
+                continue
+            text = path.read_text()  # of a run that goes on, the end may be missing
+            for time, file in _re.findall(r'<DataSet timestep="([^"]+)"[^>]*file="([^"]+)"', text):
+                kind = _pathlib.PurePath(file).name.split("_")[0]
+                found.setdefault(float(time), {})[kind] = self.folder / file
+        return [Frame(time, files) for time, files in sorted(found.items())]
+
+    @property
+    def times(self) -> _np.ndarray:
+        """Of the frames [s]."""
+        return _np.array([frame.time for frame in self.frames])
+
+    def frame(self, time: float) -> Frame:
+        """The frame nearest to a time [s]."""
+        frames = self.frames
+        if not frames:
+            raise LookupError(f"the run in '{self.folder}' has no frames")
+        return min(frames, key=lambda frame: abs(frame.time - time))
+
+    def view(self) -> _pathlib.Path:
+        """Writes the page of the run, as `riprap view` does, and gives its path (pathlib.Path)."""
+        from ._riprap import _write_page
+
+        path = self.folder / "index.html"
+        _write_page(self.folder, path)
+        return path
+
+    def _repr_html_(self):
+        """The page of the run, within a notebook."""
+        import html
+
+        page = html.escape(self.view().read_text(), quote=True)
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 560px; border: 0"></iframe>'
+
+    @property
+    def body_names(self) -> list[str]:
+        """Names of the bodies, in the order of their numbers; empty while the run goes on."""
+        path = self.folder / "bodies.csv"
+        if not path.is_file():
+            return []
+        with path.open(newline="") as file:
+            return [row["name [-]"] for row in _csv.DictReader(file)]
+
+    @property
+    def answers(self) -> dict[str, dict[str, _Any]]:
         """The expected answers: value, band and verdict by name."""
         return {one["name"]: one for one in self.summary.get("expects", [])}
 
@@ -72,7 +246,7 @@ class Run:
         return f"<riprap.Run '{self.folder}': {self.status}>"
 
 
-def open(folder):  # noqa: A001
+def open(folder: str | _os.PathLike[str]) -> Run:  # noqa: A001
     """The run in a folder, to look at: riprap.open("runs/stack").probes["level"]"""
     return Run(folder)
 
@@ -88,12 +262,12 @@ def _run_point(case, overrides, folder, threads):
         return str(error)
 
 
-def sweep(case, vary, out, *, jobs=None, threads=1):
+def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list[dict[str, _Any]]:
     """Runs a case once for each combination of the values in `vary`, {"key": [a, b], ...}, or for each dict of a list.
 
     Each run is a process of its own, `jobs` at a time (default: as many as there are cores), in a folder of `out`. Runs that
     are finished stay, so that a study that was stopped goes on. Returns a list of dicts: "set", "run" (riprap.Run) and
-    "error". Call it below `if __name__ == "__main__":` in a script.
+    "error", and leaves sweep.json and a page that compares, index.html, in `out`. Call it below `if __name__ == "__main__":` in a script.
     """
     import concurrent.futures
     import multiprocessing
@@ -119,5 +293,30 @@ def sweep(case, vary, out, *, jobs=None, threads=1):
                 asked[pool.submit(_run_point, str(case), point, str(folder), threads)] = k
         for done in concurrent.futures.as_completed(asked):
             errors[asked[done]] = done.result()
-    return [{"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
+    runs = [{"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
             for point, folder, error in zip(points, folders, errors)]
+    _write_study(case, runs, out)
+    return runs
+
+
+def _write_study(case, runs, out):
+    """sweep.json and index.html, as `riprap sweep` leaves them."""
+    from ._riprap import _write_study_page
+
+    listed = []
+    for one in runs:
+        run, summary = one["run"], one["run"].summary if one["run"] else {}
+        tables = run.probes if run and (run.folder / "probes.csv").is_file() else {}
+        columns = {name: {"unit": tables.units[name], "min": float(_np.nanmin(values)), "max": float(_np.nanmax(values)),
+                          "last": float(values[-1])}
+                   for name, values in tables.items() if name not in ("time", "step") and _np.isfinite(values).any()}
+        listed.append({"name": run.folder.name if run else "", "set": {key: _shown(value) for key, value in one["set"].items()},
+                       "status": run.status if run else "failed", "wall_seconds": summary.get("wall_seconds"),
+                       "answers": summary.get("expects", []), "columns": columns})
+    study = {"case": str(case), "set": [], "runs": [one for one in listed if one["name"]]}
+    (out / "sweep.json").write_text(_json.dumps(study, indent=1).replace("NaN", "null"))
+    _write_study_page(out)
+
+
+def _shown(value):
+    return value if isinstance(value, str) else _json.dumps(value)

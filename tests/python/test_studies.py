@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a run left, and studies of many runs. Working folder: that of the repository."""
+import json
 import pathlib
 import tempfile
 import unittest
@@ -18,6 +19,12 @@ class Studies(unittest.TestCase):
             again = riprap.sweep("hello_block", vary, folder, jobs=2)
             self.assertEqual(again[1]["error"], "")
             self.assertEqual(pathlib.Path(folder, "run_001", "run.jsonl").stat().st_mtime_ns, written)
+            page = pathlib.Path(folder, "index.html").read_text()
+            self.assertIn('"name":"run_002"', page)
+            study = json.loads(pathlib.Path(folder, "sweep.json").read_text())
+            self.assertEqual(study["runs"][1]["set"], {"end": "0.02"})
+            self.assertAlmostEqual(study["runs"][1]["columns"]["block.displacement.x"]["last"],
+                                   runs[1]["run"].probes["block.displacement.x"][-1])
 
     def test_a_run_is_opened_with_its_tables_as_arrays(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -27,8 +34,44 @@ class Studies(unittest.TestCase):
             self.assertEqual(run.status, "finished")
             self.assertAlmostEqual(run.probes["time"][-1], 0.02)
             self.assertEqual(run.probes.units["block.displacement.x"], "m")
+            self.assertAlmostEqual(run["block.displacement.x"][-1], run.probes.at(1.0)["block.displacement.x"])
             with self.assertRaises(riprap.FileError):
                 riprap.open(folder)
+            with self.assertRaisesRegex(riprap.FileError, "did you mean '.*run'"):
+                riprap.open(pathlib.Path(folder, "runn"))
+            with self.assertRaisesRegex(KeyError, "did you mean 'block.displacement.x'"):
+                run["block.displacement.xx"]
+
+    def test_frames_hold_a_row_for_every_body_and_every_particle(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = riprap.load("floating_box", overrides={"fluid.spacing": 0.05, "end": 0.02, "output.interval": 0.01})
+            riprap.run(case, folder, force=True)
+            run = riprap.open(folder)
+            self.assertEqual(len(run.times), len(run.frames))
+            frame = run.frame(0.02)
+            self.assertEqual(len(frame.bodies["position"]), len(run.body_names))
+            self.assertEqual(frame.bodies["velocity"].shape, frame.bodies["position"].shape)
+            box = run.body_names.index("box")
+            simulation = riprap.Simulation(case)
+            simulation.run()
+            self.assertTrue((frame.bodies["position"][box] == simulation.bodies.position[box]).all())
+            self.assertEqual(len(frame.water["pressure"]), len(simulation.fluid))
+            self.assertEqual(sorted(frame.water["id"]), sorted(simulation.fluid.id))
+            with self.assertRaisesRegex(KeyError, "did you mean 'pressure'"):
+                frame.water["presure"]
+            self.assertIn("water", repr(frame))
+
+    def test_the_page_of_a_run_is_written_and_shown_in_notebooks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            riprap.run(riprap.load("hello_block", overrides={"end": 0.01}), folder, force=True)
+            run = riprap.open(folder)
+            try:
+                page = run.view()
+            except riprap.FileError as error:  # built without Node.js
+                self.assertIn("carries no page", str(error))
+                return
+            self.assertGreater(page.stat().st_size, 100_000)
+            self.assertTrue(run._repr_html_().startswith("<iframe srcdoc="))
 
 
 if __name__ == "__main__":
