@@ -5,6 +5,7 @@ import * as THREE from 'three';
 import {FIXED, MAPS, colourAt, materialColour} from './colours.js';
 import {planesOf} from './planes.js';
 import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
+import {Stresses} from './stresses.js';
 
 const FAINT = 0.16;  // opacity of fixed bodies beside water
 
@@ -73,6 +74,8 @@ export class Blocks {
       }
     });
     planesOf(bodies, shapes, first.pose, box).forEach((shape, body) => this.#add(shape, [body]));
+    this.stresses = new Stresses(contents, shapes);
+    this.group.add(this.stresses.group);
   }
 
   #add(shape, members, isFaint = false) {
@@ -165,6 +168,7 @@ export class Blocks {
 
   paint() {
     this.#colourEdges();
+    this.stresses.show(this.frame, this.colourBy);
     const range = this.range(), colour = new THREE.Color();
     for (const mesh of this.meshes) {
       mesh.userData.members.forEach((body, i) => {

@@ -34,6 +34,10 @@ export function showLegends(parent, {particles, blocks, forces, isPlanar}) {
   } else if (blocks) {
     parent.append(namesFigure(blocks.names()));
   }
+  if (blocks?.stresses.group.visible) {
+    parent.insertAdjacentHTML('beforeend', '<figure><figcaption>principal stresses [Pa]</figcaption>' +
+        `<span>${short(blocks.stresses.most)} as wide as the block; orange pressure, blue tension</span></figure>`);
+  }
   if (forces?.group.visible) {
     parent.insertAdjacentHTML('beforeend', `<figure><figcaption>contact force [${isPlanar ? 'N/m' : 'N'}]</figcaption><span class="bar"></span>` +
         `<span>longest bar ${short(forces.most)}</span></figure>`);

@@ -105,7 +105,9 @@ TEST(BlockTerms, springs_summed_by_translation_and_gradient_are_those_of_the_dis
     const Mat3 n{{{2, 0.3, -0.2}, {0.3, 3, 0.4}, {-0.2, 0.4, 5}}};
     Matrix12 plain{}, affine{}, fast{};
     add_springs(displacement_matrix(arm_a), displacement_matrix(arm_b), n, -1.5, plain.data());
-    add_affine_springs(arm_a, arm_b, n, -1.5, affine.data());
+    ArmMoments arms{};
+    add_arms(arm_a, arm_b, arms);
+    add_affine_springs(arms, n, -1.5, affine.data());
     add_in_unknowns(affine, fast.data());
     for (std::size_t i = 0; i < 144; ++i) {
         EXPECT_NEAR(fast[i], plain[i], 1e-14) << i;

@@ -50,6 +50,7 @@ void broadphase_slope(const Setting& setting, std::vector<Result>& results);
 // dda_3d.cpp
 void dda_implicit_3400(const Setting& setting, std::vector<Result>& results);
 void dda_explicit(const Setting& setting, std::vector<Result>& results);
+void dda_explicit_100k(const Setting& setting, std::vector<Result>& results);
 
 // planar_dda.cpp
 void dda_planar(const Setting& setting, std::vector<Result>& results);

@@ -33,6 +33,7 @@ std::span<const Bench> all_benches() {
         Bench{"step.slide", "Whole steps: 500 blocks slide into water", false, step_slide},
         Bench{"dda.implicit_3400", "Implicit 3D-DDA: a wall of 3400 blocks", false, dda_implicit_3400},
         Bench{"dda.explicit", "Explicit 3D-DDA: walls of 1000 and 8000 blocks", false, dda_explicit},
+        Bench{"dda.explicit_100k", "Explicit 3D-DDA: walls of 8000 and 97336 blocks", true, dda_explicit_100k},
         Bench{"linear.product", "Block-sparse matrix times vector, against the bandwidth", false, linear_product},
         Bench{"linear.pcg", "Conjugate gradients by preconditioner", false, linear_pcg},
         Bench{"dda.planar", "Step of a wall of bricks by planar DDA", false, dda_planar},

@@ -159,10 +159,14 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
             ContactTerm& c = scratch.contacts[i];
             const double friction = c.trial.friction;
             const Vec3 direction = c.trial.direction;
+            const ContactMode mode = c.trial.mode;
             if (update_mode(c.springs, rule, c.trial)) {
                 changed = static_cast<std::int64_t>(i);
             } else if (c.trial.mode == ContactMode::slide) {
                 unsettled = std::max(unsettled, norm(c.trial.friction * c.trial.direction - friction * direction));
+            }
+            if (c.trial.mode != mode || c.trial.mode == ContactMode::slide) {
+                mark_stale(c, equations);
             }
             push = std::max(push, -c.springs.normal * c.trial.gap);
         }

@@ -136,20 +136,16 @@ void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const
     }
 }
 
-void add_affine_springs(const Vec3& arm_a, const Vec3& arm_b, const Mat3& stiffness, double factor, double* block) {
-    const double left[4]{factor, factor * arm_a.x, factor * arm_a.y, factor * arm_a.z};
-    const double right[4]{1, arm_b.x, arm_b.y, arm_b.z};
-    for (int j = 0; j < 3; ++j) {
-        double column[12];
-        for (int a = 0; a < 4; ++a) {
-            for (int i = 0; i < 3; ++i) {
-                column[3 * a + i] = left[a] * stiffness(i, j);
-            }
-        }
-        for (int b = 0; b < 4; ++b) {
-            double* const out = block + 12 * (3 * b + j);
-            for (int r = 0; r < 12; ++r) {
-                out[r] += right[b] * column[r];
+void add_affine_springs(const ArmMoments& moments, const Mat3& stiffness, double factor, double* block) {
+    for (std::size_t b = 0; b < 4; ++b) {
+        for (int j = 0; j < 3; ++j) {
+            double* const column = block + 12 * (3 * b + static_cast<std::size_t>(j));
+            const double n[3]{factor * stiffness(0, j), factor * stiffness(1, j), factor * stiffness(2, j)};
+            for (std::size_t a = 0; a < 4; ++a) {
+                const double moment = moments[4 * a + b];
+                for (std::size_t i = 0; i < 3; ++i) {
+                    column[3 * a + i] += moment * n[i];
+                }
             }
         }
     }

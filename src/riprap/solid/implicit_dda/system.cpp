@@ -115,6 +115,7 @@ void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations&
         equations.matrix.set_pattern(std::move(pattern));
         equations.right.assign(at(rows) * 12, 0);
     }
+    equations.is_stale.assign(at(rows), 1);
     for (ContactTerm& c : contacts) {
         const bool is_inner = c.row_a >= 0 && c.row_b >= 0;
         c.entry_ab = is_inner ? equations.matrix.pattern().find(c.row_a, c.row_b) : -1;
@@ -124,8 +125,63 @@ void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations&
 
 namespace {
 
-/// One row: contacts come sorted by pair, so that those with the same neighbour follow each other and are summed before
-/// they are brought to the unknowns.
+bool is_same(const Mat3& a, const Mat3& b) {
+    return a.row[0] == b.row[0] && a.row[1] == b.row[1] && a.row[2] == b.row[2];
+}
+
+/// Sums of one row. Contacts come sorted by pair, and those of a face share normal and springs: arms are summed as long
+/// as stiffness and neighbour stay, blocks as long as the neighbour stays.
+class RowSum {
+ public:
+    explicit RowSum(linear::BlockCsr<12>& matrix) : matrix_(matrix) {}
+
+    void add(const Vec3& arm, const Vec3& other, const Mat3& stiffness, std::int64_t entry) {
+        if (!is_same(stiffness, stiffness_) || entry != entry_) {
+            close_group();
+            stiffness_ = stiffness;
+        }
+        if (entry != entry_) {
+            close_neighbour();
+            entry_ = entry;
+        }
+        add_arms(arm, arm, own_arms_);
+        if (entry >= 0) {
+            add_arms(arm, other, shared_arms_);
+        }
+    }
+    /// Brings everything to the unknowns.
+    void close(double* own_block) {
+        close_group();
+        close_neighbour();
+        add_in_unknowns(own_, own_block);
+    }
+
+ private:
+    void close_group() {
+        if (own_arms_[0] > 0) {
+            add_affine_springs(own_arms_, stiffness_, 1, own_.data());
+            own_arms_.fill(0);
+        }
+        if (shared_arms_[0] > 0) {
+            add_affine_springs(shared_arms_, stiffness_, -1, shared_.data());
+            shared_arms_.fill(0);
+        }
+    }
+    void close_neighbour() {
+        if (entry_ >= 0) {
+            add_in_unknowns(shared_, matrix_.block(entry_));
+            shared_.fill(0);
+        }
+        entry_ = -1;
+    }
+
+    linear::BlockCsr<12>& matrix_;
+    Matrix12 own_{}, shared_{};
+    ArmMoments own_arms_{}, shared_arms_{};
+    Mat3 stiffness_{};
+    std::int64_t entry_{-1};
+};
+
 void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Equations& equations) {
     linear::BlockCsr<12>& k = equations.matrix;
     for (std::int64_t e = k.pattern().first(row); e < k.pattern().end(row); ++e) {
@@ -134,17 +190,9 @@ void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Eq
     double* const own = k.block(k.pattern().find(row, row));
     double* const right = &equations.right[at(row) * 12];
     std::copy(equations.diagonal[at(row)].begin(), equations.diagonal[at(row)].end(), own);
-    Matrix12 mine{}, shared{};
+    RowSum sum(k);
     Vec3 force{};
     Mat3 dipole{};
-    std::int64_t open_entry = -1;
-    const auto close_neighbour = [&](std::int64_t next) {
-        if (open_entry >= 0 && open_entry != next) {
-            add_in_unknowns(shared, k.block(open_entry));
-            shared.fill(0);
-        }
-        open_entry = next;
-    };
     for (const std::int32_t number : equations.incident.of(row)) {
         const ContactTerm& c = contacts[at(number)];
         if (c.trial.mode == ContactMode::open) {
@@ -152,19 +200,12 @@ void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Eq
         }
         const bool is_a = c.row_a == row;
         const Vec3 &arm = is_a ? c.arm_a : c.arm_b, &other = is_a ? c.arm_b : c.arm_a;
-        const Mat3 stiffness = stiffness_of(c);
-        add_affine_springs(arm, arm, stiffness, 1, mine.data());
-        const std::int64_t entry = is_a ? c.entry_ab : c.entry_ba;
-        if (entry >= 0) {
-            close_neighbour(entry);
-            add_affine_springs(arm, other, stiffness, -1, shared.data());
-        }
+        sum.add(arm, other, stiffness_of(c), is_a ? c.entry_ab : c.entry_ba);
         const Vec3 push = (is_a ? 1.0 : -1.0) * force_at_start(c);
         force += push;
         dipole = dipole + outer(push, arm);
     }
-    close_neighbour(-1);
-    add_in_unknowns(mine, own);
+    sum.close(own);
     const Vector12 load = load_vector(force, dipole);
     for (std::size_t i = 0; i < 12; ++i) {
         right[i] = equations.given[at(row)][i] + load[i];
@@ -174,8 +215,12 @@ void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Eq
 }  // namespace
 
 void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
-    parallel::for_each_uneven(equations.matrix.rows(), 16,
-                              [&](std::int64_t row) { assemble_row(contacts, row, equations); });
+    parallel::for_each_uneven(equations.matrix.rows(), 16, [&](std::int64_t row) {
+        if (equations.is_stale[at(row)] != 0) {
+            assemble_row(contacts, row, equations);
+            equations.is_stale[at(row)] = 0;
+        }
+    });
 }
 
 linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
@@ -198,15 +243,22 @@ linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
                : solve_pcg(equations.matrix, equations.jacobi, equations.right, equations.solution, pcg, equations.pcg);
 }
 
+namespace {
+
+/// T D as translation and gradient: nine products where T has 36.
+Vec3 displacement_at(const Vec3& arm, const double* d) { return Vec3{d[0], d[1], d[2]} + gradient_of(d) * arm; }
+
+}  // namespace
+
 void evaluate(const Equations& equations, std::vector<ContactTerm>& contacts) {
     parallel::for_each(static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
         ContactTerm& c = contacts[at(i)];
         Vec3 moved{};
         if (c.row_a >= 0) {
-            moved += displacement(displacement_matrix(c.arm_a), &equations.solution[at(c.row_a) * 12]);
+            moved += displacement_at(c.arm_a, &equations.solution[at(c.row_a) * 12]);
         }
         if (c.row_b >= 0) {
-            moved -= displacement(displacement_matrix(c.arm_b), &equations.solution[at(c.row_b) * 12]);
+            moved -= displacement_at(c.arm_b, &equations.solution[at(c.row_b) * 12]);
         }
         c.trial.gap = c.gap - dot(c.normal, moved);
         const Vec3 total = moved + c.prescribed;

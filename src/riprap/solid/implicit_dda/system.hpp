@@ -47,16 +47,26 @@ struct Equations {
     std::vector<Matrix12> diagonal;  ///< inertia and elasticity of each row
     std::vector<Vector12> given;     ///< right-hand side without contacts
     RowContacts incident;
+    std::vector<std::uint8_t> is_stale;  ///< rows whose contacts have changed since they were assembled
     linear::BlockJacobi<12> jacobi;
     linear::IncompleteCholesky<12> cholesky{};
     linear::PcgScratch pcg;
 };
 
-/// Makes pattern and incidence of the contacts; keeps the pattern where it is the same.
+/// Makes pattern and incidence of the contacts; keeps the pattern where it is the same. All rows are stale then.
 void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations& equations);
 
-/// Fills matrix and right-hand side for the present modes: normal spring and friction pair of what slides, both springs
-/// of what is locked. Rows gather, so the bits do not depend on threads.
+/// Tells that the contact has changed its mode or its friction.
+inline void mark_stale(const ContactTerm& contact, Equations& equations) {
+    for (const std::int32_t row : {contact.row_a, contact.row_b}) {
+        if (row >= 0) {
+            equations.is_stale[static_cast<std::size_t>(row)] = 1;
+        }
+    }
+}
+
+/// Fills stale rows of matrix and right-hand side for the present modes: normal spring and friction pair of what
+/// slides, both springs of what is locked. Rows gather, so the bits do not depend on threads.
 void assemble(const std::vector<ContactTerm>& contacts, Equations& equations);
 
 struct SolveSettings {
