@@ -177,8 +177,8 @@ void load_walls(const MpsSettings& settings, const ParticleState& state, Boundar
     if (!solve.is_converged()) {
         report.problem = fmt::format(
             "the pressure equation of {} unknowns is not solved at t = {:.6g} s: {} after {} iterations, residual "
-            "{:.3g} "
-            "where {:.3g} is asked for",
+            "{:.3g} where {:.3g} is asked for; a shorter step (fluid.courant), a larger fluid.tolerance or more "
+            "fluid.max_iterations",
             s.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
             settings.tolerance);
     }
