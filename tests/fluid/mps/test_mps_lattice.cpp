@@ -31,5 +31,13 @@ TEST(MpsWeight, is_zero_at_its_end_beyond_it_and_where_a_particle_meets_itself) 
     EXPECT_EQ(weight.value(0.0), 0);
 }
 
+TEST(MpsWeight, has_a_bound_where_particles_all_but_meet) {
+    const MpsWeight weight(3.1, 1);
+    for (const double r : {0.5, 0.3, 0.01}) {
+        EXPECT_NEAR(weight.value(r * r), 3.1 / 0.5 - 1, 1e-6) << r;
+        EXPECT_NEAR(weight.over_square(r * r, weight.value(r * r)), (3.1 / 0.5 - 1) / 0.25, 1e-5) << r;
+    }
+}
+
 }  // namespace
 }  // namespace riprap::fluid
