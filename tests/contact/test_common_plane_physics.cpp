@@ -32,8 +32,8 @@ class CommonPlanePhysicsTest : public ::testing::Test {
         body::update_kinematics(bodies_, state_, 0, kinematics_);
         pipeline_.place_parts(scene_, state_);
         pipeline_.find_pairs();
-        return pipeline_.find_contacts(CommonPlanePhysics{topologies_, bodies_, law}, scene_, state_, kinematics_, 1e-3,
-                                       history_);
+        return pipeline_.find_contacts(CommonPlanePhysics{topologies_, bodies_, friction_, law}, scene_, state_,
+                                       kinematics_, 1e-3, history_);
     }
     Vec3 force_on(std::int32_t body) {
         auto loads = gathered();
@@ -51,6 +51,7 @@ class CommonPlanePhysicsTest : public ::testing::Test {
     body::BodyState state_;
     body::BodyKinematics kinematics_;
     std::vector<HullTopology> topologies_;
+    Frictions friction_;
     ShapeId cube_, ground_;
     ContactScene scene_{shapes_, materials_, bodies_, 2, 0.1};
     ContactPipeline pipeline_;

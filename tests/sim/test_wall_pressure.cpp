@@ -120,7 +120,7 @@ Hit hit_wall(double speed, coupling::WallTreatment treatment) {
     if (treatment == coupling::WallTreatment::penalty) {
         basin.model.particles()->samples = {};
     }
-    basin.model.particles()->sph().artificial_alpha = 0;  // gauges read pressure alone
+    basin.model.particles()->sph().viscosity.get<fluid::ArtificialViscosity>().alpha = 0;  // gauges read pressure alone
     basin.state.fluid.velocity[0] = {speed, 0, 0};
     std::vector<Column> columns;
     constexpr double pitch = 0.2 * dp;

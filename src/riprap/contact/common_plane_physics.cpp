@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "riprap/contact/find_contacts.hpp"
-#include "riprap/contact/law/coulomb.hpp"
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
 #include "riprap/contact/stability.hpp"
 
@@ -105,9 +104,11 @@ void CommonPlanePhysics::find_contacts(const Candidate& pair, SeparatingCache& c
         const Mobility mobility_b = mobility_at(b, normal.point, points.normal);
         FoundContact& contact = found.add(point.feature);
         const ShearState before = contact.springs;
-        const LinearContact linear =
-            coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, mobility_a, mobility_b),
-                    contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+        const LinearContact linear = friction.visit([&](const auto& law_of_friction) {
+            return law_of_friction.respond(normal, pair.surfaces,
+                                           kinematics_at(pair, normal.point, mobility_a, mobility_b),
+                                           contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+        });
         set_stability(linear, mobility_a, mobility_b, contact.row);
     }
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "riprap/contact/law/frictions.hpp"
 #include "riprap/contact/narrowphase/hull.hpp"
 #include "riprap/contact/pipeline.hpp"
 
@@ -20,11 +21,12 @@ enum class PlaneLaw : std::uint8_t {
 std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes);
 
 /// Rigid polyhedra that meet across the common plane [Cundall1988]: several contact points a pair, each with a linear
-/// spring of its own and Coulomb's law. A flat contact of area S is as stiff as with the distance potential,
+/// spring and friction of its own. A flat contact of area S is as stiff as with the distance potential,
 /// S (k_a/r_a + k_b/r_b), when the law is soft.
 struct CommonPlanePhysics {
     const std::vector<HullTopology>& topologies;  ///< by shape
     const body::BodySet& bodies;
+    const Frictions& friction;
     PlaneLaw law{PlaneLaw::soft};
 
     void find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;

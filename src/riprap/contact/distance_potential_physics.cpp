@@ -2,7 +2,6 @@
 #include "riprap/contact/distance_potential_physics.hpp"
 
 #include "riprap/contact/find_contacts.hpp"
-#include "riprap/contact/law/coulomb.hpp"
 #include "riprap/contact/stability.hpp"
 
 namespace riprap::contact {
@@ -21,9 +20,10 @@ void DistancePotentialPhysics::find_contacts(const Candidate& pair, SeparatingCa
 
     FoundContact& contact = found.add(feature_key(0, 0));
     const ShearState before = contact.springs;
-    const LinearContact linear =
-        coulomb(normal, pair.surfaces, kinematics_at(pair, normal.point, mobility_a, mobility_b),
-                contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+    const LinearContact linear = friction.visit([&](const auto& law) {
+        return law.respond(normal, pair.surfaces, kinematics_at(pair, normal.point, mobility_a, mobility_b),
+                           contact.is_old() ? &before : nullptr, contact.springs, contact.row);
+    });
     set_stability(linear, mobility_a, mobility_b, contact.row);
 }
 

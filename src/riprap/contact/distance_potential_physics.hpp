@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/contact/law/frictions.hpp"
 #include "riprap/contact/narrowphase/distance_potential.hpp"
 #include "riprap/contact/pipeline.hpp"
 
 namespace riprap::contact {
 
-/// Polyhedra that repel by the distance potential and rub by Coulomb's law: one contact per pair.
+/// Polyhedra that repel by the distance potential and rub by the law of the case: one contact per pair.
 struct DistancePotentialPhysics {
     DistancePotentialOptions options;
+    const Frictions& friction;
 
     void find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;
 };

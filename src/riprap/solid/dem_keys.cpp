@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/core/key.hpp"
+#include "riprap/core/chosen_keys.hpp"
 #include "riprap/solid/dem_settings.hpp"
 
 namespace riprap::solid {
@@ -41,7 +41,7 @@ MethodKeys<DemSettings> DemSettings::keys() {
                "An overlap deeper than this share of the inscribed radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster block ends the run.")};
     return {.help = "explicit discrete elements, polyhedra with a distance potential",
-            .keys = within(&S::contact, contact_keys()) + keys};
+            .keys = within(&S::contact, contact_keys()) + chosen(&S::friction, "tangential_law", "Friction") + keys};
 }
 
 }  // namespace riprap::solid

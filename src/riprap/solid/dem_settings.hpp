@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "riprap/contact/law/frictions.hpp"
 #include "riprap/contact/narrowphase/distance_potential.hpp"
 
 namespace riprap {
@@ -27,6 +28,7 @@ struct DemSettings {
 
     PairContact pair_contact{PairContact::distance_potential};
     contact::DistancePotentialOptions contact;
+    contact::Frictions friction;
     double local_damping{0};  ///< Cundall's alpha: F <- F - alpha |F| sign(v), per component [-]
     double mass_damping{0};   ///< F <- F - mass_damping * m * v [1/s]
     double grid_factor{2};    ///< gamma: ratio of circumradius between size classes [-]

@@ -19,7 +19,7 @@ Water periodic_water(double spacing, double speed, double sound_speed, double da
     Water water;
     water.settings = settings_2d(spacing, sound_speed);
     water.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
-    water.settings.artificial_alpha = 0;
+    water.settings.viscosity.get<ArtificialViscosity>().alpha = 0;
     water.settings.density_diffusion = 0;
     water.settings.shifting = 0;
     water.settings.acoustic_damping = damping;

@@ -59,17 +59,17 @@ TEST(Constants, artificial_viscosity_takes_the_power_of_its_kinematic_viscosity_
 
 TEST(Constants, laminar_viscosity_takes_the_power_of_navier_and_stokes) {
     Water water = sheared();
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = 0.01;
-    water.settings.smagorinsky = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 0.01;
+    water.settings.viscosity.get<LaminarSps>().smagorinsky = 0;
     EXPECT_NEAR(heat_of_one_step(water), power_of(0.01), 0.03 * power_of(0.01));
 }
 
 TEST(Constants, eddies_below_the_spacing_take_the_power_of_smagorinsky) {
     // integral of rho (C_s dp)^2 |S|^3, |S| = k U |cos ky|, whose cube has the mean 4/(3 pi)
     Water water = sheared();
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 0;
     const double mixing = 0.12 / across;  // [Gotoh2001]
     const double power = 1000 * mixing * mixing * std::pow(wave * shear_speed, 3) * 4 / (3 * pi);
     EXPECT_NEAR(heat_of_one_step(water), power, 0.1 * power);
@@ -77,9 +77,9 @@ TEST(Constants, eddies_below_the_spacing_take_the_power_of_smagorinsky) {
 
 TEST(Constants, kinetic_energy_that_viscosity_takes_is_booked_to_a_percent_of_itself) {
     Water water = sheared();
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = 0.01;
-    water.settings.smagorinsky = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 0.01;
+    water.settings.viscosity.get<LaminarSps>().smagorinsky = 0;
     water.step();
     const double before = water.closure(), booked = water.dissipated_viscous;
     water.run_until(0.3);
@@ -121,8 +121,8 @@ TEST(Constants, in_a_step_acceleration_moves_a_particle_a_thirty_second_of_h) {
 TEST(Constants, in_a_step_viscosity_spreads_over_an_eighth_of_h_squared) {
     // explicit diffusion by pairs is stable up to nu dt/h^2 of a quarter [Morris1997], taken twice as safe
     Water water = box_of_water();
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = 100;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 100;
     const double h = water.settings.smoothing_length();
     EXPECT_NEAR(100 * choose_fluid_time_step(water.settings, water.state).limit, h * h / 8, 1e-9 * h * h);
 }

@@ -40,7 +40,7 @@ double growth_of_noise(double courant) {
     Water water;
     water.settings = settings_2d(1.0 / 24, 20);
     water.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
-    water.settings.artificial_alpha = 0;
+    water.settings.viscosity.get<ArtificialViscosity>().alpha = 0;
     water.settings.shifting = 0;
     water.settings.courant = courant;
     int number = 0;

@@ -18,9 +18,9 @@ Water channel(double gap, int across, double nu, double body_force, double wall_
     const double dp = gap / across;
     water.settings = settings_2d(dp, sound_speed);
     water.settings.domain = {{0, -gap, 0}, {10 * dp, 2 * gap, 0}, {true, false, false}, 2};
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = nu;
-    water.settings.smagorinsky = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = nu;
+    water.settings.viscosity.get<LaminarSps>().smagorinsky = 0;
     water.gravity = {body_force, 0, 0};
     for_lattice(dp, 10 * dp, gap, [&](double x, double y) { water.add_particle({x, y, 0}); });
     for_lattice(dp, 10 * dp, 4 * dp, [&](double x, double y) {
@@ -70,9 +70,9 @@ TEST(Flows, taylor_green_vortices_decay_at_the_viscous_rate) {  // Re = 100, at 
     Water water;
     water.settings = settings_2d(dp, 10);
     water.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = nu;
-    water.settings.smagorinsky = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = nu;
+    water.settings.viscosity.get<LaminarSps>().smagorinsky = 0;
     // A perfect lattice stretches along the stagnation lines without any gradient of concentration that shifting could
     // act on, until it tears; places a tenth of a spacing off take that symmetry away.
     std::uint32_t seed = 1;
@@ -137,7 +137,7 @@ TEST(Flows, a_drop_strained_in_its_plane_follows_its_ellipse) {
     const double dp = 0.05;
     Water water;
     water.settings = settings_2d(dp, 1400);
-    water.settings.artificial_alpha = 0.02;
+    water.settings.viscosity.get<ArtificialViscosity>().alpha = 0.02;
     for_lattice(dp, 2, 2, [&](double x, double y) {
         const double u = x - 1, v = y - 1, rate = 100;
         if (u * u + v * v < 1) {

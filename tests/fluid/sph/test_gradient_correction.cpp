@@ -116,7 +116,7 @@ TEST(GradientCorrection, can_be_left_out_of_a_case) {
 Water shaken(int dimension, int side) {
     Water water = disordered(dimension, side, {{}, {}, {}});
     water.settings.shifting = 0;
-    water.settings.artificial_alpha = 0;
+    water.settings.viscosity.get<ArtificialViscosity>().alpha = 0;
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (std::size_t i = 0; i < water.state.position.size(); ++i) {

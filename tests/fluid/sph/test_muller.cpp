@@ -52,7 +52,8 @@ TEST(Muller, water_in_a_tank_weighs_what_it_weighs) {
     water.settings.scheme = SphScheme::muller;
     water.settings.state_equation = StateEquation::linear_without_tension;
     water.settings.smoothing_ratio = 1.2;
-    water.settings.artificial_alpha = 0.1;  // less lets its pressure noise grow (docs/theory/sph.md, 9)
+    water.settings.viscosity.get<ArtificialViscosity>().alpha =
+        0.1;  // less lets its pressure noise grow (docs/theory/sph.md, 9)
     water.gravity = {0, -g, 0};
     add_tank(water, 0.5, 0.8, true);
     add_still_water(water, 0.5, depth);
@@ -74,8 +75,8 @@ TEST(Muller, keeps_the_momentum_of_two_blocks_that_collide) {
     water.settings = settings_2d(0.02, 30);
     water.settings.scheme = SphScheme::muller;
     water.settings.state_equation = StateEquation::linear_without_tension;
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = 0.02;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 0.02;
     water.settings.is_plain = true;
     for_lattice(0.02, 0.3, 0.3, [&](double x, double y) {
         water.add_particle({x, y, 0}, {1.5, 0.2, 0});

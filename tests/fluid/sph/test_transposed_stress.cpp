@@ -17,9 +17,9 @@ constexpr double radius = 0.5;      // of a drop 20 spacings in radius [m]
 Water drop(const Vec3& row_x, const Vec3& row_y) {
     Water water;
     water.settings = settings_2d(radius / 20, 10);
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = viscosity;
-    water.settings.smagorinsky = 0;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = viscosity;
+    water.settings.viscosity.get<LaminarSps>().smagorinsky = 0;
     water.settings.shifting = 0;
     for_lattice(water.settings.spacing, 2 * radius, 2 * radius, [&](double x, double y) {
         const Vec3 place{x - radius, y - radius, 0};
@@ -57,8 +57,8 @@ TEST(TransposedStress, a_drop_in_shear_loses_mu_times_the_square_of_its_rate) {
 TEST(TransposedStress, keeps_momentum_to_round_off_with_walls_and_without) {
     Water water;
     water.settings = settings_2d(0.05, 20);
-    water.settings.viscosity = Viscosity::laminar_sps;
-    water.settings.kinematic_viscosity = viscosity;
+    water.settings.viscosity.choose<LaminarSps>();
+    water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = viscosity;
     water.gravity = {0, -9.81, 0};
     add_tank(water, 1, 0.5, false);
     add_still_water(water, 1, 0.5);

@@ -11,11 +11,6 @@ namespace riprap::contact {
 
 /// Normal force of spheres.
 enum class NormalLaw : std::uint8_t { hertz, linear };
-/// Tangential force of spheres.
-enum class TangentialLaw : std::uint8_t {
-    mindlin,  ///< spring with history, stiffness 8 G* sqrt(R* delta) (hertz) or a share of k_n (linear)
-    tanh,     ///< regularised, without history
-};
 /// Resistance against rolling.
 enum class RollingLaw : std::uint8_t { none, constant, spring };
 /// Simultaneous contacts of the spheres of one pair of bodies.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "riprap/contact/contact_kinematics.hpp"
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/stability.hpp"
@@ -40,5 +42,17 @@ namespace riprap::contact {
 LinearContact coulomb(const NormalContact& normal, const material::PairProperties& pair,
                       const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
                       ContactRow& row);
+
+/// The law above as one of contact::Frictions.
+struct Coulomb {
+    static constexpr std::string_view word = "coulomb";
+    static constexpr std::string_view help = "a spring with history";
+
+    LinearContact respond(const NormalContact& normal, const material::PairProperties& pair,
+                          const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
+                          ContactRow& row) const {
+        return coulomb(normal, pair, kinematics, before, after, row);
+    }
+};
 
 }  // namespace riprap::contact

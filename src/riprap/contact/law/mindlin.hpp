@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include "riprap/core/vec3.hpp"
 #include "riprap/core/wide.hpp"
@@ -124,5 +125,34 @@ inline TangentialResponse<T> advance_spring(TangentialSpring<T>& spring, const V
     response.dashpot_power = -dot(response.force - spring.force, sliding);
     return response;
 }
+
+/// What a friction of spheres sees of one contact, or of eight.
+template <class T>
+struct SlidingContact {
+    Vec3T<T> normal, old_normal;  ///< from A to B, now and at the last step [-]
+    Vec3T<T> sliding;             ///< of A against B, across the normal [m/s]
+    T mean_turn;                  ///< (omega_a + omega_b).n dt/2 [rad]
+    T normal_stiffness;           ///< 4/3 E* sqrt(R* delta), or that of the linear spring [N/m]
+    T shear_stiffness;            ///< 8 G* sqrt(R* delta), or a share of the linear spring [N/m]
+    T shear_damping;              ///< c_t/c_n at the same damping ratio, sqrt(k_t/k_n) [-]
+    T damping;                    ///< c_n of this contact [N s/m]
+    T weight;                     ///< by which stiffnesses count [-]
+    T normal_force;               ///< >= 0 [N]
+    Friction<T> friction;
+    T dt;  ///< since the last step [s]
+};
+
+/// The spring above as one of contact::SphereFrictions.
+struct Mindlin {
+    static constexpr std::string_view word = "mindlin";
+    static constexpr std::string_view help = "a spring with history";
+
+    template <class T>
+    TangentialResponse<T> respond(const SlidingContact<T>& c, TangentialSpring<T>& spring) const {
+        spring.force = turn_with_normal(spring.force, c.old_normal, c.normal, c.mean_turn);
+        return advance_spring<T>(spring, c.sliding, c.shear_stiffness * c.weight, c.damping * c.shear_damping,
+                                 c.normal_force, c.friction, c.dt);
+    }
+};
 
 }  // namespace riprap::contact

@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
+#include "riprap/contact/contact_kinematics.hpp"
+#include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/law/mindlin.hpp"
+#include "riprap/contact/stability.hpp"
 #include "riprap/core/wide.hpp"
+#include "riprap/material/material_set.hpp"
+
+namespace riprap {
+template <class S>
+class KeyList;  // core/key.hpp
+}
 
 namespace riprap::contact {
 
@@ -38,5 +49,28 @@ inline TangentialResponse<T> tanh_friction(const Vec3T<T>& sliding, T stiffness,
     const Vec3T<T> force = sliding * (-size / larger(v, T(1e-300)));
     return {force, size * v * dt, T(0.0), T(0.0)};
 }
+
+/// The law above as one of contact::SphereFrictions and of contact::Frictions.
+struct TanhFriction {
+    static constexpr std::string_view word = "tanh";
+    static constexpr std::string_view help = "regularised by a speed, without history";
+    static KeyList<TanhFriction> keys();
+
+    double speed{0.125};  ///< v_0 [m/s]
+
+    template <class T>
+    TangentialResponse<T> respond(const SlidingContact<T>& c, TangentialSpring<T>& /*spring*/) const {
+        const T share(2.0 / 7);
+        return tanh_friction<T>(c.sliding, share * c.normal_stiffness * c.weight, share * c.damping, c.normal_force,
+                                c.friction.in_motion, T(speed), c.dt);
+    }
+
+    /// For polyhedra mu |F_n| tanh(|v|/v_0), and never more than what takes half of the sliding speed in a step: a
+    /// limit that does not grow with stiffness times step, which is far below friction where blocks are stiff. Nothing
+    /// is stored: the force is a dashpot in the ledger too.
+    LinearContact respond(const NormalContact& normal, const material::PairProperties& pair,
+                          const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
+                          ContactRow& row) const;
+};
 
 }  // namespace riprap::contact

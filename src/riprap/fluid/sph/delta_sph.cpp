@@ -12,7 +12,6 @@
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
-#include "riprap/fluid/sph/transposed_stress.hpp"
 #include "riprap/fluid/sph/wall_pressure.hpp"
 
 namespace riprap::fluid {
@@ -20,16 +19,10 @@ namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
 
-/// Calls work(law) with the viscosity of the case.
+/// Calls work(pair) with the viscosity of the case between pairs of particles.
 template <class Work>
 void with_viscosity(const SphSettings& settings, const Work& work) {
-    if (settings.viscosity == Viscosity::artificial) {
-        const double h = settings.smoothing_length();
-        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
-        work(ArtificialViscosity{strength, 0.01 * h * h});
-    } else {
-        work(LaminarViscosity{});
-    }
+    settings.viscosity.visit([&](const auto& law) { work(law.pair(settings, kernel_of(settings))); });
 }
 
 /// sqrt(2 S:S) from the second sum of Continuity
@@ -166,8 +159,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
 }
 
 /// Finds what the sums of forces read, from densities and the sums of Continuity: pressure and volume, the pressure
-/// with damping and its tensor p B, and the viscosity, molecular and that of eddies below the spacing,
-/// nu_t = (C_s dp)^2 |S| [Smagorinsky1963], [Gotoh2001].
+/// with damping and its tensor p B, and the viscosity.
 void prepare_forces(const SphSettings& settings, const ParticleState& state, SphScratchData& s) {
     const auto count = state.density.size();
     s.pressure.resize(count);
@@ -175,18 +167,20 @@ void prepare_forces(const SphSettings& settings, const ParticleState& state, Sph
     s.dynamic_viscosity.resize(count);
     s.pressure_tensor.resize(count);
     const PressureLaw pressure_at(settings);
-    const double mixing = settings.smagorinsky * settings.spacing, resistance = resistance_of_damping(settings);
-    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        const double eddies = mixing * mixing * strain_rate(settings, s.strain[i]);
-        s.dynamic_viscosity[i] = settings.rest_density * (settings.kinematic_viscosity + eddies);
-        s.volume[i] = settings.particle_mass / state.density[i];
-        const double damping = resistance * s.damped_share[i] * s.squeeze[i];
-        s.wall_heat[i] = damping * s.squeeze[i];
-        s.pressure[i] = pressure_at(state.density[i]) + damping;
-        for (std::size_t k = 0; k < s.correction[i].size(); ++k) {
-            s.pressure_tensor[i][k] = s.pressure[i] * s.correction[i][k];
-        }
+    const double resistance = resistance_of_damping(settings);
+    settings.viscosity.visit([&](const auto& law) {
+        parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
+            const auto i = static_cast<std::size_t>(entry);
+            s.dynamic_viscosity[i] =
+                settings.rest_density * law.kinematic(settings, strain_rate(settings, s.strain[i]));
+            s.volume[i] = settings.particle_mass / state.density[i];
+            const double damping = resistance * s.damped_share[i] * s.squeeze[i];
+            s.wall_heat[i] = damping * s.squeeze[i];
+            s.pressure[i] = pressure_at(state.density[i]) + damping;
+            for (std::size_t k = 0; k < s.correction[i].size(); ++k) {
+                s.pressure_tensor[i][k] = s.pressure[i] * s.correction[i][k];
+            }
+        });
     });
 }
 
@@ -196,10 +190,11 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     prepare_forces(settings, state, s);
     sum_at_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
-    if (settings.viscosity == Viscosity::laminar_sps) {
-        find_transposed_stress(settings, state, walls, s);
-        add_transposed_forces(settings, state, s);
-    }
+    settings.viscosity.visit([&](const auto& law) {
+        if constexpr (requires { law.add_stress(settings, state, walls, s); }) {
+            law.add_stress(settings, state, walls, s);
+        }
+    });
 }
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
@@ -207,18 +202,22 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
     extrapolate_to_walls(walls, gravity, s);
     with_viscosity(settings,
                    [&](const auto& law) { find_forces_on_walls(settings, kernel_of(settings), state, walls, law, s); });
-    if (settings.viscosity == Viscosity::laminar_sps) {
-        add_transposed_forces_on_walls(settings, state, walls, s);
-    }
+    settings.viscosity.visit([&](const auto& law) {
+        if constexpr (requires { law.add_stress_on_walls(settings, state, walls, s); }) {
+            law.add_stress_on_walls(settings, state, walls, s);
+        }
+    });
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                 double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
-    if (settings.viscosity == Viscosity::laminar_sps) {
-        add_transposed_forces_from_walls(settings, state, walls, s);
-    }
+    settings.viscosity.visit([&](const auto& law) {
+        if constexpr (requires { law.add_stress_from_walls(settings, state, walls, s); }) {
+            law.add_stress_from_walls(settings, state, walls, s);
+        }
+    });
     const Shifting shifting = shift_particles(settings, state, without_periodic(gravity, settings.domain), dt, s);
     report.shifted += shifting.potential;
     report.max_shift = std::sqrt(shifting.longest_squared);

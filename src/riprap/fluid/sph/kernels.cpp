@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tuple>
+#include <utility>
+
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/sweep_kernel.hpp"
 #include "riprap/fluid/particle/sweep_plain.hpp"
@@ -56,30 +59,24 @@ RIPRAP_INSTANTIATE(VelocityGradientAtWalls);
 RIPRAP_INSTANTIATE_WITHIN(TransposedStress);
 RIPRAP_INSTANTIATE(TransposedFromWalls);
 RIPRAP_INSTANTIATE(TransposedOnWalls);
-// a comma in a template argument list would be one in the macro's
-template <class Kernel, class Viscosity>
-struct Forces {
-    using InFluid = Momentum<Kernel, Viscosity>;
-    using FromWalls = MomentumFromWalls<Kernel, Viscosity>;
-    using OnWalls = ViscosityOnWalls<Kernel, Viscosity>;
-};
-using Artificial = Forces<WendlandC2, ArtificialViscosity>;
-using Laminar = Forces<WendlandC2, LaminarViscosity>;
-using MullerArtificial = Forces<SpikyKernel, ArtificialViscosity>;
-using MullerLaminar = Forces<SpikyKernel, MullerViscosity>;
-RIPRAP_INSTANTIATE_WITHIN(Artificial::InFluid);
-RIPRAP_INSTANTIATE(Artificial::FromWalls);
-RIPRAP_INSTANTIATE(Artificial::OnWalls);
-RIPRAP_INSTANTIATE_WITHIN(Laminar::InFluid);
-RIPRAP_INSTANTIATE(Laminar::FromWalls);
-RIPRAP_INSTANTIATE(Laminar::OnWalls);
-RIPRAP_INSTANTIATE_WITHIN(MullerArtificial::InFluid);
-RIPRAP_INSTANTIATE(MullerArtificial::FromWalls);
-RIPRAP_INSTANTIATE(MullerArtificial::OnWalls);
-RIPRAP_INSTANTIATE_WITHIN(MullerLaminar::InFluid);
-RIPRAP_INSTANTIATE(MullerLaminar::FromWalls);
-RIPRAP_INSTANTIATE(MullerLaminar::OnWalls);
 #undef RIPRAP_INSTANTIATE
 #undef RIPRAP_INSTANTIATE_WITHIN
+
+namespace {
+/// The sums of forces that a viscosity needs with a kernel. What takes their addresses has them compiled here.
+template <class Law, class Kernel>
+constexpr auto sums_of() {
+    using Viscosity = decltype(std::declval<const Law&>().pair(std::declval<const ParticleSettings&>(),
+                                                               std::declval<const Kernel&>()));
+    return std::tuple{&add_pair_sums_within<Momentum<Kernel, Viscosity>>,
+                      &add_pair_sums<MomentumFromWalls<Kernel, Viscosity>>,
+                      &add_pair_sums<ViscosityOnWalls<Kernel, Viscosity>>};
+}
+template <class... Laws>
+constexpr auto sums_of_all(const Chosen<Laws...>* /*list*/) {
+    return std::tuple{sums_of<Laws, WendlandC2>()..., sums_of<Laws, SpikyKernel>()...};
+}
+[[gnu::used]] constexpr auto sums_of_viscosities = sums_of_all(static_cast<const Viscosities*>(nullptr));
+}  // namespace
 
 }  // namespace riprap::fluid

@@ -3,7 +3,6 @@
 
 #include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
-#include "riprap/fluid/sph/viscosity.hpp"
 #include "riprap/fluid/sph/wall_averages.hpp"
 
 namespace riprap::fluid {

@@ -38,25 +38,20 @@ void sum_density(const SphSettings& settings, ParticleState& state, const Bounda
                   {sink(state.density)}, s.fluid_walls);
 }
 
-/// Calls work(law) with the viscosity of the case.
+SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
+
+/// Calls work(pair) with the viscosity of the case between pairs of particles.
 template <class Work>
 void with_viscosity(const SphSettings& settings, const Work& work) {
-    const double h = settings.smoothing_length();
-    if (settings.viscosity == Viscosity::artificial) {
-        const double strength = settings.artificial_alpha * h * settings.sound_speed * settings.rest_density;
-        work(ArtificialViscosity{strength, 0.01 * h * h});
-    } else {
-        work(MullerViscosity{LaplacianKernel(settings.support_radius(), settings.domain.dimension)});
-    }
+    settings.viscosity.visit([&](const auto& law) { work(law.pair(settings, spiky(settings))); });
 }
-
-SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
 
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
     sum_density(settings, state, walls, s);
     find_pressure(settings, state, s);
-    s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * settings.kinematic_viscosity);
+    const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
+    s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * nu);
     make_zero(s.bareness, state.position.size());
     leave_gradients(state.position.size(), s);
     find_pressure_tensors(s);

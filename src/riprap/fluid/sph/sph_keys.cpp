@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/core/key.hpp"
+#include "riprap/core/chosen_keys.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
@@ -19,19 +19,6 @@ KeyList<S> scheme_keys() {
         choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
                "How pressure follows from density."),
         number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Of the Tait equation.")};
-}
-
-KeyList<S> viscosity_keys() {
-    return {choice(&S::viscosity, "viscosity",
-                   {{"artificial", Viscosity::artificial}, {"laminar_sps", Viscosity::laminar_sps}},
-                   "Artificial viscosity, or that of water with a model of what turbulence the particles do not "
-                   "resolve."),
-            number(&S::artificial_alpha, "artificial_alpha", dimension::plain, between(0, 1),
-                   "Strength of the artificial viscosity."),
-            number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
-                   "Of the fluid, for laminar_sps."),
-            number(&S::smagorinsky, "smagorinsky", dimension::plain, between(0, 1),
-                   "Constant of the turbulence model of laminar_sps.")};
 }
 
 KeyList<S> particle_order_keys() {
@@ -71,7 +58,8 @@ std::vector<KeyProblem> problems_of(const S& settings) {
 
 MethodKeys<SphSettings> SphSettings::keys() {
     return {.help = "smoothed particle hydrodynamics, weakly compressible",
-            .keys = particle_keys<S>() + scheme_keys() + viscosity_keys() + particle_order_keys(),
+            .keys = particle_keys<S>() + scheme_keys() + chosen(&S::viscosity, "viscosity", "Viscosity of the water") +
+                    particle_order_keys(),
             .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
                            "inflow", "outflow"},
             .check = problems_of};

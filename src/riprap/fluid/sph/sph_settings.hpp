@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "riprap/fluid/particle/particle_settings.hpp"
+#include "riprap/fluid/sph/viscosities.hpp"
 
 namespace riprap {
 template <class S>
@@ -14,7 +15,6 @@ struct MethodKeys;  // core/key.hpp
 namespace riprap::fluid {
 
 enum class SphScheme : std::uint8_t { delta_sph, muller };
-enum class Viscosity : std::uint8_t { artificial, laminar_sps };
 
 /// What the case says of SPH: Model. One set of defaults serves every case.
 struct SphSettings : ParticleSettings {
@@ -22,15 +22,12 @@ struct SphSettings : ParticleSettings {
     static MethodKeys<SphSettings> keys();
 
     SphScheme scheme{SphScheme::delta_sph};
-    Viscosity viscosity{Viscosity::artificial};
-    double artificial_alpha{0.02};     ///< [-]
-    double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
-    double smagorinsky{0.12};          ///< C_s of the SPS model [-]
-    double density_diffusion{0.1};     ///< delta [-]
-    double acoustic_damping{1};        ///< a of the bulk viscosity that damps sound [-]; 0 = off
-    double shifting{10};               ///< A of the particle shifting [-]; 0 = off
-    bool gradient_correction{true};    ///< density follows the divergence inside the water
-    bool is_plain{false};              ///< pair sums in double, one pair at a time: the oracle of the fast ones
+    Viscosities viscosity;
+    double density_diffusion{0.1};   ///< delta [-]
+    double acoustic_damping{1};      ///< a of the bulk viscosity that damps sound [-]; 0 = off
+    double shifting{10};             ///< A of the particle shifting [-]; 0 = off
+    bool gradient_correction{true};  ///< density follows the divergence inside the water
+    bool is_plain{false};            ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     /// Follows from the keys of a case once they are read.
     void complete() {

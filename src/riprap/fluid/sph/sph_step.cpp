@@ -20,13 +20,6 @@ const Scheme& scheme_of(const SphSettings& settings) {
     return settings.scheme == SphScheme::muller ? muller_scheme : delta_sph_scheme;
 }
 
-/// nu of the fluid, or what the artificial one amounts to: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005]
-double kinematic_viscosity(const SphSettings& s) {
-    return s.viscosity == Viscosity::artificial
-               ? s.artificial_alpha * s.sound_speed * s.smoothing_length() / (2 * (s.domain.dimension + 2))
-               : s.kinematic_viscosity;
-}
-
 }  // namespace
 
 SphScratch::SphScratch() : data_(std::make_unique<SphScratchData>()) {}
@@ -48,7 +41,7 @@ FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const Particle
             return Fastest{std::max(a.speed_squared, b.speed_squared), std::max(a.density, b.density)};
         });
     const double h = settings.smoothing_length(), none = std::numeric_limits<double>::infinity();
-    const double nu = kinematic_viscosity(settings);
+    const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
     FluidTimeStep step{};
     step.acoustic =
         settings.courant * h / (sound_speed_of(settings, fastest.density) + std::sqrt(fastest.speed_squared));

@@ -16,7 +16,7 @@ namespace riprap::fluid {
 //     tau_i = mu_i G_i^T,     force per V_i of j:  V_j (tau_i + tau_j) F d,     of a wall:  V_w 2 tau_i F d.
 //
 // Forces of a pair are opposite, so momentum is kept; rigid rotation feels nothing where neighbours are all around.
-// With the pairs of LaminarViscosity it takes sum V mu (M G:G + G:G^T), 2 mu S:S inside and never negative where
+// With the pairs of LaminarSps it takes sum V mu (M G:G + G:G^T), 2 mu S:S inside and never negative where
 // M <= 1 (docs/theory/sph.md, 5). A slippery wall is as no wall. G is of the particles as they are, with a wall's
 // velocity mirrored; angular momentum is kept to the accuracy of G.
 

@@ -128,11 +128,12 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
         "gradient_correction and shifting do nothing; its energies do not add up, and the ledger ends the run unless "
         "output.ledger_tolerance is 1");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
-    if (sph.artificial_alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
+    const double alpha = sph.viscosity.get<fluid::ArtificialViscosity>().alpha;
+    if (alpha < least_alpha || std::abs(sph.smoothing_ratio - known_ratio) > 1e-9) {
         build.warnings.push_back(fmt::format(
             "scheme = \"muller\" with artificial_alpha = {:.3g} and smoothing_ratio = {:.3g}: short waves grow; "
             "still water is known to hold with artificial_alpha of at least {} at smoothing_ratio = {}",
-            sph.artificial_alpha, sph.smoothing_ratio, least_alpha, known_ratio));
+            alpha, sph.smoothing_ratio, least_alpha, known_ratio));
     }
 }
 

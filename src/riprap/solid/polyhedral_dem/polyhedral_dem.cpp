@@ -79,7 +79,7 @@ double find_contacts(const contact::ContactScene& scene, const DemSettings& sett
                                               state.contacts);
     };
     if (settings.pair_contact == PairContact::distance_potential) {
-        contact::DistancePotentialPhysics physics{settings.contact};
+        contact::DistancePotentialPhysics physics{settings.contact, settings.friction};
         physics.options.with_energy = with_energy;
         return find(physics);
     }
@@ -87,7 +87,7 @@ double find_contacts(const contact::ContactScene& scene, const DemSettings& sett
         scratch.topologies = contact::hull_topologies(scene.shapes);
     }
     const bool is_soft = settings.pair_contact == PairContact::common_plane_soft;
-    return find(contact::CommonPlanePhysics{scratch.topologies, scene.bodies,
+    return find(contact::CommonPlanePhysics{scratch.topologies, scene.bodies, settings.friction,
                                             is_soft ? contact::PlaneLaw::soft : contact::PlaneLaw::penalty});
 }
 

@@ -5,7 +5,6 @@
 #include "riprap/contact/law/linear_spring.hpp"
 #include "riprap/contact/law/mindlin.hpp"
 #include "riprap/contact/law/rolling.hpp"
-#include "riprap/contact/law/tanh_friction.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -46,9 +45,10 @@ struct ContactResponse {
 
 /// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. Stiffnesses count
 /// by `weight`, dashpots by `damping_weight`.
-template <class T>
-[[gnu::always_inline]] inline ContactResponse<T> respond_to(const SphereSettings& settings, const SurfacePair<T>& pair,
-                                                            const ContactMotion<T>& motion,
+/// @param friction  the law that settings.tangential chooses
+template <class T, class Law>
+[[gnu::always_inline]] inline ContactResponse<T> respond_to(const SphereSettings& settings, const Law& friction,
+                                                            const SurfacePair<T>& pair, const ContactMotion<T>& motion,
                                                             contact::TangentialSpring<T>& spring,
                                                             Vec3T<T>& rolling_couple) {
     const bool is_hertz = settings.normal == contact::NormalLaw::hertz;
@@ -69,22 +69,23 @@ template <class T>
     }
     const T dashpot = total - elastic, pressing = contact::larger(total, zero);
 
-    contact::TangentialResponse<T> shear;
-    if (settings.tangential == contact::TangentialLaw::mindlin) {
-        // A tangential dashpot of the normal one's ratio: c_t/c_n = sqrt(k_t/k_n), which is one number per pair.
-        using std::sqrt;
-        const T stiffness =
-            is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness;
-        const T share = is_hertz ? sqrt(T(4.0) * pair.shear_modulus / pair.modulus) : sqrt(pair.shear_ratio);
-        spring.force = contact::turn_with_normal(spring.force, motion.old_normal, motion.normal, motion.mean_turn);
-        shear = contact::advance_spring<T>(spring, sliding, stiffness * motion.weight, damping * share, pressing,
-                                           {pair.static_friction, pair.kinetic_friction}, motion.dt);
-    } else {
-        const T share(2.0 / 7),
-            stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness;
-        shear = contact::tanh_friction<T>(sliding, share * stiffness * motion.weight, share * damping, pressing,
-                                          pair.kinetic_friction, T(settings.friction_speed), motion.dt);
-    }
+    // A tangential dashpot of the normal one's ratio: c_t/c_n = sqrt(k_t/k_n), which is one number per pair.
+    using std::sqrt;
+    const contact::TangentialResponse<T> shear = friction.template respond<T>(
+        {.normal = motion.normal,
+         .old_normal = motion.old_normal,
+         .sliding = sliding,
+         .mean_turn = motion.mean_turn,
+         .normal_stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness,
+         .shear_stiffness =
+             is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness,
+         .shear_damping = is_hertz ? sqrt(T(4.0) * pair.shear_modulus / pair.modulus) : sqrt(pair.shear_ratio),
+         .damping = damping,
+         .weight = motion.weight,
+         .normal_force = pressing,
+         .friction = {pair.static_friction, pair.kinetic_friction},
+         .dt = motion.dt},
+        spring);
     ContactResponse<T> out;
     out.force = shear.force - motion.normal * total;
     out.couple = {};

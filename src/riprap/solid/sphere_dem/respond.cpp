@@ -6,8 +6,8 @@
 #include "riprap/contact/law/closest_pair.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/solid/sphere_dem/contact_response.hpp"
 #include "riprap/solid/sphere_dem/lanes.hpp"
+#include "riprap/solid/sphere_dem/contact_response.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -141,7 +141,9 @@ void add_to(const ContactResponse<Eight>& response, const ContactMotion<Eight>& 
 }
 
 /// Everything that stays the same over a range of contacts.
+template <class Law>
 struct Respond {
+    const Law& friction;
     const SphereModel& model;
     const body::BodyState& bodies;
     double dt;
@@ -205,23 +207,27 @@ struct Respond {
         if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), g.row);
         }
-        const ContactResponse<Eight> response =
-            respond_to<Eight>(model.settings, is_uniform ? surfaces : surfaces_of(model, scratch.placed, g.a, g.b),
-                              motion, spring, rolling);
+        const ContactResponse<Eight> response = respond_to<Eight>(
+            model.settings, friction, is_uniform ? surfaces : surfaces_of(model, scratch.placed, g.a, g.b), motion,
+            spring, rolling);
         store(g, spring, rolling, response, cross(arm, response.force));
         add_to(response, motion, a, b, g.count, sums);
     }
 };
 
-}  // namespace
-
-ContactSums respond(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
-                    SphereScratch& scratch) {
+template <class Law>
+ContactSums respond_by(const Law& friction, const SphereModel& model, const body::BodyState& bodies, double dt,
+                       SphereState& state, SphereScratch& scratch) {
     const bool has_faces = model.settings.normals == contact::SphereNormals::faces;
-    const Respond work{model,     bodies,
-                       dt,        state,
-                       scratch,   model.table.size() == 1,
-                       has_faces, spread(model.table.pair(MaterialId{0}, MaterialId{0}))};
+    const Respond<Law> work{friction,
+                            model,
+                            bodies,
+                            dt,
+                            state,
+                            scratch,
+                            model.table.size() == 1,
+                            has_faces,
+                            spread(model.table.pair(MaterialId{0}, MaterialId{0}))};
     if (model.settings.rolling != contact::RollingLaw::none) {
         scratch.couple.assign(at(scratch.slots.count), {});
     }
@@ -239,6 +245,14 @@ ContactSums respond(const SphereModel& model, const body::BodyState& bodies, dou
         total += p;
     }
     return total;
+}
+
+}  // namespace
+
+ContactSums respond(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
+                    SphereScratch& scratch) {
+    return model.settings.tangential.visit(
+        [&](const auto& friction) { return respond_by(friction, model, bodies, dt, state, scratch); });
 }
 
 void gather_loads(const SphereModel& model, const body::BodyState& state, SphereScratch& scratch) {

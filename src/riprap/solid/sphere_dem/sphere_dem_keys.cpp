@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/core/key.hpp"
+#include "riprap/core/chosen_keys.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 
 namespace riprap::solid {
@@ -10,12 +10,11 @@ namespace {
 
 KeyList<sphere_dem::SphereSettings> law_keys() {
     using S = sphere_dem::SphereSettings;
-    using contact::NormalLaw, contact::RollingLaw, contact::Sharing, contact::TangentialLaw;
-    return {
-        choice(&S::normal, "normal_law", {{"hertz", NormalLaw::hertz}, {"linear", NormalLaw::linear}},
-               "Normal spring of a contact: Hertz, or linear."),
-        choice(&S::tangential, "tangential_law", {{"mindlin", TangentialLaw::mindlin}, {"tanh", TangentialLaw::tanh}},
-               "Friction: a spring with history, or regularised without history."),
+    using contact::NormalLaw, contact::RollingLaw, contact::Sharing;
+    const KeyList<S> normal{choice(&S::normal, "normal_law",
+                                   {{"hertz", NormalLaw::hertz}, {"linear", NormalLaw::linear}},
+                                   "Normal spring of a contact: Hertz, or linear.")};
+    const KeyList<S> others{
         choice(&S::rolling, "rolling",
                {{"none", RollingLaw::none}, {"constant", RollingLaw::constant}, {"spring", RollingLaw::spring}},
                "Resistance against rolling: none, a constant couple, or an elastic-plastic spring."),
@@ -27,8 +26,6 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
                "Simultaneous contacts of one pair of bodies: dashpots by 1/sqrt(N), all in full, all by 1/N, or the "
                "deepest alone."),
         boolean(&S::allows_pull, "allows_pull", "The dashpot may pull at the end of an impact."),
-        number(&S::friction_speed, "friction_speed", dimension::velocity, positive(),
-               "Speed scale of the tanh friction."),
         number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
                "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
         number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),
@@ -36,6 +33,7 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
         number(&S::max_overlap, "max_overlap", dimension::plain, above(0, 2),
                "An overlap deeper than this share of the smaller radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster body ends the run.")};
+    return normal + chosen(&S::tangential, "tangential_law", "Friction") + others;
 }
 
 }  // namespace

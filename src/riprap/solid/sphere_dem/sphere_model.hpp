@@ -6,6 +6,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/law/contact_table.hpp"
+#include "riprap/contact/law/frictions.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -46,12 +47,11 @@ struct TriangleSet {
 /// Choices of the method.
 struct SphereSettings {
     contact::NormalLaw normal{contact::NormalLaw::hertz};
-    contact::TangentialLaw tangential{contact::TangentialLaw::mindlin};
+    contact::SphereFrictions tangential;
     contact::RollingLaw rolling{contact::RollingLaw::none};
     contact::Sharing sharing{contact::Sharing::dashpots};
     contact::SphereNormals normals{contact::SphereNormals::centres};
     bool allows_pull{true};        ///< the dashpot may pull at the end of an impact
-    double friction_speed{0.125};  ///< v_0 of the tanh friction [m/s]
     double local_damping{0};       ///< Cundall's alpha [-]
     double mass_damping{0};        ///< [1/s]
     double skin{0.1};              ///< of the candidate pairs, over the median radius [-]

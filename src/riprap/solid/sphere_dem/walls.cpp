@@ -160,9 +160,10 @@ WallLoad load_of(const SphereModel& model, const body::BodyState& bodies, const 
     motion.dt = dt;
     contact::TangentialSpring<double> spring{springs.force[c], springs.stiffness[c]};
     Vec3 rolling = springs.rolling.empty() ? Vec3{} : springs.rolling[c];
-    const ContactResponse<double> response = respond_to<double>(
-        model.settings, surface_pair(model.table.pair(model.bodies.material[body], model.bodies.material[wall])),
-        motion, spring, rolling);
+    const auto surfaces = surface_pair(model.table.pair(model.bodies.material[body], model.bodies.material[wall]));
+    const ContactResponse<double> response = model.settings.tangential.visit([&](const auto& friction) {
+        return respond_to<double>(model.settings, friction, surfaces, motion, spring, rolling);
+    });
     springs.force[c] = spring.force;
     springs.stiffness[c] = spring.stiffness;
     springs.normal[c] = contact.normal;

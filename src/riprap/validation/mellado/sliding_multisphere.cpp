@@ -74,7 +74,7 @@ void judge_creep(CaseReport& report) {
     const double slope = std::atan(0.3);
     SphereWorld world = block_on_plane({.youngs_modulus = 1e8, .restitution = 0.3, .static_friction = 0.412}, slope,
                                        {0.2, 0.2, 0.05}, 0.0125, 900);
-    world.settings.tangential = contact::TangentialLaw::tanh;
+    world.settings.tangential.choose<contact::TanhFriction>();
     world.build();
     const double dt = world.step_limit();
     settle(world, dt);

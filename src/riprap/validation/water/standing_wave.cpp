@@ -58,7 +58,8 @@ void standing_wave(const CaseSetting& setting, CaseReport& report) {
     const double third = integral(trial.time(), squared, 2 * period, 3 * period);
     const double rate = -std::log(third / first) / (2 * period);  // of energy
     // Artificial viscosity alpha acts like nu = alpha h c/8 in the plane [Monaghan2005].
-    const double nu = trial.sph().artificial_alpha * trial.sph().smoothing_length() * trial.sph().sound_speed / 8;
+    const double nu = trial.sph().viscosity.get<fluid::ArtificialViscosity>().alpha * trial.sph().smoothing_length() *
+                      trial.sph().sound_speed / 8;
     report.state({"rate at which its energy decays", "1/s",
                   fmt::format("4 nu k^2 = {:.3g} with the nu = alpha h c/8 of the artificial viscosity: theory knows "
                               "nothing of the other losses, so there is no band",

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "riprap/core/chosen.hpp"
+#include "riprap/core/key.hpp"
+
+namespace riprap::key {
+
+/// A word that chooses a law, and the keys of all laws of the list.
+/// @param question  what is chosen, without a full stop; the help of the laws follows
+template <class S, class... Laws>
+KeyList<S> chosen(Chosen<Laws...> S::*member, std::string_view name, std::string_view question) {
+    using List = Chosen<Laws...>;
+    static const std::string help = [&] {
+        std::string text(question);
+        std::string_view before = ". ";
+        ((text.append(before).append(Laws::word).append(": ").append(Laws::help), before = "; "), ...);
+        return text + ".";
+    }();
+    KeyList<S> list{{{.name = name, .help = help, .kind = KeyKind::choice, .words = {Laws::word...}},
+                     [member](const S& s) -> KeyValue { return std::string(List::words[(s.*member).index()]); },
+                     [member](S& s, const KeyValue& value) {
+                         const auto word =
+                             std::find(std::begin(List::words), std::end(List::words), std::get<std::string>(value));
+                         (s.*member).choose(static_cast<std::size_t>(word - std::begin(List::words)));
+                     }}};
+    const auto add_keys_of = [&]<class Law>(const Law* /*law*/) {
+        if constexpr (requires { Law::keys(); }) {
+            for (const BoundKey<Law>& key : Law::keys()) {
+                list.add({key.row, [member, get = key.get](const S& s) { return get((s.*member).template get<Law>()); },
+                          [member, set = key.set](S& s, const KeyValue& value) {
+                              set((s.*member).template get<Law>(), value);
+                          }});
+            }
+        }
+    };
+    (add_keys_of(static_cast<const Laws*>(nullptr)), ...);
+    return list;
+}
+
+}  // namespace riprap::key

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/core/chosen.hpp"
+#include "riprap/fluid/sph/viscosity/artificial.hpp"
+#include "riprap/fluid/sph/viscosity/laminar_sps.hpp"
+
+namespace riprap::fluid {
+
+/// The viscosities of SPH: one line registers a viscosity. Beside its word and keys (core/chosen.hpp) it has
+///
+///     double kinematic(settings, strain_rate)     nu [m^2/s]: bounds the step, and as mu = rho_0 nu goes into the
+///     pairs Pair pair(settings, kernel)                 per kernel of the pressure, WendlandC2 and that of Müller's
+///     scheme
+///
+/// Pair::add<Dim>(v, d, r2, r, F, V, mu_pair, force) writes the viscous force of one pair per V_i [N/m^3], with
+/// d = x_i - x_j [m], v = v_i - v_j [m/s], F = (dW/dr)/r, the volume V of the neighbour and mu_pair = mu_i + mu_j
+/// [Pa s]. Times V_i, it changes sign when i and j are swapped, so momentum is kept; force.v <= 0, so it only takes
+/// energy. A viscosity that is more than a sum over pairs also has `add_stress`, `add_stress_on_walls` and
+/// `add_stress_from_walls`, which delta_sph calls after the sums of the pairs.
+using Viscosities = Chosen<  //
+    ArtificialViscosity,     //
+    LaminarSps               //
+    >;
+
+}  // namespace riprap::fluid

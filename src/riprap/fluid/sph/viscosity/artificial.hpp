@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
+
+namespace riprap {
+template <class S>
+class KeyList;  // core/key.hpp
+}
+
+namespace riprap::fluid {
+
+/// Artificial viscosity [Monaghan1992], with the rest density and sound speed of [Antuono2010]: particles that approach
+/// repel,
+///
+///     force = V alpha h c_0 rho_0 min(0, v.d)/(r^2 + 0.01 h^2) F d.
+struct ArtificialViscosity {
+    static constexpr std::string_view word = "artificial";
+    static constexpr std::string_view help = "particles that approach repel";
+    static KeyList<ArtificialViscosity> keys();
+
+    double alpha{0.02};  ///< [-]
+
+    /// What it amounts to: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005].
+    double kinematic(const ParticleSettings& s, double /*strain_rate*/) const {
+        return alpha * s.sound_speed * s.smoothing_length() / (2 * (s.domain.dimension + 2));
+    }
+
+    struct Pair {
+        double strength;  ///< alpha h c_0 rho_0 [Pa s]
+        double soft;      ///< 0.01 h^2 [m^2]
+
+        template <int Dim, class Real>
+        RIPRAP_HD void add(const Real* v, const Real* d, Real r2, Real, Real slope, Real volume, Real,
+                           Real* force) const {
+            Real closing(0);
+            for (int axis = 0; axis < Dim; ++axis) {
+                closing = closing + v[axis] * d[axis];
+            }
+            const Real size = Real(strength) * min(closing, Real(0)) * reciprocal(r2 + Real(soft)) * slope * volume;
+            for (int axis = 0; axis < Dim; ++axis) {
+                force[axis] = size * d[axis];
+            }
+        }
+    };
+    template <class Kernel>
+    Pair pair(const ParticleSettings& s, const Kernel& /*kernel*/) const {
+        const double h = s.smoothing_length();
+        return {alpha * h * s.sound_speed * s.rest_density, 0.01 * h * h};
+    }
+};
+
+}  // namespace riprap::fluid
