@@ -26,6 +26,7 @@ class NoFluid {
     };
     static constexpr bool is_there = false;
     static constexpr bool leads = false;
+    static bool books_every_step(const Settings& /*settings*/) { return true; }
 
     NoFluid(const FluidScene& /*scene*/, const Settings& /*settings*/, const FluidState& /*state*/, Fields& /*fields*/,
             Scratch& /*scratch*/) {}

@@ -144,7 +144,8 @@ std::string size_text(double bytes) {
 CaseCheck check_case(const scene::LoadedCase& loaded) {
     const sim::Model& model = loaded.model;
     const ExpectWatch watch(model);
-    const sim::TimeStepBound bound = sim::time_step_bound(model, loaded.state);
+    sim::State first_state = loaded.state;
+    const sim::TimeStepBound bound = sim::time_step_bound(model, first_state);
     CaseCheck check;
     check.title = model.title;
     check.bodies = model.bodies.size();
@@ -152,7 +153,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.shapes = model.shapes.size();
     check.is_planar = model.bodies.is_planar;
     sim::Scratch scratch;
-    const sim::TimeStep first = choose_time_step(model, loaded.state, scratch);
+    const sim::TimeStep first = choose_time_step(model, first_state, scratch);
     check.time_step = first.dt;
     check.time_step_limit = bound.limit;
     check.limited_by = bound.reason;
@@ -186,7 +187,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
                 check.face_gauges.push_back({gauge.name, model.bodies.name(face.body), rotate(turn, face.normal)});
             }
         }
-        const sim::TimeStepBound step = sim::step_bound(model, loaded.state);
+        const sim::TimeStepBound step = sim::step_bound(model, first_state);
         check.time_step_limit = step.limit;
         check.limited_by = step.reason;
     }

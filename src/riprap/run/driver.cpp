@@ -116,7 +116,7 @@ void Driver::announce(const std::string& beginning) {
     for (const std::string& warning : simulation_.loaded().warnings) {
         warn(warning);
     }
-    const sim::TimeStepBound limit = sim::step_bound(model(), state());
+    const sim::TimeStepBound limit = simulation_.step_bound();
     say(
         fmt::format("{}\n  {}, {}, {}\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
@@ -309,7 +309,7 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     const char* const advice =
         model().particles() == nullptr ? "a smaller time_step, a stiffer material or more damping usually helps"
-        : sim::fixed_step_problem(model(), state()).empty()
+        : simulation_.fixed_step_problem().empty()
             ? "water that leaves the domain needs a wall there, or an [[fluid.outflow]] that lets it go and counts it; "
               "where walls move, the fluid.domain has to hold all of their way; else a smaller fluid.courant or "
               "fluid.spacing usually helps"

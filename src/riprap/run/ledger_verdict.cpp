@@ -11,6 +11,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/sim/ledger_table.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::run {
@@ -58,17 +59,7 @@ double short_fall(const sim::Model& model, const sim::State& state) {
 
 /// What lifts all water by one spacing: when it is let go, its lattice settles by hundredths of that [J].
 double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
-    return model.particles() != nullptr
-               ? ledger.fluid.mass * norm(model.gravity.value) * model.particles()->settings().spacing
-               : 0;
-}
-
-/// The methods whose ledgers close from the first step on: rigid polyhedra with the distance potential, alone or in
-/// SPH.
-bool books_every_step(const sim::Model& model) {
-    const coupling::ParticleFluid* const water = model.particles();
-    return model.dem() != nullptr &&
-           (!model.has_fluid() || (water != nullptr && std::holds_alternative<fluid::SphSettings>(water->scheme)));
+    return ledger.fluid.mass * norm(model.gravity.value) * sim::grain(model);
 }
 
 }  // namespace
@@ -76,7 +67,7 @@ bool books_every_step(const sim::Model& model) {
 std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
                            std::int64_t step) {
     constexpr double round_off = 1e-9;
-    if (!ledger.has_energy || (step <= first_steps && !books_every_step(model))) {
+    if (!ledger.has_energy || (step <= first_steps && !sim::books_every_step(model))) {
         return "";
     }
     const double residual = std::abs(ledger.residual), kinetic = ledger.kinetic + ledger.fluid.kinetic;

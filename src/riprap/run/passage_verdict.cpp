@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/coupling/strays.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
@@ -66,22 +67,17 @@ std::string crossing_shapes(const sim::Model& model, const sim::State& state) {
     return "";
 }
 
-bool meet_by_shapes(const sim::Model& model) {
-    const auto* spheres = std::get_if<solid::SphereDemSettings>(&model.solid);
-    return spheres == nullptr || spheres->sampling != solid::SphereSampling::one;
-}
-
 }  // namespace
 
 std::string PassageWatch::look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
                                const sim::StepReport& report, bool is_last) {
-    if (std::string problem = model.dem() != nullptr ? crossing_rows(model, state, scratch, report) : "";
-        !problem.empty() || !meet_by_shapes(model)) {
+    if (std::string problem = sim::tells_depth(model) ? crossing_rows(model, state, scratch, report) : "";
+        !problem.empty() || !sim::meets_by_shapes(model)) {
         return problem;
     }
     const double near = solid::most_approach * solid::smallest_radius(model.bodies, model.shapes);
     approached_ += report.dt * solid::approach_limit(model.bodies, model.shapes, state.bodies);
-    const bool is_held = model.dem() != nullptr && model.time.is_automatic();  // by the depth of its contacts
+    const bool is_held = sim::tells_depth(model) && model.time.is_automatic();  // by the depth of its contacts
     if (!is_last && (is_held || approached_ < near)) {
         return "";
     }

@@ -55,6 +55,9 @@ class Simulation {
     /// Contacts and forces of the last step are there: not at time 0, after a restart, a new end or a refused step.
     bool has_stepped() const { return has_stepped_; }
     const sim::TimeStepBound& bound() const { return bound_; }  ///< of the solids
+    /// Of the run, now; and why a step that the case fixes cannot be taken from here, empty where it can.
+    sim::TimeStepBound step_bound() { return sim::step_bound(model(), state_); }
+    std::string fixed_step_problem() { return sim::fixed_step_problem(model(), state_); }
 
     /// Where to stop: a time [s], and a number of steps in all (-1 = no limit). An automatic step is chosen so that the
     /// last one meets the end.

@@ -8,20 +8,16 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
-#include "riprap/solid/sphere_dem/sample_bodies.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
 
 namespace {
 
-/// Smallest radius of what may be met: of parts, and of the spheres that stand for them [m].
+/// Smallest radius of what may be met: of parts, and of what the method lets stand for them [m].
 double thinnest_of(const sim::Model& model) {
-    const double of_parts = solid::smallest_radius(model.bodies, model.shapes);
-    const auto* spheres = std::get_if<solid::SphereDemSettings>(&model.solid);
-    return spheres != nullptr && spheres->sampling == solid::SphereSampling::surface
-               ? std::min(of_parts, solid::sphere_dem::radius_of_samples(model.bodies, model.shapes, *spheres))
-               : of_parts;
+    return std::min(solid::smallest_radius(model.bodies, model.shapes), sim::smallest_stand_in(model));
 }
 
 /// Whether bodies may approach each other in a step by as much as may not be; true too where they only seem to.
@@ -32,7 +28,7 @@ bool can_come_near(const sim::Model& model, const sim::State& state, double dt) 
 
 }  // namespace
 
-sim::TimeStep choose_step(const sim::Model& model, const sim::State& state, sim::Scratch& scratch) {
+sim::TimeStep choose_step(const sim::Model& model, sim::State& state, sim::Scratch& scratch) {
     sim::TimeStep step = sim::choose_time_step(model, state, scratch);
     if (!model.time.is_automatic() || step.steps_left == 0 || !can_come_near(model, state, step.dt)) {
         return step;

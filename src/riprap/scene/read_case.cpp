@@ -71,7 +71,7 @@ void warn_of_hard_impacts(const CaseBuild& build) {
 }
 
 /// A fixed step above its limit is a problem of the place where it stands. @throws CaseError
-void check_time_step(const Value& root, const sim::Model& model, const sim::State& state) {
+void check_time_step(const Value& root, const sim::Model& model, sim::State& state) {
     if (model.time.is_automatic()) {
         return;
     }

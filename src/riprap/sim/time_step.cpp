@@ -23,16 +23,15 @@ struct Limits {
     bool fluid_leads{false};  ///< the fluid's step is that of the run; else the solids'
 };
 
-Limits limits_of(const Model& model, const State& state, ScratchData& scratch) {
+Limits limits_of(const Model& model, State& state, ScratchData& scratch) {
     Limits limits;
-    auto& looked_at = const_cast<State&>(state);  // methods are bound to a State that they may change; limit() does not
-    with_methods(model, looked_at, scratch, [&]<class Solid, class Fluid>(const Solid& solids, const Fluid& fluid) {
+    with_methods(model, state, scratch, [&]<class Solid, class Fluid>(const Solid& solids, const Fluid& fluid) {
         limits = {solids.limit(), fluid.limit(), Fluid::leads};
     });
     return limits;
 }
 
-Limits limits_of(const Model& model, const State& state) {
+Limits limits_of(const Model& model, State& state) {
     ScratchData scratch;
     return limits_of(model, state, scratch);
 }
@@ -82,9 +81,14 @@ double fixed_fluid_step(const Model& model, const State& state, const StepLimit&
 
 }  // namespace
 
-TimeStepBound time_step_bound(const Model& model, const State& state) {
+TimeStepBound time_step_bound(const Model& model, State& state) {
     const StepLimit solids = limits_of(model, state).solids;
     return {solids.longest, solids.reason, solids.is_wanted};
+}
+
+TimeStepBound time_step_bound(const Model& model) {
+    State empty;
+    return time_step_bound(model, empty);
 }
 
 double largest_time_step(const Model& model, const TimeStepBound& bound) {
@@ -100,11 +104,11 @@ std::string fixed_step_problem(const Model& model, const State& state, const Ste
     return message.empty() ? message : fmt::format("{} at t = {:.6g} s; {}", message, state.time, other_steps);
 }
 
-std::string fixed_step_problem(const Model& model, const State& state) {
+std::string fixed_step_problem(const Model& model, State& state) {
     return fixed_step_problem(model, state, limits_of(model, state).fluid);
 }
 
-TimeStepBound step_bound(const Model& model, const State& state) {
+TimeStepBound step_bound(const Model& model, State& state) {
     const Limits limits = limits_of(model, state);
     const StepLimit& leader = limits.fluid_leads ? limits.fluid : limits.solids;
     return {leader.longest, leader.reason, leader.is_wanted};
@@ -131,7 +135,7 @@ std::int64_t steps_across(double span, double dt) {
     return static_cast<std::int64_t>(std::clamp(steps, 0.0, 9e18));
 }
 
-TimeStep choose_time_step(const Model& model, const State& state, Scratch& scratch) {
+TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
     const Limits limits = limits_of(model, state, scratch.data());
     const double span = (model.time.end - state.time) + state.time_rest;
     if (!model.time.is_automatic()) {

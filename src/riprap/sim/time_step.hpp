@@ -15,24 +15,28 @@ namespace riprap::sim {
 
 class Scratch;
 
+// Functions that ask methods for their limits bind them to the State, which makes fields of theirs that are missing and
+// brings up to date what they keep beside them: no value of a step changes.
+
 /// Stability bound before any contact is known (docs/theory/time-step.md): every body fully covered by neighbours.
 struct TimeStepBound {
     double limit{0};        ///< 2/omega_max, or the step that an implicit method wants [s]
     std::string reason;     ///< in words, for the log
     bool is_wanted{false};  ///< the step that an implicit method wants
 };
-TimeStepBound time_step_bound(const Model& model, const State& state = {});
+TimeStepBound time_step_bound(const Model& model, State& state);
+TimeStepBound time_step_bound(const Model& model);  ///< of a State with nothing in it
 
 /// Returns the longest step that solids take: model.time.time_step, or factor * bound where that is automatic or where
 /// there is a fluid whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
 double largest_time_step(const Model& model, const TimeStepBound& bound);
 
 /// The same with water: what it allows from this State, whose step the solids cut into steps of their own.
-TimeStepBound step_bound(const Model& model, const State& state);
+TimeStepBound step_bound(const Model& model, State& state);
 
 /// Returns the reason why a step that the case fixes cannot be taken from this State: it is longer than the water
 /// allows and not forced. Empty where it can be taken, and where the step is automatic.
-std::string fixed_step_problem(const Model& model, const State& state);
+std::string fixed_step_problem(const Model& model, State& state);
 std::string fixed_step_problem(const Model& model, const State& state, const StepLimit& fluid);
 
 /// Shares a step of `dt` out between both sides, from what each allows.
@@ -57,7 +61,7 @@ struct TimeStep {
 /// A method whose limit depends on its fields reads them from State here: what it keeps in Scratch for that must not
 /// change the result.
 /// @param scratch  keeps the bound, which depends on Model alone
-TimeStep choose_time_step(const Model& model, const State& state, Scratch& scratch);
+TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch);
 
 /// Equal steps of at most `dt` needed to cover `span` [s]; round-off in span/dt is forgiven. 0 where span is not
 /// positive; saturates at 9e18.

@@ -23,6 +23,11 @@ class ParticleMethod {
     static constexpr bool is_there = true;
     static constexpr bool leads = true;  ///< its step is that of the run
     static std::span<const Account> accounts();
+    /// See sim/method_traits.hpp: a scheme says so by a member of its settings.
+    static bool books_every_step(const Settings& water) {
+        return std::visit([]<class Scheme>(const Scheme& /*scheme*/) { return books_all<Scheme>; }, water.scheme);
+    }
+    static double grain(const Settings& water) { return water.settings().spacing; }
 
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);
@@ -53,6 +58,10 @@ class ParticleMethod {
                                       const fluid::Gauge& gauge, const FaceGauge* face, double time);
 
  private:
+    template <class Scheme>
+    static constexpr bool books_all = requires {
+        requires Scheme::books_every_step;
+    };
     void hold_loads(const TimeSpan& span);
 
     const FluidScene* scene_;

@@ -20,6 +20,7 @@ enum class SphScheme : std::uint8_t { delta_sph, muller };
 struct SphSettings : ParticleSettings {
     static constexpr std::string_view method_name = "sph";
     static MethodKeys<SphSettings> keys();
+    static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
 
     SphScheme scheme{SphScheme::delta_sph};
     Viscosities viscosity;

@@ -30,6 +30,9 @@ class PolyhedralDem {
         std::size_t bytes() const;
     };
 
+    static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
+    static constexpr bool tells_depth = true;       ///< see there
+
     PolyhedralDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& /*fields*/,
                   Scratch& scratch)
         : scene_(&scene), settings_(&settings), state_(state), scratch_(&scratch) {}

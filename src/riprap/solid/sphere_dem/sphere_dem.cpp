@@ -22,6 +22,12 @@ std::size_t SphereDem::Scratch::bytes() const {
            buffers.pairs.bytes() + buffers.loads.bytes();
 }
 
+double SphereDem::smallest_stand_in(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                                    const Settings& settings) {
+    return settings.sampling == SphereSampling::surface ? sphere_dem::radius_of_samples(bodies, shapes, settings)
+                                                        : std::numeric_limits<double>::infinity();
+}
+
 SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                      Scratch& scratch)
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {

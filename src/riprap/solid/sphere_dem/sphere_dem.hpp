@@ -28,6 +28,13 @@ class SphereDem {
         std::size_t bytes() const;
     };
 
+    /// See sim/method_traits.hpp: a sphere of the volume of a body reaches beyond its shape.
+    static bool meets_by_shapes(const Settings& settings) { return settings.sampling != SphereSampling::one; }
+
+    /// See there: radius of the samples of surfaces [m].
+    static double smallest_stand_in(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
+                                    const Settings& settings);
+
     SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);
 

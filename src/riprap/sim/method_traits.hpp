@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the methods of a case say of themselves beyond what a step needs. A method that does not say it has the default.
+
+#include <limits>
+
+#include "riprap/sim/model.hpp"
+
+namespace riprap::sim {
+
+/// Does the ledger close from the first step on? A solid method says so by `books_every_step`, a fluid by
+/// `books_every_step(settings)`; else what it dissipates is known over some steps only.
+inline bool books_every_step(const Model& model) {
+    const bool of_solids = Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
+        return requires { requires Solid::books_every_step; };
+    });
+    return of_solids && Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
+               if constexpr (requires { Fluid::books_every_step(settings); }) {
+                   return Fluid::books_every_step(settings);
+               }
+               return false;
+           });
+}
+
+/// Height by which a fluid may settle when it is let go, `grain(settings)` of its method: the spacing of particles; by
+/// default none [m].
+inline double grain(const Model& model) {
+    return Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
+        if constexpr (requires { Fluid::grain(settings); }) {
+            return Fluid::grain(settings);
+        }
+        return 0.0;
+    });
+}
+
+/// Do bodies meet by their shapes? A solid method for which something else may stand for a body says so by
+/// `meets_by_shapes(settings)`; by default they do.
+inline bool meets_by_shapes(const Model& model) {
+    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& settings) {
+        if constexpr (requires { Solid::meets_by_shapes(settings); }) {
+            return Solid::meets_by_shapes(settings);
+        }
+        return true;
+    });
+}
+
+/// Smallest radius of what a solid method lets stand for the shapes of bodies, its `smallest_stand_in(bodies, shapes,
+/// settings)`; infinity by default [m].
+inline double smallest_stand_in(const Model& model) {
+    return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
+        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, settings); }) {
+            return Solid::smallest_stand_in(model.bodies, model.shapes, settings);
+        }
+        return std::numeric_limits<double>::infinity();
+    });
+}
+
+/// Does every contact tell how deep it is (ContactRow::potential), one a pair of parts? A solid method says so by
+/// `tells_depth`.
+inline bool tells_depth(const Model& model) {
+    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
+        return requires { requires Solid::tells_depth; };
+    });
+}
+
+}  // namespace riprap::sim
