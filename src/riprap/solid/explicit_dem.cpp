@@ -2,160 +2,318 @@
 #include "riprap/solid/explicit_dem.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "riprap/body/free_rotation.hpp"
+#include "riprap/contact/law/mindlin.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/lanes.hpp"
 
 namespace riprap::solid {
 
 namespace {
 
-/// -alpha |f| sign(v), component by component.
-Vec3 local_damping(double alpha, const Vec3& f, const Vec3& v) {
-    const auto one = [alpha](double force, double velocity) {
-        return velocity == 0 ? 0 : -std::copysign(alpha * std::abs(force), velocity);
-    };
-    return {one(f.x, v.x), one(f.y, v.y), one(f.z, v.z)};
-}
-
-/// A body's kick costs enough that small scenes share it too; part of the definition of the sums.
-constexpr std::int64_t kick_block = 256;
-
-KickReport fold(KickReport a, const KickReport& b) {
-    a.kinetic += b.kinetic;
-    a.potential += b.potential;
-    a.damping_loss += b.damping_loss;
-    a.external_work += b.external_work;
-    a.work_driven += b.work_driven;
-    a.released_energy += b.released_energy;
-    a.momentum += b.momentum;
-    a.angular_momentum += b.angular_momentum;
-    a.impulse += b.impulse;
-    a.angular_impulse += b.angular_impulse;
-    a.released_momentum += b.released_momentum;
-    a.released_angular_momentum += b.released_angular_momentum;
-    a.mass_moment += b.mass_moment;
-    a.released_mass_moment += b.released_mass_moment;
-    a.mass += b.mass;
-    a.max_speed = std::max(a.max_speed, b.max_speed);
-    a.worst_body = a.worst_body >= 0 ? a.worst_body : b.worst_body;
-    return a;
+/// Are eight bodies from `first` on moved by forces alone, now and ever?
+bool are_free(const body::BodySet& bodies, std::int64_t first) {
+    return std::all_of(bodies.drive.begin() + first, bodies.drive.begin() + first + lanes,
+                       [](body::Drive drive) { return drive == body::Drive::free; });
 }
 
 }  // namespace
 
-void drift(const body::BodySet& bodies, body::BodyState& state, double end_time, double dt) {
-    parallel::for_each(bodies.size(), [&](std::int64_t index) {
-        const BodyId id{static_cast<std::int32_t>(index)};
-        const auto i = at(index);
-        // A body released during this drift is still driven: freedom starts with the first kick past its time.
-        if (is_free(bodies, id, end_time - dt)) {
-            state.position[i] += dt * state.velocity[i];
-            state.orientation[i] = body::rotate_free(state.orientation[i], state.angular_momentum[i],
-                                                     bodies.principal_moments[i], bodies.principal_axes[i], dt);
-        } else if (bodies.drive[i] == body::Drive::driven) {
-            const body::DrivenState driven = driven_state(bodies, id, end_time);
-            state.position[i] = driven.pose.position;
-            state.orientation[i] = driven.pose.orientation;
-            state.velocity[i] = driven.velocity;
-            if (!state.drive_offset.empty()) {
-                state.drive_offset[i] += dt * state.drive_rate[i];
-                state.position[i] += state.drive_offset[i];
-                state.velocity[i] += state.drive_rate[i];
-            }
-            if (bodies.principal_moments[i].x > 0) {
-                state.angular_momentum[i] =
-                    angular_momentum_of(bodies, id, driven.pose.orientation, driven.angular_velocity);
-            }
+void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t index, double end_time, double dt) {
+    const BodyId id{static_cast<std::int32_t>(index)};
+    const auto i = at(index);
+    // A body released during this drift is still driven: freedom starts with the first kick past its time.
+    if (is_free(bodies, id, end_time - dt)) {
+        state.position[i] += dt * state.velocity[i];
+        state.orientation[i] = body::rotate_free(state.orientation[i], state.angular_momentum[i],
+                                                 bodies.principal_moments[i], bodies.principal_axes[i], dt);
+    } else if (bodies.drive[i] == body::Drive::driven) {
+        const body::DrivenState driven = driven_state(bodies, id, end_time);
+        state.position[i] = driven.pose.position;
+        state.orientation[i] = driven.pose.orientation;
+        state.velocity[i] = driven.velocity;
+        if (!state.drive_offset.empty()) {
+            state.drive_offset[i] += dt * state.drive_rate[i];
+            state.position[i] += state.drive_offset[i];
+            state.velocity[i] += state.drive_rate[i];
         }
-    });
+        if (bodies.principal_moments[i].x > 0) {
+            state.angular_momentum[i] =
+                angular_momentum_of(bodies, id, driven.pose.orientation, driven.angular_velocity);
+        }
+    }
+}
+
+void drift(const body::BodySet& bodies, body::BodyState& state, double end_time, double dt) {
+    parallel::for_each(bodies.size(), [&](std::int64_t index) { drift_one(bodies, state, index, end_time, dt); });
 }
 
 namespace {
 
-/// A support or driver: what it takes, the free bodies gain; its motion works on them.
-KickReport support_report(const body::BodyState& state, const body::BodyKinematics& kinematics,
-                          const body::Loads& loads, std::size_t i, double dt) {
-    KickReport report;
-    report.impulse = -dt * loads.force[i];
-    report.angular_impulse = -dt * (cross(state.position[i], loads.force[i]) + loads.torque[i]);
-    report.work_driven =
-        -dt * (dot(loads.force[i], state.velocity[i]) + dot(loads.torque[i], kinematics.angular_velocity[i]));
-    return report;
+/// What a kick adds up over bodies, of one body or of eight: the sums of KickReport in its order.
+template <class T>
+struct KickTerms {
+    T kinetic{}, potential{}, damping_loss{}, external_work{}, work_driven{}, released_energy{}, mass{};
+    Vec3T<T> momentum{}, angular_momentum{}, impulse{}, angular_impulse{}, released_momentum{},
+        released_angular_momentum{}, mass_moment{}, released_mass_moment{};
+};
+constexpr std::size_t kick_terms = sizeof(KickTerms<double>) / sizeof(double);
+static_assert(kick_terms == 7 + 8 * 3);
+
+/// Sums over bodies in their order.
+struct KickSums {
+    std::array<double, kick_terms> sum{};
+    double max_speed{0};
+    std::int64_t worst_body{-1};
+
+    void add(const KickTerms<double>& terms) {
+        const auto numbers = std::bit_cast<std::array<double, kick_terms>>(terms);
+        for (std::size_t k = 0; k < kick_terms; ++k) {
+            sum[k] += numbers[k];
+        }
+    }
+    void add(const KickTerms<Eight>& terms) {
+        const auto numbers = std::bit_cast<std::array<std::array<double, lanes>, kick_terms>>(terms);
+        for (std::size_t k = 0; k < kick_terms; ++k) {
+            double total = sum[k];
+            for (const double number : numbers[k]) {
+                total += number;
+            }
+            sum[k] = total;
+        }
+    }
+    void add_speed(std::int64_t body, double speed, bool is_sane) {
+        max_speed = std::max(max_speed, speed);
+        worst_body = worst_body >= 0 || is_sane ? worst_body : body;
+    }
+    void add(const KickSums& after) {
+        for (std::size_t k = 0; k < kick_terms; ++k) {
+            sum[k] += after.sum[k];
+        }
+        max_speed = std::max(max_speed, after.max_speed);
+        worst_body = worst_body >= 0 ? worst_body : after.worst_body;
+    }
+    KickReport report() const {
+        const auto t = std::bit_cast<KickTerms<double>>(sum);
+        return {.kinetic = t.kinetic,
+                .potential = t.potential,
+                .damping_loss = t.damping_loss,
+                .external_work = t.external_work,
+                .work_driven = t.work_driven,
+                .released_energy = t.released_energy,
+                .momentum = t.momentum,
+                .angular_momentum = t.angular_momentum,
+                .impulse = t.impulse,
+                .angular_impulse = t.angular_impulse,
+                .released_momentum = t.released_momentum,
+                .released_angular_momentum = t.released_angular_momentum,
+                .mass_moment = t.mass_moment,
+                .released_mass_moment = t.released_mass_moment,
+                .mass = t.mass,
+                .max_speed = max_speed,
+                .worst_body = worst_body};
+    }
+};
+
+/// -alpha |f| sign(v), component by component.
+template <class T>
+T local_damping(T alpha, T force, T velocity) {
+    using contact::choose, contact::larger;
+    const T size = alpha * larger(force, -force), zero(0.0);
+    return choose(velocity > zero, -size, choose(velocity < zero, size, zero));
+}
+template <class T>
+Vec3T<T> local_damping(T alpha, const Vec3T<T>& f, const Vec3T<T>& v) {
+    return {local_damping(alpha, f.x, v.x), local_damping(alpha, f.y, v.y), local_damping(alpha, f.z, v.z)};
 }
 
-/// Everything but gravity and contact that acts on a free body.
-struct OtherLoad {
-    Vec3 external_force{}, external_torque{};
-    Vec3 damping_force{}, damping_torque{};
+/// A symmetric matrix of one body or of eight.
+template <class T>
+struct Symmetric {
+    T xx, yy, zz, xy, xz, yz;
+    friend Vec3T<T> operator*(const Symmetric& m, const Vec3T<T>& v) {
+        return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+                m.xz * v.x + m.yz * v.y + m.zz * v.z};
+    }
 };
+
+/// One free body or eight before the kick, and its loads.
+template <class T>
+struct KickedBody {
+    T mass;
+    Symmetric<T> inverse_inertia;
+    Vec3T<T> position, velocity, angular_momentum, spin;
+    Vec3T<T> contact_force, contact_torque, external_force, external_torque;
+};
+
+/// Kicks velocity and angular momentum. @returns what is added up but for what a release brings
+template <class T>
+[[gnu::always_inline]] inline KickTerms<T> kick_free(const DemSettings& settings, bool is_planar, const Vec3& g,
+                                                     double step, KickedBody<T>& body) {
+    const T alpha(settings.local_damping), rate(settings.mass_damping), dt(step), half(0.5 * step);
+    const Vec3T<T> gravity{T(g.x), T(g.y), T(g.z)};
+    const T mass = body.mass;
+    Vec3T<T> force = body.contact_force + body.external_force + mass * gravity;
+    Vec3T<T> torque = body.contact_torque + body.external_torque;
+    const Vec3T<T> damping_force = local_damping(alpha, force, body.velocity) - (rate * mass) * body.velocity;
+    const Vec3T<T> damping_torque = local_damping(alpha, torque, body.spin) - rate * body.angular_momentum;
+    force += damping_force;
+    torque += damping_torque;
+    if (is_planar) {
+        force.z = T(0.0);
+        torque.x = torque.y = T(0.0);
+    }
+    const Vec3T<T> mid_velocity = body.velocity + (half / mass) * force;
+    const Vec3T<T> mid_momentum = body.angular_momentum + half * torque;
+    const Vec3T<T> mid_spin = body.inverse_inertia * mid_momentum;
+    body.velocity += (dt / mass) * force;
+    body.angular_momentum += dt * torque;
+
+    KickTerms<T> terms;
+    terms.mass = mass;
+    terms.mass_moment = mass * body.position;
+    terms.kinetic = T(0.5) * (mass * norm_squared(mid_velocity) + dot(mid_momentum, mid_spin));
+    terms.potential = -mass * dot(gravity, body.position);
+    terms.damping_loss = -dt * (dot(damping_force, mid_velocity) + dot(damping_torque, mid_spin));
+    terms.external_work = dt * (dot(body.external_force, mid_velocity) + dot(body.external_torque, mid_spin));
+    terms.momentum = mass * mid_velocity;
+    terms.angular_momentum = mass * cross(body.position, mid_velocity) + mid_momentum;
+    const Vec3T<T> outside = damping_force + body.external_force + mass * gravity;
+    terms.impulse = dt * outside;
+    terms.angular_impulse = dt * (cross(body.position, outside) + damping_torque + body.external_torque);
+    return terms;
+}
+
+/// Spin counts with the speed that holds its energy: |omega| times the radius of gyration.
+template <class T>
+T speed_of(const KickedBody<T>& body) {
+    using std::sqrt;
+    return sqrt(norm_squared(body.velocity) +
+                dot(body.angular_momentum, body.inverse_inertia * body.angular_momentum) / body.mass);
+}
+
+/// Everything that a kick reads and changes.
+struct Kick {
+    const body::BodySet& bodies;
+    const DemSettings& settings;
+    const body::BodyKinematics& kinematics;
+    const body::Loads& loads;
+    const body::LoadView& external;
+    const Vec3& gravity;
+    const KickTimes& times;
+    body::BodyState& state;
+
+    /// A support or driver: what it takes, the free bodies gain; its motion works on them.
+    KickTerms<double> of_support(std::size_t i) const {
+        KickTerms<double> terms;
+        terms.impulse = -times.dt * loads.force[i];
+        terms.angular_impulse = -times.dt * (cross(state.position[i], loads.force[i]) + loads.torque[i]);
+        terms.work_driven =
+            -times.dt * (dot(loads.force[i], state.velocity[i]) + dot(loads.torque[i], kinematics.angular_velocity[i]));
+        return terms;
+    }
+
+    void one(std::int64_t index, KickSums& sums) const {
+        const auto i = at(index);
+        if (kinematics.inverse_mass[i] == 0) {
+            sums.add(of_support(i));
+            return;
+        }
+        const Sym3& m = kinematics.inverse_inertia[i];
+        const bool has_external = !external.force.empty();
+        const Vec3 old_velocity = state.velocity[i], old_momentum = state.angular_momentum[i];
+        KickedBody<double> body{bodies.mass[i],
+                                {m.xx, m.yy, m.zz, m.xy, m.xz, m.yz},
+                                state.position[i],
+                                old_velocity,
+                                old_momentum,
+                                kinematics.angular_velocity[i],
+                                loads.force[i],
+                                loads.torque[i],
+                                has_external ? external.force[i] : Vec3{},
+                                has_external ? external.torque[i] : Vec3{}};
+        KickTerms<double> terms = kick_free(settings, bodies.is_planar, gravity, times.dt, body);
+        state.velocity[i] = body.velocity;
+        state.angular_momentum[i] = body.angular_momentum;
+        if (!is_free(bodies, BodyId{static_cast<std::int32_t>(index)}, times.previous)) {
+            // At the kick, like everything else: half a kick of velocity came without a path to work along.
+            terms.released_energy = terms.kinetic + terms.potential;
+            terms.released_momentum = body.mass * old_velocity;
+            terms.released_angular_momentum = body.mass * cross(body.position, old_velocity) + old_momentum;
+            terms.released_mass_moment = terms.mass_moment;
+        }
+        sums.add(terms);
+        const double speed = speed_of(body);
+        sums.add_speed(index, speed, speed <= settings.max_speed && is_finite(body.position));
+    }
+
+    /// Eight free bodies that were free before: the same operations in the same order.
+    void eight(std::int64_t first, KickSums& sums) const {
+        const auto i = at(first);
+        RowIndex rows;
+        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+            rows.row[lane] = static_cast<std::int32_t>(first + lane);
+        }
+        const double* m = &kinematics.inverse_inertia[0].xx;
+        const FourByEight front = load_four<6>(m, rows), back = load_four<6>(m + 2, rows);
+        KickedBody<Eight> body{Eight::load(&bodies.mass[i]),
+                               {front.a, front.b, front.c, front.d, back.c, back.d},
+                               load_vectors(&state.position[i]),
+                               load_vectors(&state.velocity[i]),
+                               load_vectors(&state.angular_momentum[i]),
+                               load_vectors(&kinematics.angular_velocity[i]),
+                               load_vectors(&loads.force[i]),
+                               load_vectors(&loads.torque[i]),
+                               {},
+                               {}};
+        if (!external.force.empty()) {
+            body.external_force = load_vectors(&external.force[i]);
+            body.external_torque = load_vectors(&external.torque[i]);
+        }
+        sums.add(kick_free(settings, bodies.is_planar, gravity, times.dt, body));
+        store_vectors(body.velocity, &state.velocity[i]);
+        store_vectors(body.angular_momentum, &state.angular_momentum[i]);
+        const Vec3x8& x = body.position;
+        alignas(64) double speed[lanes], rest[lanes];
+        speed_of(body).store(speed);
+        ((x.x - x.x) + (x.y - x.y) + (x.z - x.z)).store(rest);  // 0 where the position is finite
+        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+            sums.add_speed(first + lane, speed[lane], speed[lane] <= settings.max_speed && rest[lane] == 0);
+        }
+    }
+};
+
+/// A body's kick costs enough that small scenes share it too; part of the definition of the sums.
+constexpr std::int64_t kick_block = 256;
 
 }  // namespace
 
 KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const body::BodyKinematics& kinematics,
                 const body::Loads& contact_loads, const body::LoadView& external, const Vec3& gravity,
                 const KickTimes& times, body::BodyState& state) {
-    const double dt = times.dt;
-    const auto kick_one = [&](std::int64_t index) {
-        const auto i = at(index);
-        if (kinematics.inverse_mass[i] == 0) {
-            return support_report(state, kinematics, contact_loads, i, dt);
+    const Kick kick{bodies, settings, kinematics, contact_loads, external, gravity, times, state};
+    std::vector<KickSums> blocks(at((bodies.size() + kick_block - 1) / kick_block));
+    parallel::for_ranges(bodies.size(), kick_block, [&](std::int64_t begin, std::int64_t end) {
+        KickSums sums;
+        for (std::int64_t i = begin; i < end;) {
+            if (i + lanes <= end && are_free(bodies, i)) {
+                kick.eight(i, sums);
+                i += lanes;
+            } else {
+                kick.one(i++, sums);
+            }
         }
-        const double mass = bodies.mass[i];
-        OtherLoad other;
-        if (!external.force.empty()) {
-            other.external_force = external.force[i];
-            other.external_torque = external.torque[i];
-        }
-        Vec3 force = contact_loads.force[i] + other.external_force + mass * gravity;
-        Vec3 torque = contact_loads.torque[i] + other.external_torque;
-        other.damping_force = local_damping(settings.local_damping, force, state.velocity[i]) -
-                              (settings.mass_damping * mass) * state.velocity[i];
-        other.damping_torque = local_damping(settings.local_damping, torque, kinematics.angular_velocity[i]) -
-                               settings.mass_damping * state.angular_momentum[i];
-        force += other.damping_force;
-        torque += other.damping_torque;
-        if (bodies.is_planar) {
-            force.z = 0;
-            torque.x = torque.y = 0;
-        }
-        const Vec3 position = state.position[i], old_velocity = state.velocity[i];
-        const Vec3 old_momentum = state.angular_momentum[i];
-        const Vec3 mid_velocity = old_velocity + (0.5 * dt / mass) * force;
-        const Vec3 mid_momentum = old_momentum + (0.5 * dt) * torque;
-        const Vec3 mid_spin = kinematics.inverse_inertia[i] * mid_momentum;
-        state.velocity[i] += (dt / mass) * force;
-        state.angular_momentum[i] += dt * torque;
-
-        KickReport report;
-        report.mass = mass;
-        report.mass_moment = mass * position;
-        report.kinetic = 0.5 * (mass * norm_squared(mid_velocity) + dot(mid_momentum, mid_spin));
-        report.potential = -mass * dot(gravity, position);
-        report.damping_loss = -dt * (dot(other.damping_force, mid_velocity) + dot(other.damping_torque, mid_spin));
-        report.external_work = dt * (dot(other.external_force, mid_velocity) + dot(other.external_torque, mid_spin));
-        report.momentum = mass * mid_velocity;
-        report.angular_momentum = mass * cross(position, mid_velocity) + mid_momentum;
-        const Vec3 outside = other.damping_force + other.external_force + mass * gravity;
-        report.impulse = dt * outside;
-        report.angular_impulse = dt * (cross(position, outside) + other.damping_torque + other.external_torque);
-        if (!is_free(bodies, BodyId{static_cast<std::int32_t>(index)}, times.previous)) {
-            // At the kick, like everything else: half a kick of velocity came without a path to work along.
-            report.released_energy = report.kinetic + report.potential;
-            report.released_momentum = mass * old_velocity;
-            report.released_angular_momentum = mass * cross(position, old_velocity) + old_momentum;
-            report.released_mass_moment = report.mass_moment;
-        }
-        // Spin counts with the speed that holds its energy: |omega| times the radius of gyration.
-        const Vec3 momentum = state.angular_momentum[i];
-        report.max_speed =
-            std::sqrt(norm_squared(state.velocity[i]) + dot(momentum, kinematics.inverse_inertia[i] * momentum) / mass);
-        const bool is_sane = report.max_speed <= settings.max_speed && is_finite(position);
-        report.worst_body = is_sane ? -1 : index;
-        return report;
-    };
-    return parallel::reduce(bodies.size(), KickReport{}, kick_one, fold, kick_block);
+        blocks[at(begin / kick_block)] = sums;
+    });
+    KickSums total;
+    for (const KickSums& block : blocks) {
+        total.add(block);
+    }
+    return total.report();
 }
 
 }  // namespace riprap::solid

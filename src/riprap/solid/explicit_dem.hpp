@@ -11,6 +11,8 @@ namespace riprap::solid {
 /// Moves every body by `dt` along its present velocities: free bodies x += v dt and an exact free rotation,
 /// driven bodies to their prescribed pose at `end_time`, fixed bodies not at all.
 void drift(const body::BodySet& bodies, body::BodyState& state, double end_time, double dt);
+/// The same of one body.
+void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t index, double end_time, double dt);
 
 /// What the kick does and loses, summed over bodies in fixed blocks. "At the kick" means with the velocity
 /// v_n + a dt/2 at the mid-step pose: the state of the equivalent velocity-Verlet sequence.

@@ -5,6 +5,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/find.hpp"
+#include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 #include "riprap/solid/sphere_dem/respond.hpp"
 #include "riprap/solid/sphere_dem/share.hpp"
@@ -14,7 +15,7 @@ namespace riprap::solid::sphere_dem {
 
 ContactSums evaluate_contacts(const SphereModel& model, double time, double sliding_time, const body::BodyState& bodies,
                               SphereState& state, SphereScratch& scratch) {
-    update_kinematics(model.bodies, bodies, time, scratch.kinematics);
+    update_sphere_kinematics(model.bodies, bodies, time, scratch.kinematics);
     place(model, bodies, scratch);
     const double lost = find_contacts(model, state, scratch);
     find_walls(model, scratch);
@@ -35,7 +36,7 @@ SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::
                      const StepTimes& times, body::BodyState& bodies, SphereState& state, SphereScratch& scratch) {
     SphereReport report;
     const double half = 0.5 * times.dt, middle = times.begin + half;
-    drift(model.bodies, bodies, middle, half);
+    drift_spheres(model.bodies, bodies, middle, half);
     const std::int64_t searches = scratch.pairs.rebuild_count();
     report.contacts = evaluate_contacts(model, middle, 0.5 * (times.previous + times.dt), bodies, state, scratch);
     report.has_searched = scratch.pairs.rebuild_count() != searches;
@@ -49,7 +50,7 @@ SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::
     settings.max_speed = model.settings.max_speed;
     report.kick =
         kick(model.bodies, settings, scratch.kinematics, scratch.loads, external, gravity, kick_times, bodies);
-    drift(model.bodies, bodies, times.begin + times.dt, half);
+    drift_spheres(model.bodies, bodies, times.begin + times.dt, half);
     if (report.kick.worst_body >= 0) {
         report.problem = model.bodies.name(BodyId{static_cast<std::int32_t>(report.kick.worst_body)}) +
                          " moves faster than max_speed, or its motion is no number";

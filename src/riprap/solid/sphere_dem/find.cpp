@@ -7,7 +7,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/solid/sphere_dem/lanes.hpp"
+#include "riprap/solid/lanes.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -64,7 +64,7 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
         slots.b.resize(at(8 * slots.group_count()), slots.b.back());
     }
     slots.touching.assign(at(slots.group_count()), 0);
-    slots.load.assign(at(slots.count), {});
+    slots.load.assign(at(slots.count) + 1, {});  // gather_loads reads two numbers beyond the last
 }
 
 /// One bit per slot of a group whose spheres overlap.

@@ -6,7 +6,7 @@
 #include "riprap/contact/law/closest_pair.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/solid/sphere_dem/lanes.hpp"
+#include "riprap/solid/lanes.hpp"
 #include "riprap/solid/sphere_dem/contact_response.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -156,21 +156,24 @@ struct Respond {
     void store(const Group& g, const contact::TangentialSpring<Eight>& spring, const Vec3x8& rolling,
                const ContactResponse<Eight>& response, const Vec3x8& turn) const {
         Springs& springs = state.contacts;
-        alignas(64) double numbers[6][8];
-        const Eight* const columns[] = {&spring.force.x,   &spring.force.y, &spring.force.z,
-                                        &spring.stiffness, &turn.y,         &turn.z};
-        for (std::size_t k = 0; k < 6; ++k) {
-            columns[k]->store(numbers[k]);
+        if (g.count == lanes) {
+            store_vectors(spring.force, &springs.force[at(g.first)]);
+            spring.stiffness.store(&springs.stiffness[at(g.first)]);
+        } else {
+            for (std::int64_t lane = 0; lane < g.count; ++lane) {
+                springs.force[at(g.first + lane)] = lane_of(spring.force, lane);
+                springs.stiffness[at(g.first + lane)] = spring.stiffness[lane];
+            }
         }
-        double* rows[8];
+        alignas(64) double turn_y[lanes], turn_z[lanes];
+        turn.y.store(turn_y);
+        turn.z.store(turn_z);
+        double* rows[lanes];
         for (std::int64_t lane = 0; lane < g.count; ++lane) {
-            const auto c = at(g.first + lane), l = at(lane);
-            ContactLoad& load = scratch.slots.load[scratch.contact_slot[c]];
+            ContactLoad& load = scratch.slots.load[scratch.contact_slot[at(g.first + lane)]];
             rows[lane] = &load.force.x;
-            springs.force[c] = {numbers[0][l], numbers[1][l], numbers[2][l]};
-            springs.stiffness[c] = numbers[3][l];
-            load.turn.y = numbers[4][l];
-            load.turn.z = numbers[5][l];
+            load.turn.y = turn_y[lane];
+            load.turn.z = turn_z[lane];
         }
         store_four({response.force.x, response.force.y, response.force.z, turn.x}, rows, g.count);
         for (std::int64_t lane = 0; lane < g.count && !scratch.couple.empty(); ++lane) {
@@ -201,8 +204,12 @@ struct Respond {
                     model.settings.sharing == contact::Sharing::divide ? Eight(1.0) / motion.weight : motion.count;
             }
         }
-        contact::TangentialSpring<Eight> spring{gather(springs.force.data(), g.row),
-                                                gather<1>(springs.stiffness.data(), g.row)};
+        contact::TangentialSpring<Eight> spring;
+        if (g.count == lanes) {
+            spring = {load_vectors(&springs.force[at(first)]), Eight::load(&springs.stiffness[at(first)])};
+        } else {
+            spring = {gather(springs.force.data(), g.row), gather<1>(springs.stiffness.data(), g.row)};
+        }
         Vec3x8 rolling{};
         if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), g.row);
@@ -255,28 +262,46 @@ ContactSums respond(const SphereModel& model, const body::BodyState& bodies, dou
         [&](const auto& friction) { return respond_by(friction, model, bodies, dt, state, scratch); });
 }
 
+namespace {
+
+/// Sum of the rolling couples on a sphere.
+Vec3 couple_on(const Slots& slots, const std::vector<Vec3>& couples, std::size_t sphere) {
+    Vec3 sum{};
+    for (std::uint32_t p = slots.begin[sphere]; p < slots.begin[sphere + 1]; ++p) {
+        sum += couples[p];
+    }
+    for (std::uint32_t k = slots.incoming_begin[sphere]; k < slots.incoming_begin[sphere + 1]; ++k) {
+        sum -= couples[slots.incoming[k]];
+    }
+    return sum;
+}
+
+}  // namespace
+
 void gather_loads(const SphereModel& model, const body::BodyState& state, SphereScratch& scratch) {
     const Slots& slots = scratch.slots;
     const auto bodies = at(model.bodies.size());
     scratch.loads.force.resize(bodies);
     scratch.loads.torque.resize(bodies);
     const bool has_couples = !scratch.couple.empty();
+    constexpr double signs[lanes] = {-1, -1, -1, 1, 1, 1, 1, 1};
+    const Eight sign_on_b = Eight::load(signs);
     parallel::for_each_uneven(model.bodies.size(), 256, [&](std::int64_t index) {
         const auto body = at(index);
         Vec3 force{}, torque{};
         for (std::int32_t s = model.spheres.begin[body]; s < model.spheres.begin[body + 1]; ++s) {
-            Vec3 on_sphere{}, turn{}, couple{};
+            // Force and turn side by side; the two lanes behind them read the next slot and mean nothing.
+            Eight load{};
             for (std::uint32_t p = slots.begin[at(s)]; p < slots.begin[at(s) + 1]; ++p) {
-                on_sphere += slots.load[p].force;
-                turn += slots.load[p].turn;
-                couple += has_couples ? scratch.couple[p] : Vec3{};
+                load += Eight::load(&slots.load[p].force.x);
             }
             for (std::uint32_t k = slots.incoming_begin[at(s)]; k < slots.incoming_begin[at(s) + 1]; ++k) {
-                const std::uint32_t p = slots.incoming[k];
-                on_sphere -= slots.load[p].force;
-                turn += slots.load[p].turn;
-                couple -= has_couples ? scratch.couple[p] : Vec3{};
+                load += Eight::load(&slots.load[slots.incoming[k]].force.x) * sign_on_b;
             }
+            alignas(64) double sums[lanes];
+            load.store(sums);
+            const Vec3 on_sphere{sums[0], sums[1], sums[2]}, turn{sums[3], sums[4], sums[5]};
+            const Vec3 couple = has_couples ? couple_on(slots, scratch.couple, at(s)) : Vec3{};
             force += on_sphere;
             torque += model.spheres.radius[at(s)] * turn + couple;
             if (!(model.spheres.local[at(s)] == Vec3{})) {

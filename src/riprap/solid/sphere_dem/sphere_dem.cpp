@@ -11,6 +11,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
+#include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 #include "riprap/solid/sphere_dem/time_step.hpp"
 
@@ -69,7 +70,7 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     const double kick_time = span.middle(), sliding_time = 0.5 * (state_.previous_dt + span.dt);
     const double previous_kick =
         state_.previous_dt > 0 ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
-    drift(bodies, state, kick_time, 0.5 * span.dt);
+    sphere_dem::drift_spheres(bodies, state, kick_time, 0.5 * span.dt);
     const std::int64_t searches = scratch_->buffers.pairs.rebuild_count();
     const sphere_dem::ContactSums sums =
         evaluate_contacts(model(), kick_time, sliding_time, state, *fields_, scratch_->buffers);
@@ -83,7 +84,7 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     report.kick = kick(bodies, motion, scratch_->buffers.kinematics, scratch_->buffers.loads,
                        scratch_->point_loads.add(scene_->point_loads, state, kick_time, loads), report.gravity,
                        {kick_time, previous_kick, span.dt}, state);
-    drift(bodies, state, span.end(), 0.5 * span.dt);
+    sphere_dem::drift_spheres(bodies, state, span.end(), 0.5 * span.dt);
     report.has_stored = true;
     report.elastic = sums.elastic;
     report.friction_loss = sums.friction_loss;

@@ -91,8 +91,20 @@ void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std:
     }
 }
 
+/// Are the contacts of the springs those found now?
+bool are_of(const Springs& springs, const std::vector<WallContact>& walls) {
+    return springs.size() == walls.size() &&
+           std::equal(walls.begin(), walls.end(), springs.pair.begin(), [](const WallContact& c, std::uint64_t pair) {
+               return c.sphere == static_cast<std::int32_t>(pair >> 32) &&
+                      c.wall == static_cast<std::int32_t>(pair & 0xFFFFFFFF);
+           });
+}
+
 /// Brings the springs of walls into the rows of the contacts found now. @returns energy of lost springs [J]
 double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Springs& springs) {
+    if (are_of(springs, walls) && springs.rolling.size() == (has_rolling ? walls.size() : 0)) {
+        return 0;
+    }
     const Springs old = springs;
     const std::size_t count = walls.size();
     springs.pair.resize(count);
@@ -215,8 +227,12 @@ ContactSums respond_to_walls(const SphereModel& model, const body::BodyState& bo
     ContactSums sums;
     sums.friction_loss =
         carry_springs(model.settings.rolling == contact::RollingLaw::spring, scratch.walls, state.walls);
+    std::vector<WallLoad> loads(scratch.walls.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(loads.size()), 256, [&](std::int64_t c) {
+        loads[at(c)] = load_of(model, bodies, scratch, dt, at(c), state.walls);
+    });
     for (std::size_t c = 0; c < scratch.walls.size(); ++c) {
-        const WallLoad load = load_of(model, bodies, scratch, dt, c, state.walls);
+        const WallLoad& load = loads[c];
         const auto body = at(model.spheres.body[at(scratch.walls[c].sphere)]);
         const auto wall = at(wall_body(model, scratch.walls[c].wall));
         scratch.loads.force[body] += load.force;

@@ -6,9 +6,9 @@
 #include "riprap/core/vec3.hpp"
 #include "riprap/core/wide.hpp"
 
-namespace riprap::solid::sphere_dem {
+namespace riprap::solid {
 
-/// Contacts that are computed side by side.
+/// Contacts or bodies that are computed side by side.
 inline constexpr std::int64_t lanes = 8;
 using Eight = Wide<double, 8>;
 using Vec3x8 = Vec3T<Eight>;
@@ -101,6 +101,46 @@ inline void store_four(const FourByEight& from, double* const* to, std::int64_t 
 #endif
 }
 
+/// Eight vectors in a row, from memory to lanes and back: transpositions in registers.
+inline Vec3x8 load_vectors(const Vec3* from) {
+#if defined(__AVX512F__)
+    const double* p = &from->x;
+    const __m512d a = _mm512_loadu_pd(p), b = _mm512_loadu_pd(p + 8), c = _mm512_loadu_pd(p + 16);
+    const auto pick = [&](__m512i of_ab, __m512i with_c) {
+        return _mm512_maskz_permutex2var_pd(0xFF, _mm512_maskz_permutex2var_pd(0xFF, a, of_ab, b), with_c, c);
+    };
+    Vec3x8 v;
+    v.x.part[0] = pick(_mm512_set_epi64(0, 0, 15, 12, 9, 6, 3, 0), _mm512_set_epi64(13, 10, 5, 4, 3, 2, 1, 0));
+    v.y.part[0] = pick(_mm512_set_epi64(0, 0, 0, 13, 10, 7, 4, 1), _mm512_set_epi64(14, 11, 8, 4, 3, 2, 1, 0));
+    v.z.part[0] = pick(_mm512_set_epi64(0, 0, 0, 14, 11, 8, 5, 2), _mm512_set_epi64(15, 12, 9, 4, 3, 2, 1, 0));
+    return v;
+#else
+    Vec3x8 v;
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        v.x.set(lane, from[lane].x);
+        v.y.set(lane, from[lane].y);
+        v.z.set(lane, from[lane].z);
+    }
+    return v;
+#endif
+}
+inline void store_vectors(const Vec3x8& v, Vec3* to) {
+#if defined(__AVX512F__)
+    double* p = &to->x;
+    const auto put = [&](double* place, __m512i of_xy, __m512i with_z) {
+        const __m512d xy = _mm512_maskz_permutex2var_pd(0xFF, v.x.part[0], of_xy, v.y.part[0]);
+        _mm512_storeu_pd(place, _mm512_maskz_permutex2var_pd(0xFF, xy, with_z, v.z.part[0]));
+    };
+    put(p, _mm512_set_epi64(10, 2, 0, 9, 1, 0, 8, 0), _mm512_set_epi64(7, 6, 9, 4, 3, 8, 1, 0));
+    put(p + 8, _mm512_set_epi64(5, 0, 12, 4, 0, 11, 3, 0), _mm512_set_epi64(7, 12, 5, 4, 11, 2, 1, 10));
+    put(p + 16, _mm512_set_epi64(0, 15, 7, 0, 14, 6, 0, 13), _mm512_set_epi64(15, 6, 5, 14, 3, 2, 13, 0));
+#else
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        to[lane] = {v.x[lane], v.y[lane], v.z[lane]};
+    }
+#endif
+}
+
 /// Vectors of eight rows of an array of Vec3.
 inline Vec3x8 gather(const Vec3* base, const RowIndex& index) {
     return {gather<3>(&base->x, index), gather<3>(&base->y, index), gather<3>(&base->z, index)};
@@ -109,4 +149,4 @@ inline Vec3x8 gather(const Vec3* base, const RowIndex& index) {
 /// Vector of one lane.
 inline Vec3 lane_of(const Vec3x8& v, std::int64_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
 
-}  // namespace riprap::solid::sphere_dem
+}  // namespace riprap::solid
