@@ -70,6 +70,8 @@ std::span<const ValidationCase> all_cases() {
                        rigid::rock_wedges},
         ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
                        rigid::toppling_columns},
+        ValidationCase{"rigid", "granular_column", "Columns of grains collapse and run out (Lube et al.)", true,
+                       rigid::granular_column},
         ValidationCase{"rigid", "arch", "A semicircular arch stands or falls", false, rigid::arch},
         ValidationCase{"water", "still_tank", "Water at rest stays at rest", false, water::still_tank},
         ValidationCase{"water", "submerged_square", "Buoyancy of a square held under water", false,

@@ -56,6 +56,19 @@ double submerged_acceleration(double added) {
     return (density - water) / (density + added * water) * gravity * std::sin(angle);
 }
 
+/// Way of a submerged wedge from rest: (m + C_m m_w) s'' = (m - m_w) g sin(angle) - C_d rho_w A s'^2/2, where m_w is
+/// the mass of its water and A its section across the slope [m].
+double submerged_way(double time, double added, double drag) {
+    const double volume = 0.5 * wedge_height * wedge_height / std::tan(angle), section = wedge_height * std::cos(angle);
+    const double inertia = (density + added * water) * volume;
+    const double force = (density - water) * volume * gravity * std::sin(angle), half = 0.5 * drag * water * section;
+    if (half == 0) {
+        return 0.5 * force / inertia * time * time;
+    }
+    const double fastest = std::sqrt(force / half);  // s' = v tanh(t/T), T = inertia v/force
+    return inertia / half * std::log(std::cosh(time * force / (inertia * fastest)));
+}
+
 void judge_submerged(const CaseSetting& setting, CaseReport& report) {
     Trial trial = wedge_trial(setting, 0, -0.6);  // top 0.1 m below the surface
     const double mass = density * 0.5 * wedge_height * wedge_height / std::tan(angle);
@@ -63,9 +76,17 @@ void judge_submerged(const CaseSetting& setting, CaseReport& report) {
                  trial.model().bodies.mass[static_cast<std::size_t>(trial.body("wedge").value)], 0.99 * mass,
                  1.01 * mass);
     WaterRecords records;
+    const Vec3 start = trial.position(trial.body("wedge"));
     const double value = acceleration_over(trial, 0.2, records);
     report.judge({"submerged by 0.1 m, mu = 0: 2 s/t^2 at 0.2 s", "m/s^2", {}, {}, "added mass between none and 1.0"},
                  value, submerged_acceleration(1), submerged_acceleration(0));
+    run_water(trial, records, 0.5, 0.01);
+    report.judge({"submerged by 0.1 m, mu = 0: way at 0.5 s",
+                  "m",
+                  {},
+                  {},
+                  "drag equation: C_m 1 and C_d 2 of a plate held across the flow, to C_m 0.5 without drag"},
+                 way(trial, start), submerged_way(trial.time(), 1, 2), submerged_way(trial.time(), 0.5, 0));
 }
 
 /// Volume between surface and walls, from columns 0.05 m apart [m^2].

@@ -22,6 +22,7 @@ void keystone(const CaseSetting& setting, CaseReport& report);
 void rock_wedges(const CaseSetting& setting, CaseReport& report);
 void toppling_columns(const CaseSetting& setting, CaseReport& report);
 void arch(const CaseSetting& setting, CaseReport& report);
+void granular_column(const CaseSetting& setting, CaseReport& report);
 void pendulum(const CaseSetting& setting, CaseReport& report);
 void spinning_top(const CaseSetting& setting, CaseReport& report);
 
