@@ -15,6 +15,7 @@ using namespace grid;
 namespace {
 
 constexpr double gravity = 9.81;
+constexpr double rear_height = 6;  ///< of the armour behind the caisson [m]
 
 IncomingWaves incoming(const Breakwater& breakwater) {
     if (!breakwater.by_boussinesq) {
@@ -45,6 +46,7 @@ GridTrial make_breakwater(const Breakwater& breakwater) {
                                       {static_cast<int>(std::lround(length / breakwater.cell_x)),
                                        static_cast<int>(std::lround(Breakwater::ceiling / breakwater.cell_y)), 1});
     settings.turbulence = Turbulence::k_epsilon_stable;
+    settings.courant = breakwater.courant;
     settings.side[3].kind = SideKind::open;
     settings.side[0] = wave_side(settings.mesh, 0, 1, 0, Breakwater::depth, incoming(breakwater), true);
     settings.side[1] = absorbing_side(settings.mesh, 1, 1, 0, Breakwater::depth);
@@ -54,6 +56,12 @@ GridTrial make_breakwater(const Breakwater& breakwater) {
         settings.porous.push_back({{0.49, 1.0, 50, 2, 0.34, 72, PorousClosure::ding}, [=](const Vec3& x) {
                                        const double d = depth_in_slope(breakwater, x);
                                        return d >= 0 && d < breakwater.layer;
+                                   }});
+    }
+    if (breakwater.has_rear_armour) {
+        settings.porous.push_back({{0.40, 1.0, 50, 2, 0.34, 72, PorousClosure::ding}, [](const Vec3& x) {
+                                       const double away = x.x - Breakwater::caisson_front - Breakwater::caisson_width;
+                                       return away >= 0 && away + x.y <= rear_height + 2;
                                    }});
     }
     GridTrial trial(settings, make_state(settings, [](const Vec3& x) { return x.y < Breakwater::depth; }));

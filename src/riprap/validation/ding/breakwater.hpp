@@ -15,7 +15,9 @@ struct Breakwater {
     double slope{2};                   ///< length over height of the seaward slope [-]
     double layer{2};                   ///< thickness of the armour layer T_a [m]
     bool has_structure{true};
-    bool by_boussinesq{false};  ///< the input of the thesis [Ding2021, eqs. 6.1 to 6.3] instead of the exact wave
+    bool by_boussinesq{false};    ///< the input of the thesis [Ding2021, eqs. 6.1 to 6.3] instead of the exact wave
+    bool has_rear_armour{false};  ///< a zone of stones, 6 m high and long, behind the caisson
+    double courant{0.45};
 };
 
 /// Time at which the crest passes x = 0: half the period of the wave, for which the arrivals of the thesis fit [s].
@@ -30,5 +32,10 @@ void solitary_profile(const CaseSetting& setting, CaseReport& report);
 void caisson_pressure(const CaseSetting& setting, CaseReport& report);
 void seaward_slopes(const CaseSetting& setting, CaseReport& report);
 void layer_thickness(const CaseSetting& setting, CaseReport& report);
+void step_convergence(const CaseSetting& setting, CaseReport& report);
+void flow_patterns(const CaseSetting& setting, CaseReport& report);
+void unit_shapes(const CaseSetting& setting, CaseReport& report);
+void shoreward_slopes(const CaseSetting& setting, CaseReport& report);
+void unit_cohesion(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::ding
