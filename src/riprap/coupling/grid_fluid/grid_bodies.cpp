@@ -75,7 +75,6 @@ void set_velocities(const body::Motion& motion, double ahead, std::vector<GridBo
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         bodies[b].velocity = motion.velocity[b] + ahead * motion.acceleration[b];
         bodies[b].angular_velocity = motion.angular_velocity[b] + ahead * motion.angular_acceleration[b];
-        bodies[b].stretch_rate = motion.deforms() ? motion.stretch_rate[b] : Sym3{};
     }
 }
 

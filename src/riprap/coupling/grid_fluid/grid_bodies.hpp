@@ -19,7 +19,9 @@ void place_bodies(const FluidScene& scene, const GridFluidSettings& settings,
                   const std::vector<std::vector<geometry::Polyhedron>>& shapes, const body::Motion& motion,
                   double ahead, bool all, std::vector<GridBody>& bodies);
 
-/// Sets the velocities of bodies at `ahead` after the motion.
+/// Sets the velocities of bodies at `ahead` after the motion. Water does not follow the rate at which blocks strain: a
+/// stiff block swings many times in a step of the fluid, and in shorter steps the inertia of the water would come a
+/// step late to strains that weigh less than it. What a block displaces by strain shows in the cells alone.
 void set_velocities(const body::Motion& motion, double ahead, std::vector<GridBody>& bodies);
 
 /// Per body: never moves, or is not there for the water.

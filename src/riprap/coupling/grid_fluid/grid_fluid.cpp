@@ -237,7 +237,7 @@ void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoad
             loads.viscous.pull[b] = load.shear_pull;
             loads.pressure.pull[b] = load.pull;
             loads.pressure.pull[b] += -1.0 * load.shear_pull;
-            scratch_->power += contract(load.pull, middle.stretch_rate[b]);
+            scratch_->power += contract(load.pull, scratch_->bodies[b].stretch_rate);
         }
     }
 }
