@@ -100,6 +100,71 @@ double fastest_water(const GridSettings& settings, const GridState& state, const
         fluid::grid::max_of));
 }
 
+/// Potential energy that cells cut by bodies have beyond that of their water at their centres [J]: the first moment of
+/// what is open in a cell, by the divergence theorem over its open faces and facets, exact for polyhedra.
+double potential_of_cut_cells(const GridSettings& settings, const GridState& water, const GridScratch& s,
+                              const CutBodies& cut) {
+    const fluid::grid::Mesh& mesh = settings.mesh;
+    const Vec3 g = fluid::grid::body_force(settings, water.time);
+    std::vector<std::int64_t> cells;
+    for (const CutFacet& facet : cut.facets) {
+        if (s.open.volume[at(facet.cell)] > 0) {
+            cells.push_back(facet.cell);
+        }
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    std::vector<Vec3> moment(cells.size()), centre(cells.size());
+    const auto number = [&](std::int64_t cell) {
+        return at(std::lower_bound(cells.begin(), cells.end(), cell) - cells.begin());
+    };
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        std::int64_t rest = cells[k];
+        std::array<int, 3> place{};
+        for (int a = 2; a >= 0; --a) {
+            place[at(a)] = static_cast<int>(rest / mesh.box.stride[at(a)]) - mesh.box.pad[at(a)];
+            rest %= mesh.box.stride[at(a)];
+        }
+        centre[k] = mesh.centre(place[0], place[1], place[2]);
+        for (int a = 0; a < mesh.box.axes; ++a) {
+            const double half = 0.5 * mesh.h(a, place[at(a)]);
+            moment[k][a] = 0.5 * half * half *
+                           (s.area[at(a)][at(cells[k] + mesh.box.stride[at(a)])] - s.area[at(a)][at(cells[k])]);
+        }
+    }
+    for (const CutFacet& facet : cut.facets) {
+        if (s.open.volume[at(facet.cell)] > 0) {
+            const std::size_t k = number(facet.cell);
+            for (int a = 0; a < mesh.box.axes; ++a) {
+                for (const Vec3& x : facet.middle) {
+                    moment[k][a] -= facet.area[a] * std::pow(x[a] - centre[k][a], 2) / 6;
+                }
+            }
+        }
+    }
+    double sum = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const double porosity = s.medium.has_stones ? s.medium.porosity[at(cells[k])] : 1;
+        sum -= porosity * fluid::grid::density_of(settings, water.fraction[at(cells[k])]) * dot(g, moment[k]);
+    }
+    return sum;
+}
+
+/// Work of the pressure on bodies in half of a step: bodies are cut out where they are at its middle, and the energy of
+/// the water at its end is less by what they take until then [J]. Made of the State alone, shear left out.
+double work_of_half(const GridSettings& settings, const GridState& water, const GridScratch& s,
+                    const std::vector<GridBody>& bodies, const CutBodies& cut, double dt, double time) {
+    CutBodies surfaces;
+    surfaces.facets = cut.facets;
+    surfaces.joints = cut.joints;
+    double power = 0;
+    const std::vector<GridLoad> loads = cut_loads(settings, water, s, bodies, surfaces, time);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        power += dot(loads[b].pressure, bodies[b].velocity) + dot(loads[b].torque, bodies[b].angular_velocity);
+    }
+    return 0.5 * dt * power;
+}
+
 /// Energy that comes in through the sides in a step: (P + rho u^2/2) u A dt with P = p - rho g.x of the cell inside
 /// [J].
 double energy_through_sides(const GridSettings& settings, const GridState& state, const GridScratch& s, double dt) {
@@ -188,7 +253,7 @@ StepLimit GridFluid::limit() const {
     return {longest, false, "Courant number of the water"};
 }
 
-Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& /*now*/, const body::Motion& middle,
+Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
                          FluidStep& /*report*/) {
     const GridSettings& settings = settings_->grid;
     GridState& water = fields_->water;
@@ -196,6 +261,10 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& /*now*/, cons
     scratch_->before = read_energy(settings, water, s);
     scratch_->momentum_before = momentum_of(settings, water, s);
     if (scratch_->cutter->moves()) {
+        set_velocities(now, 0, scratch_->bodies);
+        scratch_->before.potential +=
+            potential_of_cut_cells(settings, water, s, scratch_->cut) -
+            work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, water.last_step, water.time);
         place_bodies(*scene_, *settings_, scratch_->shapes, middle, 0.5 * span.dt, false, scratch_->bodies);
         scratch_->cut = scratch_->cutter->cut(scratch_->bodies);
         set_open_shares(settings, water, s, std::move(scratch_->cut.open));
@@ -249,7 +318,11 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     const double through = energy_through_sides(settings, water, s, span.dt);
     end_step(settings, water, s, span.dt);
     const fluid::grid::Energy& before = scratch_->before;
-    const fluid::grid::Energy after = read_energy(settings, water, s);
+    fluid::grid::Energy after = read_energy(settings, water, s);
+    if (scratch_->cutter->moves()) {
+        after.potential += potential_of_cut_cells(settings, water, s, scratch_->cut) -
+                           work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, span.dt, water.time);
+    }
     const Vec3 momentum = momentum_of(settings, water, s);
     fluid::FluidReport& fluid = report.fluid;
     fluid.kinetic = 0.5 * (before.kinetic + after.kinetic);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/surface.hpp"
 
 namespace riprap::fluid::grid {
 
@@ -105,6 +106,26 @@ double read_front(const GridSettings& settings, const GridState& state, const Ve
     return mesh.edge[at(axis)].front();
 }
 
+namespace {
+
+/// First moment of the water in a mixed cell about its centre, over its volume [m].
+Vec3 moment_of_water(const GridSettings& settings, const GridState& state, std::int64_t c,
+                     const std::array<int, 3>& place) {
+    constexpr int slabs = 8;
+    const Mesh& mesh = settings.mesh;
+    const CellPlane plane = place_plane(surface_normal(mesh.box, state.fraction, c), state.fraction[at(c)]);
+    Vec3 moment{};
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        for (int k = 0; k < slabs; ++k) {
+            const double low = static_cast<double>(k) / slabs - 0.5, high = static_cast<double>(k + 1) / slabs - 0.5;
+            moment[a] += slab_fraction(plane, a, low, high) * 0.5 * (low + high) / slabs * mesh.h(a, place[at(a)]);
+        }
+    }
+    return moment;
+}
+
+}  // namespace
+
 Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
     const CellBox& box = settings.mesh.box;
     return reduce_cells(
@@ -117,8 +138,12 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
                 square += 0.5 * (std::pow(u[at(c)], 2) + std::pow(u[at(c + box.stride[at(a)])], 2));
             }
             const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
-            return Energy{0.5 * mass * square / (porosity * porosity),
-                          -mass * dot(settings.gravity, settings.mesh.centre(i, j, k))};
+            double potential = -mass * dot(settings.gravity, settings.mesh.centre(i, j, k));
+            if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
+                potential -= (settings.water.density - settings.air.density) * scratch.capacity[at(c)] *
+                             dot(settings.gravity, moment_of_water(settings, state, c, {i, j, k}));
+            }
+            return Energy{0.5 * mass * square / (porosity * porosity), potential};
         },
         [](Energy a, const Energy& b) {
             return Energy{a.kinetic + b.kinetic, a.potential + b.potential};
