@@ -104,6 +104,13 @@ export function showCase(parent, contents) {
 
 const VERDICTS = {passed: 'met', failed: 'missed', not_judged: 'not judged'};
 
+/** With the digits that tell its bounds apart. */
+function bandText(low, high) {
+  const text = digits => [low, high].map(v => typeof v === 'number' ? reading(v, digits) : 'none');
+  const digits = [4, 6, 8, 10, 12, 15].find(n => low === high || text(n)[0] !== text(n)[1]) ?? 15;
+  return text(digits).join(' to ');
+}
+
 function expectsTable(expects) {
   const table = element('table', '', {class: 'expects'});
   table.innerHTML = '<tr><th>expected</th><th>value</th><th>band</th><th></th></tr>';
@@ -111,7 +118,7 @@ function expectsTable(expects) {
     const row = table.insertRow();
     const number = v => typeof v === 'number' ? reading(v, 4) : 'none';
     row.append(element('td', e.name, {title: e.citation ?? ''}), element('td', `${number(e.value)}\u00a0${e.unit ?? ''}`),
-               element('td', `${number(e.low)} to ${number(e.high)}`),
+               element('td', bandText(e.low, e.high)),
                element('td', VERDICTS[e.verdict] ?? e.verdict, {class: `verdict ${e.verdict}`}));
   }
   return table;

@@ -55,6 +55,38 @@ TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
                                   HasSubstr("water stands 0.5 m deep before it"))));
 }
 
+TEST(FluidWarnings, a_spacing_that_does_not_divide_the_depth) {
+    EXPECT_THAT(test::read(test::with(flume, "high = [2.0, 0.5]", "high = [2.0, 0.504]")).warnings, ElementsAre());
+    EXPECT_THAT(test::read(test::with(flume, "high = [2.0, 0.5]", "high = [2.0, 0.54]")).warnings,
+                ElementsAre(AllOf(HasSubstr("case.toml:11:"), HasSubstr("the water begins 0.5 m deep, not 0.54 m"),
+                                  HasSubstr("0.049091 m or 0.054 m does"))));
+}
+
+TEST(FluidRecords, a_gauge_with_a_count_is_a_profile_of_gauges) {
+    const std::string profile =
+        "[[output.gauge]]\nname = \"wave\"\nkind = \"level\"\npoint = [0.2, 0.0]\nend = [1.8, 0.0]\ncount = 11\n";
+    const LoadedCase loaded = test::read(flume + profile);
+    const auto& gauges = loaded.model.output.gauges;
+    ASSERT_EQ(gauges.size(), 11U);
+    EXPECT_EQ(gauges[0].name, "wave_01");
+    EXPECT_EQ(gauges[10].name, "wave_11");
+    EXPECT_NEAR(gauges[5].point.x, 1.0, 1e-12);
+    EXPECT_NEAR(gauges[10].point.x, 1.8, 1e-12);
+    EXPECT_THAT(loaded.resolved_toml, HasSubstr("wave_11"));  // other programs need not know of profiles
+    EXPECT_THAT(test::read(loaded.resolved_toml).model.output.gauges, testing::SizeIs(11));
+    EXPECT_THROW(test::read(flume + test::with(profile, "end = [1.8, 0.0]\n", "")), CaseError);
+    EXPECT_THROW(test::read(flume + test::with(profile, "\"level\"", "\"surface\"")), CaseError);
+}
+
+TEST(FluidRecords, a_probe_of_several_quantities_is_one_of_each) {
+    const std::string probe = "[[output.probe]]\nbody = \"floor\"\nquantity = [\"position\", \"fluid_force\"]\n";
+    const auto& unnamed = test::read(flume + probe).model.output.probes;
+    ASSERT_EQ(unnamed.size(), 2U);
+    EXPECT_EQ(unnamed[1].name, "floor.fluid_force");
+    EXPECT_EQ(test::read(flume + probe + "name = \"bed\"\n").model.output.probes[0].name, "bed.position");
+    EXPECT_THROW(test::read(flume + test::with(probe, "fluid_force", "position")), CaseError);
+}
+
 TEST(FluidWarnings, water_with_a_density_in_another_unit) {
     EXPECT_THAT(test::read(test::with(flume, "spacing = 0.05", "spacing = 0.05\ndensity = 1.0")).warnings,
                 ElementsAre(AllOf(HasSubstr("case.toml:8:"), HasSubstr("the water has a density of 1 kg/m^3"))));

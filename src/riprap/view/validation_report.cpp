@@ -14,6 +14,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/provenance.hpp"
+#include "riprap/view/markdown.hpp"
 
 namespace riprap::view {
 
@@ -37,16 +38,12 @@ dl { display: grid; grid-template-columns: auto 1fr; gap: 2px 12px; font-size: 1
 h3 { margin: 28px 0 6px; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 12px; margin: 12px 0; }
 .plots svg { width: 100%; height: auto; background: #fff; border-radius: 4px; }
+details table { width: auto; } details p, details li { max-width: 90ch; } summary { cursor: pointer; }
+code { font: 0.9em ui-monospace, "DejaVu Sans Mono", monospace; }
 pre { white-space: pre-wrap; font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
 )";
 
-std::string html(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-    }
-    return out;
-}
+std::string html(const std::string& text) { return escape_html(text); }
 
 /// A value of a result: a number, words, or nothing.
 std::string shown(const Json& result, const char* key) {
@@ -142,8 +139,8 @@ std::string folded(const std::string& heading, const fs::path& readme) {
     if (!fs::is_regular_file(readme)) {
         return "";
     }
-    return fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", heading,
-                       html(io::read_file(readme, text_limit)));
+    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", heading,
+                       html_of_markdown(io::read_file(readme, text_limit)));
 }
 
 struct Meaning {
@@ -171,11 +168,12 @@ std::string glossary() {
 std::string provenance() {
     const Json build = Json::parse(run::build_json()), machine = Json::parse(run::machine_json());
     const std::string commit = shown(build, "commit");
-    return fmt::format("<p>{:%Y-%m-%d %H:%M} UTC. Riprap {}{}, {}, {}, -march={}, {}. {}, {} threads, {}.</p>\n",
+    return fmt::format("<p>{:%Y-%m-%d %H:%M} UTC. Riprap {}{}, {}, {}, -march={}, {}. {}, {} {}, {}.</p>\n",
                        fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())),
                        shown(build, "version"), commit.empty() ? "" : ", commit " + commit, shown(build, "compiler"),
                        shown(build, "build_type"), shown(build, "march"), shown(build, "parallel"),
-                       shown(machine, "processor"), shown(machine, "hardware_threads"), shown(machine, "system"));
+                       shown(machine, "processor"), shown(machine, "hardware_threads"),
+                       shown(machine, "hardware_threads") == "1" ? "thread" : "threads", shown(machine, "system"));
 }
 
 /// "physics" or "bookkeeping"

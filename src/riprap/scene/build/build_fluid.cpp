@@ -144,6 +144,8 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     check_filling(build, list, filling, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
+        warn_of_short_filling(build, list.items[r].place, filling.regions[r], filling.lattice_corner,
+                              fluid.settings().spacing);
     }
     if (filling.particles.size() == 0) {
         return;

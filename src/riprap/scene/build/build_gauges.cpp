@@ -6,18 +6,13 @@
 #include <optional>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/placed_part.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
 
 namespace {
-
-bool needs_end(fluid::GaugeKind kind) {
-    using fluid::GaugeKind;
-    return kind == GaugeKind::surface || kind == GaugeKind::run_up || kind == GaugeKind::flow ||
-           kind == GaugeKind::volume;
-}
 
 /// Corners in order: the lower one first along every axis.
 void order_corners(fluid::Gauge& gauge) {

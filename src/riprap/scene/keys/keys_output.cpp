@@ -36,7 +36,11 @@ const Table& probe_table() {
         "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
         {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
          {"body", {text()}, "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given.", {}},
-         {"quantity", {choice(quantity_names())}, "What is recorded.", {}, true}}};
+         {"quantity",
+          {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
+          "What is recorded. A list makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is a name.",
+          {},
+          true}}};
     return table;
 }
 
@@ -66,7 +70,11 @@ const Table& gauge_table() {
          {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
          {"end",
           {vector(dimension::length)},
-          "End of the line; the opposite corner. Not with a kind that looks at a point.",
+          "End of the line; the opposite corner. With a kind that looks at a point only beside count.",
+          {}},
+         {"count",
+          {integer(2, 1000)},
+          "A profile: so many gauges from point to end, NAME_1, NAME_2 and on. For kinds that look at a point.",
           {}}}};
     return table;
 }

@@ -30,6 +30,11 @@ void warn_of_bodies_outside(CaseBuild& build, const coupling::ParticleFluid& flu
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
                         const coupling::ParticleFluid& fluid);
 
+/// Water whose highest layer of particles ends more than a quarter of a spacing below the level of its region, as the
+/// spacing does not divide the depth. The table of the region is at `place`.
+void warn_of_short_filling(CaseBuild& build, const SourcePlace& place, const coupling::FillReport& report,
+                           const Vec3& lattice_corner, double spacing);
+
 /// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
 /// at `place`.
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
