@@ -31,8 +31,8 @@ class AddedMassIteration {
 
     static constexpr double iterates_above = 0.1;  ///< lagged feedback then still decays tenfold a step
     static constexpr double tolerance = 1e-2;      ///< of |r| over |a| + |g|
-    static constexpr int most = 20;                ///< force passes in one step
-    static constexpr int plain = 8;                ///< of them by Aitken's relaxation
+    static constexpr int most = 40;                ///< force passes in one step
+    static constexpr int plain = 4;                ///< of them by Aitken's relaxation
 
     /// Puts the next guess into `guess`, given what came out of it. True when nothing needs to change: the loads of
     /// this pass are those to use.
