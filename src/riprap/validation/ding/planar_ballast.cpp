@@ -187,11 +187,42 @@ struct Watch {
 
 }  // namespace
 
+namespace {
+
+/// Height of the middle of the ice at which it touches the bed, straight under it.
+double height_clear_of(const BallastBed& bed, const Shot& shot) {
+    const PlanarTrial& trial = bed.trial;
+    const double half = shot.corners > 0 ? shot.size.x : 0.5 * shot.size.x;
+    double height = -INFINITY;
+    const auto clear_point = [&](const Vec2& p) {
+        const double off = p.x - shot.place;
+        if (std::abs(off) <= half) {
+            height =
+                std::max(height, p.y + (shot.corners > 0 ? std::sqrt(half * half - off * off) : 0.5 * shot.size.y));
+        }
+    };
+    constexpr int shares = 20;  // of an edge
+    for (std::int32_t b = bed.first_stone; b < bed.first_stone + bed.stone_count; ++b) {
+        const std::int32_t first = trial.model.corner_begin[at(b)], end = trial.model.corner_begin[at(b) + 1];
+        for (std::int32_t k = first; k < end; ++k) {
+            const Vec2 p = place_of(trial.state, b, trial.model.corner[at(k)]);
+            const Vec2 q = place_of(trial.state, b, trial.model.corner[at(k + 1 < end ? k + 1 : first)]);
+            for (int i = 0; i < shares; ++i) {
+                clear_point(p + (static_cast<double>(i) / shares) * (q - p));
+            }
+        }
+    }
+    return height;
+}
+
+}  // namespace
+
 Strike strike(const BallastBed& bed, const Shot& shot) {
     PlanarTrial trial = bed.trial;
     const double reach = shot.corners > 0 ? shot.size.x : 0.5 * shot.size.y;
     const double lowest = shot.is_flat ? reach * std::cos(std::numbers::pi / std::max(3, shot.corners)) : reach;
-    const Vec2 center{shot.place, bed.surface + shot.height + lowest};
+    // Above the mean surface, and above what stands higher: a spring that begins pressed would throw stones by itself.
+    const Vec2 center{shot.place, std::max(bed.surface + shot.height + lowest, height_clear_of(bed, shot) + 1e-4)};
     const std::int32_t ice = shot.corners > 0
                                  ? trial.add_regular(center, shot.size.x, shot.corners, shot.is_flat, bed.ice_material)
                                  : trial.add_box(center - 0.5 * shot.size, shot.size, false, bed.ice_material);

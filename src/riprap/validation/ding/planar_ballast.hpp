@@ -43,10 +43,10 @@ struct Strike {
 /// How the ice comes.
 struct Shot {
     geometry::Vec2 velocity{};
-    double height{0.6};               ///< of its lowest point above the surface [m]
-    double place{0};                  ///< x of its centre [m]
-    int corners{32};                  ///< of a regular polygon; 0 = the rectangle of `size`
-    bool is_flat{false};              ///< it comes with an edge first, not with a corner
+    double height{0.6};   ///< of its lowest point above the mean surface; more where a stone stands there [m]
+    double place{0};      ///< x of its centre [m]
+    int corners{32};      ///< of a regular polygon; 0 = the rectangle of `size`
+    bool is_flat{false};  ///< it comes with an edge first, not with a corner
     geometry::Vec2 size{0.05, 0.05};  ///< radius of the polygon, or both sides [m]
     double after{0.3};                ///< time computed from the touch [s]
     std::int32_t rail{-1};
