@@ -21,18 +21,31 @@ void drift_all(const BlockSystem& system, const Settings& settings, double h, af
     });
 }
 
+/// S^-1 of every block; nought where loads do not move it. Once a block: it has many contact points.
+std::vector<Mat3> softness_of(const BlockSystem& system, const affine::BlockState& state) {
+    std::vector<Mat3> softness(at(system.size()));
+    parallel::for_each_uneven(system.size(), 256, [&](std::int64_t i) {
+        const auto b = at(i);
+        if (system.is_fixed[b] == 0) {
+            const Mat3 f = rows_at(state.deformation, b);
+            softness[b] = inverse(f * system.inertia[b] * transpose(f));
+        }
+    });
+    return softness;
+}
+
 /// One side of a contact point.
 struct Side {
     Vec3 arm{}, velocity{};
     double mobility{0};  ///< 0 where loads do not move the block
 
-    Side(const BlockSystem& system, const affine::BlockState& state, std::int32_t block, const Vec3& point) {
+    Side(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
+         std::int32_t block, const Vec3& point) {
         const auto b = at(block);
         arm = point - state.position[b];
         velocity = state.velocity[b] + rows_at(state.velocity_gradient, b) * arm;
         if (system.is_fixed[b] == 0) {
-            const Mat3 f = rows_at(state.deformation, b);
-            mobility = explicit_dda::mobility(system.mass[b], inverse(f * system.inertia[b] * transpose(f)), arm);
+            mobility = explicit_dda::mobility(system.mass[b], softness[b], arm);
         }
     }
 };
@@ -51,9 +64,9 @@ contact::PenaltySprings springs_of(const affine::Surface& surface, double area, 
     return springs;
 }
 
-ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state,
+ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
                       const affine::BlockContactHistory& history, const BlockContact& contact, double time) {
-    const Side a(system, state, contact.a, contact.on_a), b(system, state, contact.b, contact.on_b);
+    const Side a(system, state, softness, contact.a, contact.on_a), b(system, state, softness, contact.b, contact.on_b);
     const double mobility = a.mobility + b.mobility;
     const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, mobility);
     contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, true};
@@ -244,8 +257,9 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     scratch.contacts = scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, 0);
     scratch.forces.resize(scratch.contacts.size());
     const double time = 0.5 * (state.last_dt + dt);
+    const std::vector<Mat3> softness = softness_of(system, state.blocks);
     parallel::for_each_uneven(static_cast<std::int64_t>(scratch.contacts.size()), 64, [&](std::int64_t i) {
-        scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.old, scratch.contacts[at(i)], time);
+        scratch.forces[at(i)] = evaluate(system, state.blocks, softness, scratch.old, scratch.contacts[at(i)], time);
     });
     scratch.loads.assign(at(system.size()), {});
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {

@@ -96,7 +96,7 @@ std::span<const Account> ExplicitDda::accounts() {
     static constexpr std::array table{
         Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
         Account{"ended_contacts", Balance::lost, Booking::since_kick,
-                "stored in contacts that ended while pressed, since time 0", true},
+                "stored in contacts that ended while pressed, less what new ones began with, since time 0", true},
     };
     return table;
 }

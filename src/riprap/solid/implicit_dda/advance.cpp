@@ -186,10 +186,17 @@ double spring_energy(const ContactSprings& springs, double gap, const Vec3& slip
     return 0.5 * (springs.normal * gap * gap + springs.shear * norm_squared(slip));
 }
 
+void reserve(affine::BlockContactHistory& history, std::size_t count) {
+    const auto grow = [count](auto&... arrays) { (arrays.reserve(count), ...); };
+    grow(history.pair, history.feature, history.plane, history.normal, history.slip, history.mode, history.is_intact,
+         history.energy);
+}
+
 /// Remembers what is closed, with the slip that its shear spring holds, and books energies.
 void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
     const affine::BlockContactHistory old = std::move(history);
     history = {};
+    reserve(history, scratch.contacts.size());
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
         const ContactTerm& c = scratch.contacts[i];
         const affine::BlockContact& found = scratch.found[i];
