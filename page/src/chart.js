@@ -240,7 +240,7 @@ export class Chart {
     }
     const hasRight = 'right' in scales;
     return {
-      width, height: HEIGHT, scales, axes, legend: {show: false}, padding: [8, hasRight ? 0 : 10, 0, 0],
+      width, height: HEIGHT, scales, axes, legend: {show: false}, padding: [8, hasRight ? 0 : 18, 0, 0],
       cursor: {y: false, sync: {key: 'time'}, points: {size: 6}, drag: {x: true, y: false, dist: 4}},
       series: [{}, ...shown.map(curve => ({
         label: curve.name, scale: isRight(curve) ? 'right' : 'y', stroke: curve.colour, dash: curve.dash, width: 1.5,

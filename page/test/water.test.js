@@ -152,7 +152,7 @@ test('one chart has one unit, every gauge of the user is drawn at first, and ene
 test('a click in a plot goes to its time', async () => {
   await page.click('[data-tab=plots]');
   const box = await page.locator('#tab-plots canvas').first().boundingBox();
-  await page.mouse.click(box.x + box.width - 11, box.y + 60);
+  await page.mouse.click(box.x + box.width - 19, box.y + 60);
   await page.waitForFunction(() => window.riprap.index >= window.riprap.frameCount - 2);
 });
 

@@ -57,10 +57,10 @@ std::string shown(const Json& result, const char* key) {
 }
 
 std::string band(const Json& result) {
-    std::string low = shown(result, "low"), high = shown(result, "high");
+    const std::string low = shown(result, "low"), high = shown(result, "high");
     if (low == high && !low.empty() && result["low"] != result["high"]) {  // a band that six digits do not show
-        low = fmt::format("{:.10g}", result["low"].get<double>());
-        high = fmt::format("{:.10g}", result["high"].get<double>());
+        const double from = result["low"].get<double>(), to = result["high"].get<double>();
+        return fmt::format("{} \u00b1 {:.2g}", low, (to - from) / 2);
     }
     return low.empty() && high.empty() ? "" : fmt::format("{} to {}", low, high);
 }
