@@ -6,7 +6,6 @@
 #include <optional>
 #include <ranges>
 
-#include "riprap/body/ground.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/near_parts.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
@@ -131,9 +130,9 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                         std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
                         FluidLoads& loads) {
     const double within = 2 * settings.reach;  // where a face on the other side may limit the push
-    const std::vector<body::Ground> grounds = body::find_grounds(bodies, shapes);
+    find_grounds(shapes, bodies);
     std::vector<PlacedPart> parts;
-    place_parts(shapes, bodies, motion, is_dry, grounds, within, parts);
+    place_parts(shapes, bodies, motion, is_dry, grounds_, within, parts);
     NearParts near_parts;
     near_parts.find(parts, particles.position, settings.domain, within);
     force.resize(at(particles.size()));
@@ -152,7 +151,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
         std::vector<Touch> touches;
         for (std::int64_t i = begin; i < end; ++i) {
             const std::span<const std::int32_t> near = near_parts.of_block(i / NearParts::block_size);
-            if (near.empty() && grounds.empty()) {
+            if (near.empty() && grounds_.empty()) {
                 i = (i / NearParts::block_size + 1) * NearParts::block_size - 1;
                 continue;
             }
@@ -162,7 +161,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                     touches.push_back(*touch);
                 }
             }
-            for (const body::Ground& ground : grounds) {
+            for (const body::Ground& ground : grounds_) {
                 if (!is_dry.empty() && is_dry[at(ground.body.value)] != 0) {
                     continue;
                 }
@@ -191,6 +190,13 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
         }
     });
     gather(bodies, motion, particles.size(), loads);
+}
+
+void PenaltyWalls::find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies) {
+    if (parts_ != bodies.parts.size()) {
+        grounds_ = body::find_grounds(bodies, shapes);
+        parts_ = bodies.parts.size();
+    }
 }
 
 /// On one thread, in the order of the particles; of blocks without pushes nothing is looked at.

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
+#include "riprap/body/ground.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/coupling/rigid_map.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
@@ -73,11 +75,14 @@ class PenaltyWalls {
     std::size_t bytes() const { return bytes_of(count_, blocks_); }
 
  private:
+    void find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies);
     void gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
                 FluidLoads& loads) const;
 
     std::vector<std::int32_t> count_;        ///< pushes on each particle
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
+    std::vector<body::Ground> grounds_;      ///< found once: ground keeps its shape
+    std::optional<std::size_t> parts_;       ///< of all bodies when `grounds_` was found
 };
 
 }  // namespace riprap::coupling
