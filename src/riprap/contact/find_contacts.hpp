@@ -49,6 +49,10 @@ void ContactPipeline::evaluate(const Physics& physics, const ContactScene& scene
         FoundContacts found(history, chunk);
         for (std::int64_t p = begin; p < end; ++p) {
             const PartPair parts = cache_.pairs()[at(p)];
+            if (!scene.left_out.empty() && (scene.left_out[at(placed_.body[at(parts.a)])] != 0 ||
+                                            scene.left_out[at(placed_.body[at(parts.b)])] != 0)) {
+                continue;
+            }
             const PairSide a = side(parts.a), b = side(parts.b);
             const auto& surfaces =
                 scene.materials.pair(scene.bodies.material[at(a.body)], scene.bodies.material[at(b.body)]);

@@ -23,7 +23,7 @@ void resize_closely(std::vector<T>& buffer, std::size_t size) {
 }  // namespace
 
 void ContactPipeline::place_parts(const ContactScene& scene, const body::BodyState& state) {
-    contact::place_parts(scene.shapes, scene.bodies, state, placed_);
+    contact::place_parts(scene.shapes, scene.bodies, state, placed_, scene.left_out);
     cache_settings_ = {.skin = scene.skin * placed_.median_radius, .grid_factor = scene.grid_factor};
 }
 

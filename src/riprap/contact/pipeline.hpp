@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "riprap/body/loads.hpp"
@@ -19,6 +20,8 @@ struct ContactScene {
     const body::BodySet& bodies;
     double grid_factor;  ///< gamma of the multi-level grid [-]
     double skin;         ///< of the pair cache, as a fraction of the median circumradius [-]
+    /// Per body: it meets others by a physics of its own, and this pipeline leaves it out. Empty: none does.
+    std::span<const std::uint8_t> left_out{};
 };
 
 /// The stages bounds -> broadphase -> pair cache -> pair physics -> history, shared by all solids: Scratch.

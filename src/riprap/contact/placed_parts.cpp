@@ -12,7 +12,8 @@ namespace riprap::contact {
 
 namespace {
 
-void describe_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, PlacedParts& placed) {
+void describe_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
+                    std::span<const std::uint8_t> left_out, PlacedParts& placed) {
     const std::size_t count = bodies.parts.size();
     placed.frames.resize(count);
     placed.centers.resize(count);
@@ -24,8 +25,10 @@ void describe_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodie
         const auto body = at(part.body.value);
         placed.radii[p] = shapes.view(part.shape).circumradius;
         placed.body[p] = part.body.value;
-        placed.is_mobile[p] =
-            bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body]) ? 1 : 0;
+        placed.is_mobile[p] = (bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body])) &&
+                                      (left_out.empty() || left_out[body] == 0)
+                                  ? 1
+                                  : 0;
     }
     placed.median_radius = median_radius(placed.radii);
     placed.giants.clear();
@@ -37,9 +40,9 @@ void describe_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodie
 }  // namespace
 
 void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                 PlacedParts& placed) {
+                 PlacedParts& placed, std::span<const std::uint8_t> left_out) {
     if (placed.frames.size() != bodies.parts.size()) {
-        describe_parts(shapes, bodies, placed);
+        describe_parts(shapes, bodies, left_out, placed);
     }
     parallel::for_each(static_cast<std::int64_t>(bodies.parts.size()), [&](std::int64_t index) {
         const body::Part& part = bodies.parts[at(index)];

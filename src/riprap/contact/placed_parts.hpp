@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
@@ -24,7 +25,8 @@ struct PlacedParts {
 
 /// Puts every part where its body is. What does not change is read when the number of parts does: a PlacedParts
 /// belongs to one scene.
+/// @param left_out  per body, empty for none: its pairs with others of these and with what is fixed are not sought
 void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                 PlacedParts& placed);
+                 PlacedParts& placed, std::span<const std::uint8_t> left_out = {});
 
 }  // namespace riprap::contact

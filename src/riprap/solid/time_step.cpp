@@ -97,12 +97,16 @@ bool can_move(const body::BodySet& bodies, std::int32_t body) {
 }  // namespace
 
 DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
-                            const material::MaterialSet& materials) {
+                            const material::MaterialSet& materials, std::span<const std::uint8_t> left_out) {
     const LargestShear shear = largest_shear(materials);
     Stiffness lightest{0, 0, 0, std::numeric_limits<double>::infinity()};
     Stiffness steepest{0, 0, 0, std::numeric_limits<double>::infinity()};
     double steepest_support = 0;
+    const auto is_left_out = [&](std::int32_t body) { return !left_out.empty() && left_out[at(body)] != 0; };
     for (std::int32_t body = 0; body < bodies.size(); ++body) {
+        if (is_left_out(body)) {
+            continue;
+        }
         const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);
         if (!can_move(bodies, body)) {
             steepest_support = std::max(steepest_support, own.gradient);
@@ -119,7 +123,7 @@ DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSe
     const LargestDamping damping = largest_damping(materials);
     const Stiffness support{0, 0, steepest_support, std::numeric_limits<double>::infinity()};
     for (std::int32_t body = 0; body < bodies.size(); ++body) {
-        if (!can_move(bodies, body)) {
+        if (!can_move(bodies, body) || is_left_out(body)) {
             continue;
         }
         const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "riprap/body/body_set.hpp"
@@ -26,7 +28,8 @@ struct DemTimeStep {
 /// one. Dashpots, which use the velocity before the kick, leave sqrt(1 + z^2) - z of 2/omega_max, z = sqrt(N) xi with N
 /// the number of faces where contacts are damped tangentially too, else 2. Two cubes of side a and modulus k_n in an
 /// undamped frictionless lattice give dt = (a/2) sqrt(rho/k_n).
+/// @param left_out  per body, empty for none: it meets others in another way
 DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
-                            const material::MaterialSet& materials);
+                            const material::MaterialSet& materials, std::span<const std::uint8_t> left_out = {});
 
 }  // namespace riprap::solid

@@ -10,45 +10,16 @@
 #include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/solid/polyhedral_dem/contact_sums.hpp"
 
 namespace riprap::solid {
 
 namespace {
 
-/// Sums and extremes over the contacts of one step, in fixed blocks of their order.
-struct ContactSums {
-    double elastic{0}, shear{0}, friction_loss{0};
-    float potential{0}, overlap{0};
-    std::int64_t deepest{-1};
-};
-
-ContactSums sum_contacts(const contact::ContactRows& rows, const contact::ContactHistory& history) {
-    return parallel::reduce(
-        static_cast<std::int64_t>(rows.size()), ContactSums{},
-        [&](std::int64_t i) {
-            const contact::ContactRow& row = rows[at(i)];
-            return ContactSums{
-                row.elastic_energy, history.shear_energy[at(i)], row.friction_loss, row.potential, row.overlap, i};
-        },
-        [](ContactSums a, const ContactSums& b) {
-            a.elastic += b.elastic;
-            a.shear += b.shear;
-            a.friction_loss += b.friction_loss;
-            a.overlap = std::max(a.overlap, b.overlap);
-            // A potential that is not a number counts as the deepest and stays so.
-            if (b.deepest >= 0 && (a.deepest < 0 || (!std::isnan(a.potential) && !(b.potential <= a.potential)))) {
-                a.potential = b.potential;
-                a.deepest = b.deepest;
-            }
-            return a;
-        });
-}
-
 /// Names what makes the step unacceptable, if anything does.
 Outcome judge(const body::BodySet& bodies, const DemSettings& settings, const body::BodyState& state,
-              const KickReport& kick, const ContactSums& contacts, const contact::ContactRows& rows, double time) {
+              const KickReport& kick, const PolyhedralSums& contacts, const contact::ContactRows& rows, double time) {
     if (kick.worst_body >= 0) {
         const BodyId body{static_cast<std::int32_t>(kick.worst_body)};
         const Vec3& v = state.velocity[at(kick.worst_body)];
@@ -59,16 +30,7 @@ Outcome judge(const body::BodySet& bodies, const DemSettings& settings, const bo
             bodies.name(body), v.x, v.y, v.z, norm(angular_velocity(bodies, state, body)), x.x, x.y, x.z, time,
             settings.max_speed)};
     }
-    if (contacts.deepest >= 0 && !(contacts.potential <= settings.max_potential)) {
-        const contact::ContactRow& row = rows[at(contacts.deepest)];
-        const auto name = [&](std::int32_t part) { return bodies.name(bodies.parts[at(part)].body); };
-        return {
-            fmt::format("overlap of {} and {} reaches {:.4g} of an inscribed radius at ({:.6g}, {:.6g}, {:.6g}) m, "
-                        "t = {:.9g} s; allowed: {:.4g}",
-                        name(row.parts.a), name(row.parts.b), contacts.potential, row.point.x, row.point.y, row.point.z,
-                        time, settings.max_potential)};
-    }
-    return {};
+    return judge_overlap(bodies, settings.max_potential, contacts, rows, time);
 }
 
 /// Finds contacts by the physics of the settings. @returns the friction loss of springs that were lost [J]
@@ -149,7 +111,7 @@ Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads
         drift(bodies, state, span.end(), 0.5 * span.dt);
     }
     const ScopedTimer timer(times.measure);
-    const ContactSums sums = sum_contacts(contacts.rows(), state_.contacts);
+    const PolyhedralSums sums = sum_contacts(contacts.rows(), state_.contacts);
     report.elastic = report.has_stored ? sums.elastic : 0;
     report.shear = sums.shear;
     report.friction_loss = sums.friction_loss + report.friction_loss;

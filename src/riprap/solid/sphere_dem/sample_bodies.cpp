@@ -112,6 +112,9 @@ SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& s
             spheres.add(BodyId{b}, radius_of_volume(bodies, materials, at(b)));
             continue;
         }
+        if (settings.sampling == SphereSampling::balls) {
+            continue;
+        }
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
             for (const body::ShapeSphere& s : sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar)) {

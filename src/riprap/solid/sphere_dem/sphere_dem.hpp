@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "riprap/contact/pipeline.hpp"
 #include "riprap/core/account.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/solid_scene.hpp"
@@ -12,17 +16,26 @@
 
 namespace riprap::solid {
 
-/// Bodies that meet by spheres and, where they cannot move, by their faces; moved by drift, kick and drift, bound to
-/// Model, State and Scratch for one step: SolidMethod (docs/theory/spheres.md).
+/// Bodies that meet by spheres and, where no spheres stand for them, by their faces; moved by drift, kick and drift,
+/// bound to Model, State and Scratch for one step: SolidMethod (docs/theory/spheres.md).
 class SphereDem {
  public:
     using Settings = SphereDemSettings;
     using Fields = sphere_dem::SphereState;
+    /// Bodies that are no spheres, where they may move: they meet each other as in PolyhedralDem.
+    struct Polyhedra {
+        bool are_there{false};
+        std::vector<std::uint8_t> left_out;  ///< per body: spheres stand for it
+        contact::ContactPipeline pipeline;
+        body::Loads loads;               ///< of their contacts with each other, in the last piece
+        std::optional<StepLimit> limit;  ///< a function of Model
+    };
     struct Scratch {
         sphere_dem::SphereSet spheres;  ///< a function of Model; made when they are first asked for
         sphere_dem::TriangleSet triangles;
         contact::ContactTable table;
         sphere_dem::SphereScratch buffers;
+        Polyhedra polyhedra;
         body::PointLoadSum point_loads;
         bool is_built{false};
         std::size_t bytes() const;
@@ -46,9 +59,14 @@ class SphereDem {
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
+    /// Contacts of polyhedra with each other in the last piece; valid until the next.
+    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.polyhedra.pipeline.rows(); }
 
  private:
     sphere_dem::SphereModel model() const;
+    contact::ContactScene polyhedra_scene() const;
+    /// Adds the loads of polyhedra on each other. @returns the friction loss of springs that were lost [J]
+    double meet_polyhedra(double sliding_time, bool with_energy);
 
     const SolidScene* scene_;
     const Settings* settings_;

@@ -41,9 +41,10 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
 MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
     using S = SphereDemSettings;
     const KeyList<S> own{
-        choice(&S::sampling, "spheres", {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}},
-               "Spheres that stand for a free body: samples of its surface, or one of its volume. Balls and discs are "
-               "always one."),
+        choice(&S::sampling, "spheres",
+               {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}, {"balls", SphereSampling::balls}},
+               "Spheres that stand for a free body: samples of its surface, or one of its volume; or none (balls): it "
+               "meets balls by its faces and its like by the distance potential. Balls and discs are always one."),
         number_or_auto(&S::sphere_radius, "sphere_radius", dimension::length, positive(),
                        "Radius of the samples. \"auto\": a third of the least inscribed radius."),
         number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),

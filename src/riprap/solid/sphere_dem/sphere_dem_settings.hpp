@@ -17,6 +17,7 @@ namespace riprap::solid {
 enum class SphereSampling {
     surface,  ///< its surface, flush with the faces of boxes
     one,      ///< one sphere (planar: disc) of its volume about its centre of mass
+    balls,    ///< none but of balls and discs: other bodies meet by their faces, each other by the distance potential
 };
 
 /// Explicit DEM of bodies that meet by spheres.
