@@ -126,11 +126,12 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
         }
         if (said.kind != Kind::none) {
             const double cell = cell_at_surface(settings, up, level, said.height);
-            if (said.height < least_cells * cell) {
+            if (said.height < least_cells * cell * (1 - 1e-9)) {
+                const double cells = std::floor(100 * said.height / cell * (1 + 1e-9)) / 100;  // 4.99 is not 5
                 problems.push_back(
                     {"wave",
-                     fmt::format("a wave {:.4g} m high on cells of {:.4g} m: {:.2g} cells over its height", said.height,
-                                 cell, said.height / cell),
+                     fmt::format("a wave {:.4g} m high on cells of {:.4g} m: {:.3g} cells over its height", said.height,
+                                 cell, cells),
                      fmt::format("at least {} cells: a spacing of {:.4g} m or less", least_cells,
                                  said.height / least_cells)});
             }

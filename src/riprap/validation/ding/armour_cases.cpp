@@ -299,9 +299,10 @@ void shoreward_slopes(const CaseSetting& setting, CaseReport& report) {
         const std::string pair = fmt::format("{} over {}", names[i + 1], names[i]);
         report.judge_below({"way of the caisson, " + pair, "-", "below 1", {}, {}},
                            ratio(outs[i + 1].caisson, outs[i].caisson), 1);
-        report.judge_below(
-            {"deviation of ways, " + pair, "-", "below 1", {}, {}},
-            std::hypot(outs[i + 1].spread_x, outs[i + 1].spread_y) / std::hypot(outs[i].spread_x, outs[i].spread_y), 1);
+        report.judge_below({"deviation of ways, " + pair, "-", "below 1", {}, {}},
+                           ratio(std::hypot(outs[i + 1].spread_x, outs[i + 1].spread_y),
+                                 std::hypot(outs[i].spread_x, outs[i].spread_y)),
+                           1);
         report.judge_below({"time to rest, " + pair, "-", "below 1", {}, {}}, outs[i + 1].steady_at / outs[i].steady_at,
                            1);
     }
