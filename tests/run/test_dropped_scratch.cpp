@@ -39,6 +39,7 @@ std::vector<ShippedCase> shipped_cases() {
             {"jointed_slope", {}, 800},
             {"overflow", {"fluid.spacing=0.03"}, 400},
             {"rock_slide", {"fluid.spacing=4.0"}, 6},
+            {"slope_section", {}, 60},
             {"stack", {}, 2000},
             {"tilting_slope", {}, 2000},
             {"wave_flume", {"fluid.spacing=0.025"}, 60}};
