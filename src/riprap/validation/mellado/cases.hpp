@@ -20,6 +20,7 @@ void block_entry(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void floes_4(const CaseSetting& setting, CaseReport& report);
 void floes_9(const CaseSetting& setting, CaseReport& report);
+void floes_fine(const CaseSetting& setting, CaseReport& report);
 void floes_none(const CaseSetting& setting, CaseReport& report);
 void floe_methods(const CaseSetting& setting, CaseReport& report);
 void floe_ensemble(const CaseSetting& setting, CaseReport& report);

@@ -5,9 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 
 namespace riprap::validation::water {
+
+namespace {
+
+constexpr double save_every = 60;  ///< [s] of wall-clock time
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+}  // namespace
 
 WaterTrial::WaterTrial(const CaseSetting& setting, std::span<const std::string> overrides)
     : loaded_(scene::read_case((setting.folder / "case.toml").string(), overrides)),
@@ -19,9 +28,49 @@ WaterTrial::WaterTrial(const CaseSetting& setting, std::span<const std::string> 
     values_.resize(columns_.size());
 }
 
+void WaterTrial::record(const std::string& name, std::function<double(const WaterTrial&)> value) {
+    own_.push_back({name, std::move(value)});
+    values_.emplace_back();
+}
+
+double WaterTrial::processor_seconds() const { return earlier_.processor + processor_time() - processor_at_start_; }
+
 void WaterTrial::begin() {
     sim::initialise(loaded_.model, state_);
     initial_ = state_;
+    timer_.restart();
+    since_save_.restart();
+    processor_at_start_ = processor_time();
+    earlier_.program = kept_in_.empty() ? 0 : program_identity();
+    if (!kept_in_.empty() && take_up_trial(kept_in_, loaded_.model, state_, earlier_)) {
+        take_up();
+    }
+}
+
+/// Rows of the saved trial, by column.
+void WaterTrial::take_up() {
+    time_ = earlier_.time;
+    for (std::size_t row = 0; row < time_.size(); ++row) {
+        for (std::size_t c = 0; c < values_.size(); ++c) {
+            values_[c].push_back(earlier_.values.at(row * values_.size() + c));
+        }
+    }
+}
+
+/// Once a minute, and before the last row: a finished trial is taken up there and has its report after one row.
+void WaterTrial::save() {
+    const double left = loaded_.model.time.end - state_.time;
+    if (left <= 1e-9 * loaded_.model.time.end || (left > 1.5 * interval_ && since_save_.seconds() < save_every)) {
+        return;
+    }
+    TrialRecord record{time_, {}, wall_seconds(), processor_seconds(), earlier_.program};
+    for (std::size_t row = 0; row < time_.size(); ++row) {
+        for (const std::vector<double>& column : values_) {
+            record.values.push_back(column[row]);
+        }
+    }
+    save_trial(kept_in_, loaded_.model, state_, record);
+    since_save_.restart();
 }
 
 bool WaterTrial::step_to_row() {
@@ -42,6 +91,9 @@ bool WaterTrial::step_to_row() {
         }
         if (is_row) {
             add_row();
+            if (!kept_in_.empty()) {
+                save();
+            }
             return true;
         }
     }
@@ -53,12 +105,20 @@ void WaterTrial::add_row() {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
         values_[c].push_back(sim::evaluate(columns_[c], moment));
     }
+    for (std::size_t k = 0; k < own_.size(); ++k) {
+        values_[columns_.size() + k].push_back(own_[k].value(*this));
+    }
 }
 
 const std::vector<double>& WaterTrial::column(const std::string& name) const {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
         if (columns_[c].name == name) {
             return values_[c];
+        }
+    }
+    for (std::size_t k = 0; k < own_.size(); ++k) {
+        if (own_[k].name == name) {
+            return values_[columns_.size() + k];
         }
     }
     throw std::runtime_error(fmt::format("the case records no '{}'", name));

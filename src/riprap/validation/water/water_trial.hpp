@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "riprap/core/timer.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/validation/registry.hpp"
+#include "riprap/validation/water/saved_trial.hpp"
 
 namespace riprap::validation::water {
 
@@ -19,6 +23,12 @@ class WaterTrial {
  public:
     /// Reads <folder>/case.toml. `overrides` as for scene::read_case: what --full makes finer. @throws CaseError
     explicit WaterTrial(const CaseSetting& setting, std::span<const std::string> overrides = {});
+
+    /// A column that no case file can name: `value(*this)` at every row. Before run() only.
+    void record(const std::string& name, std::function<double(const WaterTrial&)> value);
+    /// Saves the trial in `path` once a minute and before its last row, and takes it up from there where this program
+    /// saved this case: for trials of hours whose `look` remembers nothing. Before run(), after record().
+    void keep_in(const std::filesystem::path& path) { kept_in_ = path; }
 
     /// Steps to the end of the case. `look(*this)` at every row of the record.
     template <class Look>
@@ -42,6 +52,10 @@ class WaterTrial {
     double first_reach(const std::string& name, double level) const;
 
     double now() const { return state_.time; }
+    /// Time that the trial took from its start, over all its parts where it was taken up [s].
+    double wall_seconds() const { return earlier_.wall + timer_.seconds(); }
+    /// The same of the processor, summed over threads [s].
+    double processor_seconds() const;
     const sim::Model& model() const { return loaded_.model; }
     const sim::State& state() const { return state_; }
     /// For a field of velocity that no case file can say: before run() only.
@@ -53,6 +67,8 @@ class WaterTrial {
     void begin();
     bool step_to_row();
     void add_row();
+    void take_up();
+    void save();
 
     scene::LoadedCase loaded_;
     sim::State state_, initial_;
@@ -62,7 +78,16 @@ class WaterTrial {
     double interval_{0};
     std::vector<sim::Column> columns_;
     std::vector<double> time_;
-    std::vector<std::vector<double>> values_;  ///< by column, then row
+    std::vector<std::vector<double>> values_;  ///< by column, then row; columns of the case before those of record()
+    struct OwnColumn {
+        std::string name;
+        std::function<double(const WaterTrial&)> value;
+    };
+    std::vector<OwnColumn> own_;
+    std::filesystem::path kept_in_;
+    TrialRecord earlier_;  ///< what former parts took
+    Timer timer_, since_save_;
+    double processor_at_start_{0};
 };
 
 /// Judges that the energy ledger closes to 1 % of what was turned over; the case probes energy_residual and
