@@ -26,5 +26,67 @@ TEST(SolidMethods, three_dimensional_dda_refuses_bodies_of_several_parts_at_thei
     }
 }
 
+const std::string planar_case = R"(dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+[solid]
+method = "planar_dda"
+[[body]]
+name = "block"
+material = "rock"
+shape = { box = [1.0, 1.0] }
+[[body]]
+name = "roof"
+material = "rock"
+shape = { box = [1.0, 1.0] }
+position = [0.0, 2.0]
+fixed = true
+)";
+const std::string bolt_lines = R"([[bolt]]
+bodies = ["block", "roof"]
+ends = [[0.0, 0.5], [0.0, 1.5]]
+stiffness = 1e6
+)";
+
+TEST(SolidMethods, a_bolt_is_tied_to_points_of_two_bodies_one_of_which_moves) {
+    const LoadedCase loaded = read(planar_case + bolt_lines + "pretension = \"1 kN\"\n");
+    ASSERT_EQ(loaded.model.bolts.size(), 1U);
+    EXPECT_DOUBLE_EQ(loaded.model.bolts[0].rest_length, 1 - 1e-3);
+    EXPECT_EQ(loaded.model.bolts[0].second_point, (Vec3{0, -0.5, 0}));
+    EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "\"block\", \"roof\"", "\"roof\", \"roof\"")),
+                ElementsAre(HasSubstr("case.toml:20:10: a bolt that holds nothing")));
+    EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "[0.0, 0.5]", "[0.0, 0.7]")),
+                ElementsAre(HasSubstr("case.toml:21:8: the point does not lie in 'block'")));
+    EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "[0.0, 0.5]", "[0.0, 1.5]")),
+                ElementsAre(HasSubstr("case.toml:21:8: a bolt without length")));
+    EXPECT_THAT(problems_of(planar_case + bolt_lines + "pretension = 2e6\n"),
+                ElementsAre(HasSubstr("case.toml:23:14: the pretension takes more than the whole length")));
+    EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "block", "blok")),
+                ElementsAre(HasSubstr("there is no body 'blok'; did you mean 'block'?")));
+    EXPECT_THAT(problems_of(planar_case + bolt_lines, {"solid.method=distance_potential_dem"}),
+                ElementsAre(HasSubstr("case.toml:19:1: the solid method of this case knows no bolts")));
+}
+
+TEST(SolidMethods, a_fixed_point_lies_in_a_body_that_moves) {
+    const std::string point = "[[fixed_point]]\nbody = \"block\"\nat = [0.0, 0.5]\n";
+    EXPECT_EQ(read(planar_case + point).model.fixed_points.size(), 1U);
+    EXPECT_THAT(problems_of(planar_case + with(point, "0.5", "0.6")),
+                ElementsAre(HasSubstr("case.toml:21:6: the point does not lie in 'block'")));
+    EXPECT_THAT(problems_of(planar_case + with(with(point, "block", "roof"), "0.5", "1.6")),
+                ElementsAre(HasSubstr("case.toml:19:1: 'roof' does not follow forces")));
+    EXPECT_THAT(problems_of(planar_case + point, {"solid.method=sphere_dem"}),
+                ElementsAre(HasSubstr("the solid method of this case knows no fixed points")));
+}
+
+TEST(SolidMethods, a_measured_point_has_a_place_and_a_velocity_and_no_energy) {
+    const std::string probe = "[[output.probe]]\nname = \"p\"\nbody = \"block\"\nat = [0.5, 0.5]\nquantity = ";
+    EXPECT_EQ(read(planar_case + probe + "\"velocity\"\n").model.output.probes[0].point, (Vec3{0.5, 0.5, 0}));
+    EXPECT_THAT(problems_of(planar_case + probe + "\"kinetic_energy\"\n"),
+                ElementsAre(HasSubstr("case.toml:22:6: 'kinetic_energy' is no quantity of a point of a body")));
+}
+
 }  // namespace
 }  // namespace riprap::scene

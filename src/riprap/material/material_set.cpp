@@ -35,6 +35,7 @@ void mix_pairs(MaterialSet& set, Mixing friction_rule, Mixing cohesion_rule) {
                                  .shear_stiffness = mix_literal(a.shear_stiffness, b.shear_stiffness),
                                  .friction = mix(friction_rule, a.friction, b.friction),
                                  .cohesion = mix(cohesion_rule, a.cohesion, b.cohesion),
+                                 .tensile_strength = mix(cohesion_rule, a.tensile_strength, b.tensile_strength),
                                  .damping_ratio = mix(Mixing::mean, a.damping_ratio, b.damping_ratio),
                                  .has_torsion = a.has_torsion && b.has_torsion});
         }

@@ -16,11 +16,12 @@ struct Material {
     double normal_stiffness{0};  ///< k_n, factor of the potential, a pressure [Pa]
     /// k_s/k_n: tangential over normal stiffness of a contact [-]; ignored where shear_stiffness > 0.
     double shear_ratio{0.8};
-    double shear_stiffness{0};  ///< K_s taken literally [N/m]; 0 = use shear_ratio
-    double friction{0};         ///< Coulomb coefficient mu = tan(friction angle) [-]
-    double cohesion{0};         ///< c, added to the shear strength per contact area [Pa]
-    double damping_ratio{0};    ///< xi, fraction of critical contact damping [-]
-    bool has_torsion{false};    ///< resist spinning about the contact normal
+    double shear_stiffness{0};   ///< K_s taken literally [N/m]; 0 = use shear_ratio
+    double friction{0};          ///< Coulomb coefficient mu = tan(friction angle) [-]
+    double cohesion{0};          ///< c, added to the shear strength per contact area [Pa]
+    double tensile_strength{0};  ///< of faces that touch at the start, per contact area [Pa]
+    double damping_ratio{0};     ///< xi, fraction of critical contact damping [-]
+    bool has_torsion{false};     ///< resist spinning about the contact normal
     // Of bodies made of spheres; empty = those of the method's own keys.
     std::optional<double> youngs_modulus{};  ///< E [Pa]
     std::optional<double> poisson_ratio{};   ///< nu [-]
@@ -36,6 +37,7 @@ struct PairProperties {
     double shear_stiffness{0};
     double friction{0};
     double cohesion{0};
+    double tensile_strength{0};
     double damping_ratio{0};
     bool has_torsion{false};
     std::optional<double> restitution{};  ///< where it is given for the pair; else mixed from the materials [-]
@@ -56,8 +58,9 @@ struct MaterialSet {
 
 double mix(Mixing rule, double a, double b);
 
-/// Fills `pairs` from the materials: friction and cohesion by their own rules, stiffness ratio and damping by the
-/// mean, torsion where both ask for it. Entries given explicitly afterwards replace these.
+/// Fills `pairs` from the materials: friction and cohesion by their own rules, tensile strength by that of cohesion,
+/// stiffness ratio and damping by the mean, torsion where both ask for it. Entries given explicitly afterwards replace
+/// these.
 void mix_pairs(MaterialSet& set, Mixing friction_rule, Mixing cohesion_rule);
 
 }  // namespace riprap::material

@@ -141,6 +141,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_rock_masses(build);
     build_sections(build);
     build_contact(build);
+    build_supports(build);
     build.has_all_bodies = problems.empty();
     if (build.has_sound_bodies) {
         build_fluid(build);

@@ -149,10 +149,12 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
     ledger.shear = step.shear;
     ledger.mass = kick.mass;
     if (!is_first) {
-        // The kinetic energy gained between kicks is (g_old + g_new)/2 . (X_new - X_old), X = sum m x; what the
-        // potential changes beyond that was done by whoever turned gravity.
+        // The kinetic energy gained between kicks is (g_old + g_new)/2 . (X_new - X_old), X = sum m x, where energies
+        // hold in the middle of a piece, and g_new . (X_new - X_old) where they hold at its end; what the potential
+        // changes beyond that was done by whoever turned gravity.
         const Vec3 old_moment = get(totals, mass_moment) + kick.released_mass_moment;
-        totals[gravity_change] -= 0.5 * dot(step.gravity - get(totals, gravity), kick.mass_moment + old_moment);
+        const Vec3 moment = (1 - step.kick_share) * kick.mass_moment + step.kick_share * old_moment;
+        totals[gravity_change] -= dot(step.gravity - get(totals, gravity), moment);
         totals[released] += kick.released_energy;
         totals[friction] += step.friction_loss;
     }

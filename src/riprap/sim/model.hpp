@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/gravity.hpp"
 #include "riprap/body/point_loads.hpp"
+#include "riprap/body/supports.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/geometry/shape_set.hpp"
@@ -35,6 +37,7 @@ struct Probe {
     BodyId body;       ///< invalid: whole scene
     std::string
         quantity;  ///< position, velocity, angular_velocity, displacement, rotation, contact_force, kinetic_energy, ...
+    std::optional<Vec3> point{};  ///< of the body, in its frame from its centre of mass; empty = that centre [m]
 };
 
 struct OutputSettings {
@@ -77,6 +80,8 @@ struct Model {
     body::BodySet bodies;
     body::Gravity gravity;
     std::vector<body::PointLoad> loads;
+    std::vector<body::FixedPoint> fixed_points;
+    std::vector<body::Bolt> bolts;
     Solids::Settings solid;
     Fluids::Settings fluid;
     TimeSettings time;

@@ -147,6 +147,11 @@ const QuantityInfo* find_quantity(std::string_view name, bool of_body) {
     return nullptr;
 }
 
+bool is_of_points(const QuantityInfo& quantity) {
+    const Line line = line_of(quantity);
+    return line.owner == Owner::body_table && body_quantities()[line.place].of_point != nullptr;
+}
+
 double evaluate(const Column& column, const Moment& moment) {
     if (column.gauge >= 0) {
         const fluid::Gauge& gauge = moment.model.output.gauges[static_cast<std::size_t>(column.gauge)];
@@ -154,6 +159,10 @@ double evaluate(const Column& column, const Moment& moment) {
         const bool is_carried = gauge.carrier >= 0 && gauge.face < 0;
         return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
                                              : gauge)[static_cast<std::size_t>(column.component)];
+    }
+    if (column.point) {
+        return body_quantities()[line_of(*column.quantity).place].of_point(moment, column.body,
+                                                                           *column.point)[column.component];
     }
     return read(*column.quantity, column.body, moment)[column.component];
 }
@@ -171,7 +180,7 @@ std::vector<Column> columns_of(const Probe& probe, bool is_planar) {
     if (quantity != nullptr) {
         for (int c = 0; c < quantity->components; ++c) {
             columns.push_back({with_component(probe.name, *quantity, c), unit_in(quantity->unit, is_planar), probe.body,
-                               quantity, c});
+                               quantity, c, probe.point});
         }
     }
     return columns;
@@ -189,8 +198,8 @@ std::vector<Column> record_columns(const Model& model) {
         const fluid::GaugeInfo& info = fluid::info_of(gauge.kind);
         for (int c = 0; c < info.components; ++c) {
             const std::string name = info.components > 1 ? gauge.name + '.' + static_cast<char>('x' + c) : gauge.name;
-            columns.push_back(
-                {name, unit_in(info.unit, model.bodies.is_planar), BodyId{}, nullptr, c, static_cast<std::int32_t>(g)});
+            columns.push_back({name, unit_in(info.unit, model.bodies.is_planar), BodyId{}, nullptr, c, std::nullopt,
+                               static_cast<std::int32_t>(g)});
         }
     }
     return columns;

@@ -49,9 +49,13 @@ struct Column {
     std::string unit;  ///< "m"
     BodyId body;       ///< invalid: of the scene
     const QuantityInfo* quantity{nullptr};
-    int component{0};        ///< 0 to components - 1
-    std::int32_t gauge{-1};  ///< index into the gauges of the model, which then says it all; -1 = none
+    int component{0};             ///< 0 to components - 1
+    std::optional<Vec3> point{};  ///< see Probe
+    std::int32_t gauge{-1};       ///< index into the gauges of the model, which then says it all; -1 = none
 };
+
+/// Tells whether a quantity can be asked of any point of a body: its place and how it moves.
+bool is_of_points(const QuantityInfo& quantity);
 
 /// The value of a column [its unit]; NaN where it does not exist yet (contact forces before the first step).
 double evaluate(const Column& column, const Moment& moment);

@@ -24,6 +24,31 @@ Vec3 distance(const Moment& m, BodyId b) { return scalar(norm(displacement(m, b)
 Vec3 velocity(const Moment& m, BodyId b) { return m.state.bodies.velocity[index(b)]; }
 Vec3 speed(const Moment& m, BodyId b) { return scalar(norm(velocity(m, b))); }
 Vec3 spin(const Moment& m, BodyId b) { return body::angular_velocity(m.model.bodies, m.state.bodies, b); }
+
+/// Offset of a point of a body from its centre of mass, R U X.
+Vec3 offset_of(const body::BodyState& bodies, BodyId b, const Vec3& point) {
+    const std::size_t i = index(b);
+    return rotate(bodies.orientation[i], bodies.deforms() ? bodies.stretch[i] * point : point);
+}
+Vec3 position_of(const body::BodyState& bodies, BodyId b, const Vec3& point) {
+    return bodies.position[index(b)] + offset_of(bodies, b, point);
+}
+Vec3 position_of_point(const Moment& m, BodyId b, const Vec3& point) { return position_of(m.state.bodies, b, point); }
+Vec3 displacement_of_point(const Moment& m, BodyId b, const Vec3& point) {
+    return position_of(m.state.bodies, b, point) - position_of(m.initial.bodies, b, point);
+}
+Vec3 distance_of_point(const Moment& m, BodyId b, const Vec3& point) {
+    return scalar(norm(displacement_of_point(m, b, point)));
+}
+Vec3 velocity_of_point(const Moment& m, BodyId b, const Vec3& point) {
+    const body::BodyState& bodies = m.state.bodies;
+    const Vec3 r = offset_of(bodies, b, point);
+    const Vec3 stretching = bodies.deforms() ? bodies.stretch_rate[index(b)] * r : Vec3{};
+    return velocity(m, b) + cross(spin(m, b), r) + stretching;
+}
+Vec3 speed_of_point(const Moment& m, BodyId b, const Vec3& point) {
+    return scalar(norm(velocity_of_point(m, b, point)));
+}
 Vec3 rotation_vector(const Moment& m, BodyId b) {
     return to_rotation_vector(m.state.bodies.orientation[index(b)] * conjugate(m.initial.bodies.orientation[index(b)]));
 }
@@ -122,16 +147,22 @@ Vec3 artificial_share(const Moment& m) {
 
 // Kept as two lists by owner, in the order in which the manual prints them.
 const std::array body_table{
-    Quantity{{"position", "m", 3, true, "centre of mass"}, position, nullptr},
-    Quantity{{"displacement", "m", 3, true, "of the centre of mass since time 0"}, displacement, nullptr},
-    Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr},
-    Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr},
-    Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr},
+    Quantity{{"position", "m", 3, true, "centre of mass"}, position, nullptr, position_of_point},
+    Quantity{{"displacement", "m", 3, true, "of the centre of mass since time 0"},
+             displacement,
+             nullptr,
+             displacement_of_point},
+    Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr, distance_of_point},
+    Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr, velocity_of_point},
+    Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr, speed_of_point},
     Quantity{{"angular_velocity", "rad/s", 3, true, "in world axes"}, spin, nullptr},
     Quantity{{"rotation", "rad", 1, true, "angle turned since time 0, 0 to pi"}, rotation, nullptr},
     Quantity{{"rotation_vector", "rad", 3, true, "axis times angle turned since time 0"}, rotation_vector, nullptr},
     Quantity{{"kinetic_energy", "J", 1, true, "of translation and rotation"}, kinetic_energy_of_body, nullptr},
-    Quantity{{"contact_force", "N", 3, true, "sum of the contact forces of the last step"}, contact_force, nullptr},
+    Quantity{{"contact_force", "N", 3, true,
+              "sum of the contact forces of the last step, those of fixed points and bolts with them"},
+             contact_force,
+             nullptr},
     Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
     Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
     Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},

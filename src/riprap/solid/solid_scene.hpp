@@ -8,6 +8,7 @@
 
 #include "riprap/body/gravity.hpp"
 #include "riprap/body/point_loads.hpp"
+#include "riprap/body/supports.hpp"
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/solid/explicit_dem.hpp"
@@ -21,6 +22,8 @@ struct SolidScene {
     const body::BodySet& bodies;
     const body::Gravity& gravity;
     std::span<const body::PointLoad> point_loads;
+    std::span<const body::FixedPoint> fixed_points{};
+    std::span<const body::Bolt> bolts{};
 };
 
 /// Why a method cannot move a scene.

@@ -58,6 +58,11 @@ struct CaseBuild {
     MaterialId material_of(const Value& table);
     /// The body that `name` is the name of; invalid, with a problem, when there is none.
     BodyId body_named(const Value& name);
+    /// A place at the start, in the frame of a body from its centre of mass.
+    Vec3 point_of(BodyId body, const Vec3& place) const {
+        const auto b = static_cast<std::size_t>(body.value);
+        return rotate_back(state.bodies.orientation[b], place - state.bodies.position[b]);
+    }
     /// Notes the name of a body, pack or rock mass; a problem when it is taken.
     void claim_name(const Value& table);
     /// True for "NAME" and "NAME[17]" where NAME was claimed: there may be no such body only because of a problem.
@@ -95,6 +100,9 @@ class Lattice {
     Vec3 pitch_;
     double stagger_;
 };
+
+/// Reads fixed points and bolts; after all bodies.
+void build_supports(CaseBuild& build);
 
 /// Refuses bodies that start inside each other.
 void check_overlaps(CaseBuild& build);

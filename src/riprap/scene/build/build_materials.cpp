@@ -30,6 +30,7 @@ void read_surface(const Value& table, Target& to) {
         to.friction = std::tan(angle->as_number());
     }
     to.cohesion = get_number_or(table, "cohesion", to.cohesion);
+    to.tensile_strength = get_number_or(table, "tensile_strength", to.tensile_strength);
     to.damping_ratio = get_number_or(table, "damping_ratio", to.damping_ratio);
     if (const Value* torsion = table.find("torsion")) {
         to.has_torsion = torsion->boolean;

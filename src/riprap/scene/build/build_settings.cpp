@@ -71,6 +71,17 @@ std::string other_names(const sim::Model& model, const sim::QuantityInfo& quanti
     return names;
 }
 
+/// Reads the point of a body that a probe follows; false with a problem.
+bool read_point_of_probe(CaseBuild& build, const Value& at, const sim::QuantityInfo& quantity, sim::Probe& probe) {
+    if (!probe.body.is_valid() || !is_of_points(quantity)) {
+        build.problem(at.place, fmt::format("'{}' is no quantity of a point of a body", quantity.name),
+                      "a 'body', and position, displacement, distance, velocity or speed");
+        return false;
+    }
+    probe.point = build.point_of(probe.body, to_vector(at));
+    return true;
+}
+
 void read_probe(CaseBuild& build, const Value& table) {
     sim::Probe probe;
     probe.quantity = get_text(table, "quantity");
@@ -94,6 +105,9 @@ void read_probe(CaseBuild& build, const Value& table) {
         build.problem(get(table, "quantity").place,
                       fmt::format("the methods of this case do not have '{}'", probe.quantity),
                       other_names(build.model, quantity));
+        return;
+    }
+    if (const Value* at = table.find("at"); at != nullptr && !read_point_of_probe(build, *at, quantity, probe)) {
         return;
     }
     const auto& probes = build.model.output.probes;
@@ -279,7 +293,8 @@ void build_settings(CaseBuild& build) {
 
 void check_solid_method(CaseBuild& build) {
     const sim::Model& model = build.model;
-    const solid::SolidScene scene{model.shapes, model.materials, model.bodies, model.gravity, model.loads};
+    const solid::SolidScene scene{model.shapes, model.materials,    model.bodies, model.gravity,
+                                  model.loads,  model.fixed_points, model.bolts};
     const auto problems = sim::Solids::visit(
         model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
             if constexpr (requires { Solid::problems_of(scene, settings, build.state.bodies); }) {

@@ -39,6 +39,38 @@ const Table& spread_table() {
     return table;
 }
 
+const Table& fixed_point_table() {
+    static const Table table{"fixed_point",
+                             "[[fixed_point]]",
+                             "A point of a block that a stiff spring holds where it is at the start; the block may "
+                             "turn about it and strain. "
+                             "Of solid.method planar_dda and implicit_dda.",
+                             {{"body", {text()}, "Name of the body, \"NAME[17]\" for one of many.", {}, true},
+                              {"at", {vector(dimension::length)}, "The point, where it is at the start.", {}, true},
+                              {"stiffness",
+                               {number(dimension::stiffness, positive())},
+                               "Of the spring, in every direction; a hundred contact stiffnesses when not given.",
+                               {}}}};
+    return table;
+}
+
+const Table& bolt_table() {
+    static const Table table{
+        "bolt",
+        "[[bolt]]",
+        "A straight spring between points of two bodies, under tension and compression alike: a rock bolt. Of "
+        "solid.method planar_dda; per metre of width.",
+        {{"bodies", {list(text(), 2, 2)}, "Names of the bodies at its ends; one may be fixed.", {}, true},
+         {"ends",
+          {list(vector(dimension::length), 2, 2)},
+          "Where its ends are at the start, in the same order.",
+          {},
+          true},
+         {"stiffness", {number(dimension::stiffness, positive())}, "E A / l of the bolt.", {}, true},
+         {"pretension", {number(dimension::force, non_negative())}, "Its force at the start.", Value::of(0.0)}}};
+    return table;
+}
+
 Table rows_of_case() {
     return {
         "case",
@@ -71,6 +103,8 @@ Table rows_of_case() {
          {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
          {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
          {"section", {table_list(section_table)}, "A planar section cut into blocks along lines.", Value::array()},
+         {"fixed_point", {table_list(fixed_point_table)}, "Points of bodies held in place.", Value::array()},
+         {"bolt", {table_list(bolt_table)}, "Rock bolts between bodies.", Value::array()},
          {"spread",
           {table_list(spread_table)},
           "Numbers that differ between the members of an ensemble.",
@@ -118,6 +152,7 @@ const Table& contact_pair_table() {
           "Friction angle; the coefficient is its tangent.",
           {}},
          {"cohesion", {number(dimension::pressure, non_negative())}, "Shear strength per contact area.", {}},
+         {"tensile_strength", {number(dimension::pressure, non_negative())}, "As of a material.", {}},
          {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
          {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
          {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
@@ -174,7 +209,13 @@ const Table& material_table() {
           {}},
          {"cohesion",
           {number(dimension::pressure, non_negative())},
-          "Added to the shear strength, per contact area; no tensile strength.",
+          "Added to the shear strength, per contact area.",
+          Value::of(0.0)},
+         {"tensile_strength",
+          {number(dimension::pressure, non_negative())},
+          "Of solid.method \"planar_dda\" alone: with cohesion it bonds faces that touch at the start. A bond that is "
+          "torn "
+          "or sheared is gone for good. Two materials mix it as cohesion.",
           Value::of(0.0)},
          {"damping_ratio",
           {number(dimension::plain, between(0, 1))},

@@ -36,6 +36,12 @@ const Table& probe_table() {
         "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
         {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
          {"body", {text()}, "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given.", {}},
+         {"at",
+          {vector(dimension::length)},
+          "A point of the body, where it is at the start: position, displacement, distance, velocity and speed are "
+          "then "
+          "those of this point, which moves, turns and strains with the body. The centre of mass when not given.",
+          {}},
          {"quantity",
           {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
           "What is recorded. A list makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is a name.",

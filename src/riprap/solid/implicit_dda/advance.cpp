@@ -277,7 +277,7 @@ void move_blocks(const BlockSystem& system, const Settings& settings, double dt,
 
 /// Books strain energy, its numerical loss and the work of given loads; before the blocks move.
 void book_blocks(const BlockSystem& system, const affine::BlockLoads& external, const affine::BlockState& state,
-                 const std::vector<FixedPoint>& fixed_points, const Scratch& scratch, StepReport& report) {
+                 const std::vector<FixedPoint>& fixed_points, Scratch& scratch, StepReport& report) {
     for (std::size_t row = 0; row < scratch.block.size(); ++row) {
         const std::int32_t block = scratch.block[row];
         const auto b = at(block);
@@ -294,12 +294,15 @@ void book_blocks(const BlockSystem& system, const affine::BlockLoads& external, 
             report.external_work += load[i] * d[i];
         }
     }
-    for (const FixedPoint& point : fixed_points) {
+    scratch.point_forces.assign(fixed_points.size(), std::pair<Vec3, Vec3>{});
+    for (std::size_t i = 0; i < fixed_points.size(); ++i) {
+        const FixedPoint& point = fixed_points[i];
         const std::int32_t row = scratch.row[at(point.block)];
         if (row >= 0) {
             const Vec3 arm = rows_at(state.deformation, at(point.block)) * point.place;
             const Vec3 moved = displacement(displacement_matrix(arm), &scratch.equations.solution[at(row) * 12]);
             const Vec3 off = state.position[at(point.block)] + arm - point.anchor;
+            scratch.point_forces[i] = {arm, -point.stiffness * (off + moved)};
             report.contact += 0.5 * point.stiffness * norm_squared(off + moved);
             report.numerical_loss += 0.5 * point.stiffness * norm_squared(moved);
         }

@@ -49,6 +49,7 @@ struct Scratch {
     std::vector<ContactTerm> contacts;
     std::vector<std::int32_t> row, block;  ///< row of a block, -1 = fixed; block of a row
     Equations equations;
+    std::vector<std::pair<Vec3, Vec3>> point_forces;  ///< arm [m] and force [N] of every fixed point, after the step
 };
 
 /// Energies at the end of the step and what it did [J].

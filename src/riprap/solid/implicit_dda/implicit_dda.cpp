@@ -49,11 +49,23 @@ std::size_t ImplicitDda::Scratch::bytes() const {
                     engine.equations.right, engine.equations.solution, engine.equations.diagonal);
 }
 
+namespace {
+std::vector<implicit_dda::FixedPoint> fixed_points_of(const SolidScene& scene, const affine::Elasticity& elasticity) {
+    std::vector<implicit_dda::FixedPoint> points;
+    for (const body::FixedPoint& p : scene.fixed_points) {
+        points.push_back(
+            {p.body.value, p.point, p.place, p.stiffness > 0 ? p.stiffness : 100 * elasticity.contact_stiffness});
+    }
+    return points;
+}
+}  // namespace
+
 ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                          Scratch& scratch)
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
     if (scratch.system.size() != scene.bodies.size()) {
         scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
+        scratch.fixed_points = fixed_points_of(scene, settings.elasticity);
     }
     affine::start_stretching(state_.bodies);
     if (fields.blocks.size() != scene.bodies.size()) {
@@ -83,6 +95,19 @@ void sum_contacts(const implicit_dda::Scratch& engine, body::Loads& loads) {
         loads.force[b] -= force;
         loads.torque[a] += cross(c.arm_a, force);
         loads.torque[b] -= cross(c.arm_b, force);
+    }
+}
+
+/// Force and torque of fixed points on their blocks; as they come from outside, their impulses besides.
+void sum_fixed_points(const std::vector<implicit_dda::FixedPoint>& points, const implicit_dda::Scratch& engine,
+                      const affine::BlockState& blocks, double dt, body::Loads& loads, KickReport& kick) {
+    for (std::size_t i = 0; i < points.size() && i < engine.point_forces.size(); ++i) {
+        const auto b = at(points[i].block);
+        const auto& [arm, force] = engine.point_forces[i];
+        loads.force[b] += force;
+        loads.torque[b] += cross(arm, force);
+        kick.impulse += dt * force;
+        kick.angular_impulse += dt * cross(blocks.position[b] + arm, force);
     }
 }
 
@@ -143,13 +168,14 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     drive_blocks(*scene_, span, system, fields_->blocks);
     implicit_dda::StepReport step;
     const affine::Outcome outcome =
-        implicit_dda::advance(system, {}, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull},
-                              *fields_, scratch_->engine, step);
+        implicit_dda::advance(system, scratch_->fixed_points, settings_->engine, span.dt,
+                              {loads.force, loads.torque, scratch_->pull}, *fields_, scratch_->engine, step);
     if (!outcome.ok()) {
         return {outcome.problem, outcome.shorten};
     }
     scratch_->loads.clear(at(system.size()));
     sum_contacts(scratch_->engine, scratch_->loads);
+    sum_fixed_points(scratch_->fixed_points, scratch_->engine, fields_->blocks, span.dt, scratch_->loads, report.kick);
     book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
     write_bodies(system, fields_->blocks, state_.bodies);
     write_mean_rates(scratch_->engine, span.dt, state_.bodies);

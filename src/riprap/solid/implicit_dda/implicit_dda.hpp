@@ -31,11 +31,12 @@ class ImplicitDda {
         std::string problem;  ///< what blocks cannot be made of
         implicit_dda::Scratch engine;
         std::vector<Mat3> pull;
+        std::vector<implicit_dda::FixedPoint> fixed_points;
         body::Loads loads;  ///< of contacts, in the last piece
         body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
-    static constexpr bool takes_back = true;
+    static constexpr bool takes_back = true, has_fixed_points = true;
 
     ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);

@@ -96,7 +96,7 @@ double book_contact(const Contact& contact, const Trial& trial, const Scratch& s
     for (const auto& [block, gap, slip] : {std::tuple{contact.a, &contact.gap.a, &contact.slip.a},
                                            std::tuple{contact.b, &contact.gap.b, &contact.slip.b}}) {
         if (scratch.row[at(block)] < 0) {
-            accounts.work_driven +=
+            accounts.work_driven -=  // who drives the block pushes against the contact
                 force * dot(*gap, scratch.motion[at(block)]) + shear * dot(*slip, scratch.motion[at(block)]);
         }
     }

@@ -7,6 +7,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/submatrices.hpp"
 
 namespace riprap::solid {
@@ -65,15 +66,15 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
     return settings;
 }
 
-/// Bonds faces that touch at the start, to a ten-thousandth of the smallest block, where their joint has cohesion.
-void bond_cohesive(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings,
-                   planar_dda::State& state) {
-    const auto has_cohesion = [](const planar_dda::Joint& joint) { return joint.cohesion > 0; };
-    if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_cohesion)) {
+/// Bonds faces that touch at the start, to a ten-thousandth of the smallest block, where their joint has cohesion or
+/// tensile strength.
+void bond_faces(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings, planar_dda::State& state) {
+    const auto has_bond = [](const planar_dda::Joint& joint) { return joint.cohesion > 0 || joint.tension > 0; };
+    if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_bond)) {
         bond_contacts(scene.model, settings, 1e-4 * scene.smallest, state);
         planar_dda::drop_contacts(state, [&](std::size_t k) {
-            return !has_cohesion(scene.model.joint(scene.model.corner_block[at(state.contact_corner[k])],
-                                                   scene.model.corner_block[at(state.contact_edge[k])]));
+            return !has_bond(scene.model.joint(scene.model.corner_block[at(state.contact_corner[k])],
+                                               scene.model.corner_block[at(state.contact_edge[k])]));
         });
     }
 }
@@ -100,7 +101,7 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
             fields.was_held.push_back(is_free(scene.bodies, BodyId{b}, 0) ? 0 : 1);
         }
         std::copy(fields.was_held.begin(), fields.was_held.end(), scratch.scene.model.is_fixed.begin());
-        bond_cohesive(scratch.scene, scratch.settings, fields.blocks);
+        bond_faces(scratch.scene, scratch.settings, fields.blocks);
     }
 }
 
@@ -115,11 +116,15 @@ namespace {
 
 using planar_dda::Mode;
 
+void add_load(std::int32_t block, double size, const Unknowns& direction, body::Loads& loads) {
+    loads.force[at(block)] += size * Vec3{direction[0], direction[1], 0};
+    loads.torque[at(block)] += size * Vec3{0, 0, direction[2]};
+}
+
 /// Force and torque of every contact on both of its blocks.
 void sum_contacts(const planar_dda::Scratch& engine, body::Loads& loads) {
     const auto add = [&loads](std::int32_t block, double size, const Unknowns& direction) {
-        loads.force[at(block)] += size * Vec3{direction[0], direction[1], 0};
-        loads.torque[at(block)] += size * Vec3{0, 0, direction[2]};
+        add_load(block, size, direction, loads);
     };
     for (std::size_t k = 0; k < engine.contacts.size(); ++k) {
         const planar_dda::Contact& contact = engine.contacts[k];
@@ -132,6 +137,30 @@ void sum_contacts(const planar_dda::Scratch& engine, body::Loads& loads) {
         add(contact.b, trial.normal, contact.gap.b);
         add(contact.a, shear, contact.slip.a);
         add(contact.b, shear, contact.slip.b);
+    }
+}
+
+/// The same of fixed points and bolts, at the end of the step. `start` is the state before it; what fixed points give
+/// comes from outside and goes into `impulses` besides.
+void sum_supports(const planar_dda::Model& model, const planar_dda::State& start, const planar_dda::Scratch& engine,
+                  double dt, body::Loads& loads, KickReport& impulses) {
+    for (const planar_dda::FixedPoint& p : model.fixed_points) {
+        if (model.is_fixed[at(p.block)] != 0) {
+            continue;
+        }
+        const Vec2 r = offset_of(start, p.block, p.local), center{start.x[at(p.block)], start.y[at(p.block)]};
+        const Vec2 off = p.anchor - (center + r) - planar_dda::displacement_at(r, engine.motion[at(p.block)]);
+        const Unknowns force = planar_dda::force_at(r, off);
+        add_load(p.block, p.stiffness, force, loads);
+        impulses.impulse += dt * p.stiffness * Vec3{force[0], force[1], 0};
+        impulses.angular_impulse += dt * p.stiffness * Vec3{0, 0, force[2] + cross(center, off)};
+    }
+    for (const planar_dda::Bolt& bolt : model.bolts) {
+        const planar_dda::Linear length = bolt_length(start, bolt);
+        const double stretched =
+            length.after(engine.motion[at(bolt.first)], engine.motion[at(bolt.second)]) - bolt.rest_length;
+        add_load(bolt.first, -bolt.stiffness * stretched, length.a, loads);
+        add_load(bolt.second, -bolt.stiffness * stretched, length.b, loads);
     }
 }
 
@@ -193,7 +222,7 @@ void book_blocks(const planar_dda::Model& model, const planar_dda::State& state,
 /// Works and losses of a piece: what the accounts have gained.
 void book_accounts(const planar_dda::Accounts& before, const planar_dda::Accounts& after,
                    const planar_dda::Energies& energies, SolidReport& report) {
-    report.elastic = energies.contact;
+    report.elastic = energies.contact + energies.fixed_points + energies.bolts;
     report.kick.external_work = after.work_loads - before.work_loads;
     report.kick.work_driven = after.work_driven - before.work_driven;
     report.friction_loss = after.friction_loss - before.friction_loss;
@@ -278,6 +307,8 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     book_released(scene.model, *fields_, gravity, report.kick);
     const planar_dda::Accounts before = fields_->blocks.accounts;
     const planar_dda::Step step{span.dt, {gravity.x, gravity.y}, scratch_->given, scratch_->driven};
+    const bool has_supports = !scene.model.fixed_points.empty() || !scene.model.bolts.empty();
+    const planar_dda::State start = has_supports ? fields_->blocks : planar_dda::State{};
     planar_dda::StepReport taken;
     const planar_dda::Outcome outcome =
         planar_dda::advance(scene.model, scratch_->settings, step, fields_->blocks, scratch_->engine, taken);
@@ -287,6 +318,7 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     std::copy(scene.model.is_fixed.begin(), scene.model.is_fixed.end(), fields_->was_held.begin());
     scratch_->loads.clear(at(scene.model.block_count()));
     sum_contacts(scratch_->engine, scratch_->loads);
+    sum_supports(scene.model, start, scratch_->engine, span.dt, scratch_->loads, report.kick);
     report.gravity = gravity;
     report.kick_time = span.end();
     report.kick_share = 1;

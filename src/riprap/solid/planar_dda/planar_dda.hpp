@@ -49,7 +49,7 @@ class PlanarDda {
         body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
-    static constexpr bool takes_back = true;
+    static constexpr bool takes_back = true, has_fixed_points = true, has_bolts = true;
 
     PlanarDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);

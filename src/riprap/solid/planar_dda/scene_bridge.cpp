@@ -28,7 +28,8 @@ bool is_half_space(const SolidScene& scene, std::size_t b) {
 Joint joint_of(const material::PairProperties& pair, const affine::Elasticity& elasticity) {
     const double shear =
         pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * elasticity.contact_stiffness;
-    return {elasticity.contact_stiffness, shear, pair.friction, pair.cohesion, 0, pair.damping_ratio};
+    return {
+        elasticity.contact_stiffness, shear, pair.friction, pair.cohesion, pair.tensile_strength, pair.damping_ratio};
 }
 
 void add_materials(const SolidScene& scene, const affine::Elasticity& elasticity, Model& model) {
@@ -102,6 +103,23 @@ void add_body(const SolidScene& scene, const body::BodyState& bodies, const Disc
     }
 }
 
+/// Fixed points and bolts of the scene. What they are tied to is given in the frames of the bodies.
+void add_supports(const SolidScene& scene, double contact_stiffness, SceneBlocks& blocks) {
+    const auto local = [&blocks](BodyId body, const Vec3& point) {
+        return Vec2{point.x, point.y} - blocks.offset[at(body.value)];
+    };
+    for (const body::FixedPoint& p : scene.fixed_points) {
+        blocks.model.fixed_points.push_back({p.body.value,
+                                             local(p.body, p.point),
+                                             {p.place.x, p.place.y},
+                                             p.stiffness > 0 ? p.stiffness : 100 * contact_stiffness});
+    }
+    for (const body::Bolt& bolt : scene.bolts) {
+        blocks.model.bolts.push_back({bolt.first.value, bolt.second.value, local(bolt.first, bolt.first_point),
+                                      local(bolt.second, bolt.second_point), bolt.stiffness, bolt.rest_length});
+    }
+}
+
 }  // namespace
 
 Disc disc_around(const SolidScene& scene, const body::BodyState& bodies) {
@@ -133,6 +151,9 @@ void make_blocks(const SolidScene& scene, const body::BodyState& bodies, const D
     blocks.smallest = 2 * around.radius;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
         add_body(scene, bodies, around, b, blocks);
+    }
+    if (blocks.problems.empty()) {
+        add_supports(scene, elasticity.contact_stiffness, blocks);
     }
     for (const geometry::GeometryProblem& problem : problems_of(blocks.model)) {
         blocks.problems.push_back({{}, problem.message, problem.allowed});
