@@ -83,7 +83,8 @@ void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFl
     const std::size_t count = water.position.size(), layers = open.position.size();
     const auto outflows = static_cast<std::int32_t>(model.open.outflows.size());
     if (water.velocity.size() != count || water.density.size() != count || water.dilution.size() != count ||
-        water.id.size() != count || open.velocity.size() != layers || open.outflow.size() != layers ||
+        (!water.shift.empty() && water.shift.size() != count) || water.id.size() != count ||
+        open.velocity.size() != layers || open.outflow.size() != layers ||
         static_cast<std::int64_t>(count) > model.open.most_particles) {
         refuse(checkpoint, "the fields of the water differ in length");
     }
@@ -142,7 +143,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     Restart restart{initial, {}, {}};
     const bool is_open = model.particles() != nullptr && !model.particles()->open.empty();
     const auto has_fixed_length = [is_open](std::string_view name) {
-        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.")) ||
+        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
                (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
                name == "open.layers" || name == "open.entered" || name == "open.left";
     };

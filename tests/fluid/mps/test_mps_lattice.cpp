@@ -22,6 +22,24 @@ TEST(MpsLattice, has_the_sums_that_were_computed_by_hand) {
     }
 }
 
+TEST(MpsLattice, stiffness_of_a_zigzag_is_the_difference_of_its_sums) {
+    const double ratio = 3.1, shift = 1e-4;
+    const MpsWeight weight(ratio, 1);
+    const auto push = [&](double u) {  // 2 D/n_0 sum W d/r^2 about a particle whose neighbours at odd places lag by u
+        double sum = 0;
+        for (int y = -4; y <= 4; ++y) {
+            for (int x = -4; x <= 4; ++x) {
+                const double dx = -x + (x % 2 != 0 ? u : 0), r2 = dx * dx + y * y;
+                sum += x * x + y * y < ratio * ratio ? weight.over_square(r2, weight.value(r2)) * dx : 0;
+            }
+        }
+        return 2 * mps_lattice(ratio, 1, 2).first_order() * sum;
+    };
+    const double slope = (push(2 * shift) - push(-2 * shift)) / (2 * shift);
+    EXPECT_NEAR(mps_lattice(ratio, 1, 2).zigzag_stiffness, -slope, 1e-3 * -slope);
+    EXPECT_NEAR(mps_lattice(ratio, 0.02, 2).zigzag_stiffness, -slope / 0.0004, 1e-3 * -slope / 0.0004);
+}
+
 TEST(MpsWeight, is_zero_at_its_end_beyond_it_and_where_a_particle_meets_itself) {
     const MpsWeight weight(3.1, 1);
     EXPECT_NEAR(weight.value(1.0), 2.1, 1e-7);

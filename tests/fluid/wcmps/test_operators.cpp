@@ -80,6 +80,28 @@ TEST_P(WcmpsDimensions, forces_in_a_linear_pressure_are_its_gradient_on_the_latt
     EXPECT_NEAR(v.y, 0.2, 3e-4);
 }
 
+// One fast particle sets the strength of the shift of all: without a bound a zigzag would grow from step to step.
+TEST_P(WcmpsDimensions, the_strongest_shift_halves_a_zigzag_of_planes) {
+    Pool pool = periodic_box(GetParam(), 12, 0);
+    pool.settings.shifting = 10;
+    const double dp = pool.settings.spacing, amplitude = 0.001 * dp;
+    const std::vector<Vec3> lattice = pool.state.position;
+    const auto side = [&](std::size_t id) { return std::lround(lattice[id].x / dp - 0.5) % 2 == 0 ? 1.0 : -1.0; };
+    for (std::size_t i = 0; i < lattice.size(); ++i) {
+        pool.state.position[i].x += side(i) * amplitude;
+        pool.state.velocity[i] = {1, 0, 0};
+    }
+    pool.step();
+    EXPECT_GT(pool.report.max_shift, 0.4 * amplitude);
+    double left = 0;
+    for (std::size_t k = 0; k < lattice.size(); ++k) {
+        const auto id = static_cast<std::size_t>(pool.state.id[k]);
+        left += side(id) * (pool.state.position[k].x + pool.state.shift[k].x - lattice[id].x) /
+                static_cast<double>(lattice.size());
+    }
+    EXPECT_NEAR(left / amplitude, 0.5, 0.02);
+}
+
 TEST_P(WcmpsDimensions, a_cloud_keeps_its_momentum_to_round_off) {
     Pool pool = periodic_box(GetParam(), 10, 0.25);
     pool.settings.is_plain = true;

@@ -6,9 +6,9 @@
 namespace riprap::fluid {
 
 MpsLattice mps_lattice(double support_ratio, double spacing, int dimension) {
-    MpsLattice lattice{0, 0, 0, dimension, spacing};
+    MpsLattice lattice{0, 0, 0, 0, dimension, spacing};
     const int reach = static_cast<int>(std::ceil(support_ratio)), reach_z = dimension == 3 ? reach : 0;
-    double second = 0;
+    double second = 0, zigzag = 0;
     for (int z = -reach_z; z <= reach_z; ++z) {
         for (int y = -reach; y <= reach; ++y) {
             for (int x = -reach; x <= reach; ++x) {
@@ -18,10 +18,14 @@ MpsLattice mps_lattice(double support_ratio, double spacing, int dimension) {
                     lattice.number_density += weight;
                     second += weight * r2;
                     lattice.neighbours += 1;
+                    // d/dx of W x/r^2; every other plane moves, by 2 u relative to this one
+                    const double slope = weight / r2 + x * x / r2 * (2 - 3 * support_ratio / std::sqrt(r2)) / r2;
+                    zigzag += x % 2 != 0 ? -2 * slope : 0;
                 }
             }
         }
     }
+    lattice.zigzag_stiffness = 2 * lattice.first_order() * zigzag / (spacing * spacing);
     lattice.lambda = second / lattice.number_density * spacing * spacing;
     return lattice;
 }

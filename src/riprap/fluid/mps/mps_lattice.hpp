@@ -8,8 +8,11 @@ struct MpsLattice {
     double number_density;  ///< n_0 = sum W [-]
     double lambda;          ///< sum r^2 W / sum W [m^2]
     double neighbours;      ///< N_0, particles within the support [-]
-    int dimension;          ///< D
-    double spacing;         ///< l_0 [m]
+    /// Per displacement of a zigzag of lattice planes, u_i = u (-1)^(x_i/l_0) e_x: change of -grad C = (2 D/n_0) sum W
+    /// d/r^2, the stiffest displacement of the lattice [1/m^2].
+    double zigzag_stiffness;
+    int dimension;   ///< D
+    double spacing;  ///< l_0 [m]
 
     /// D/n_0: factor of gradients and divergences [-]
     double first_order() const { return dimension / number_density; }

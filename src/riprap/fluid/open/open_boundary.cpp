@@ -77,10 +77,11 @@ struct KeepOnly {
 
     template <class T>
     void operator()(std::string_view, std::vector<T>& values) const {
-        for (std::size_t k = 0; k < kept.size(); ++k) {
+        const std::size_t left = values.empty() ? 0 : kept.size();  // empty: a field that this scheme has not
+        for (std::size_t k = 0; k < left; ++k) {
             values[k] = values[kept[k]];
         }
-        values.resize(kept.size());
+        values.resize(left);
     }
     void operator()(std::string_view, double&) const {}
 };

@@ -16,6 +16,7 @@ struct ParticleState {
     std::vector<Vec3> velocity;    ///< v_n [m/s]
     std::vector<double> density;   ///< rho_(n-1/2), half a step behind the rest [kg/m^3]
     std::vector<double> dilution;  ///< share of density that the last shift took, due at the next update of density [-]
+    std::vector<Vec3> shift;       ///< half of the last shift, due after the next update of density; empty = none [m]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
 
@@ -26,6 +27,9 @@ struct ParticleState {
         velocity.push_back(v);
         density.push_back(rho);
         dilution.push_back(0);
+        if (!shift.empty()) {
+            shift.emplace_back();
+        }
         id.push_back(particle);
     }
 
@@ -35,6 +39,7 @@ struct ParticleState {
         visit("fluid.velocity", self.velocity);
         visit("fluid.density", self.density);
         visit("fluid.dilution", self.dilution);
+        visit("fluid.shift", self.shift);
         visit("fluid.id", self.id);
         visit("fluid.max_acceleration", self.max_acceleration);
     }

@@ -65,6 +65,9 @@ struct Permute {
 
     template <class T>
     void operator()(std::string_view, std::vector<T>& values) const {
+        if (values.empty()) {
+            return;  // a field that this scheme has not
+        }
         if (values.size() != order.size()) {
             throw InternalError("a field of the fluid is not as long as there are particles");
         }

@@ -79,7 +79,7 @@ void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsSc
     });
 }
 
-double collide(const WcmpsSettings& settings, ParticleState& state, WcmpsScratchData& s) {
+bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
     const auto count = state.position.size();
     s.collision_share.resize(count);
     const double size = 0.5 * (1 + settings.collision_ratio);
@@ -93,7 +93,7 @@ double collide(const WcmpsSettings& settings, ParticleState& state, WcmpsScratch
         },
         [](double a, double b) { return std::max(a, b); });
     if (most == 0) {
-        return 0;
+        return false;
     }
     clear(s.collision, count);
     const auto v = [&](int axis) { return component(state.velocity, axis); };
@@ -102,15 +102,7 @@ double collide(const WcmpsSettings& settings, ParticleState& state, WcmpsScratch
     add_pair_sums_within(settings, MpsCollision{square(settings.collision_distance * l), 1e-8 * l * l},
                          {state.position, {v(0), v(1), v(2), field(s.collision_share)}}, {c(0), c(1), c(2)},
                          s.fluid_fluid);
-    return parallel::reduce(
-        state.size(), 0.0,
-        [&](std::int64_t entry) {
-            const auto i = static_cast<std::size_t>(entry);
-            const Vec3 before = state.velocity[i];
-            state.velocity[i] += s.collision[i];
-            return 0.5 * settings.particle_mass * (norm_squared(before) - norm_squared(state.velocity[i]));
-        },
-        [](double a, double b) { return a + b; });
+    return true;
 }
 
 Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
@@ -118,15 +110,18 @@ Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& 
     if (settings.shifting == 0) {
         return {};
     }
-    const double strength = settings.shifting * 2 * settings.spacing * dt * fastest(state);
+    const double strength = std::min(settings.shifting * 2 * settings.spacing * dt * fastest(state),
+                                     0.5 / settings.lattice().zigzag_stiffness);
+    state.shift.resize(state.position.size());
     const double longest = 0.1 * settings.spacing;
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         Vec3 move = along_surface(s.surface[i], s.normal[i], s.inner_normal[i], -strength * s.crowding_gradient[i]);
         const double length = norm(move);
         move *= length > longest ? longest / length : 1;
-        state.position[i] += move;
-        return Shifting{settings.particle_mass * dot(gravity, move), norm_squared(move)};
+        state.shift[i] = 0.5 * move;
+        state.position[i] += state.shift[i];
+        return Shifting{settings.particle_mass * dot(gravity, state.shift[i]), norm_squared(move)};
     };
     return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
         return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};

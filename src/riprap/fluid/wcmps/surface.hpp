@@ -10,11 +10,11 @@ namespace riprap::fluid::wcmps {
 /// Class of every particle, normals of class B and numbers of approaching pairs.
 void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
 
-/// Makes pairs of classes F and B that approach below the collision distance part [Mellado2021, eqs. 5.38, 5.39];
-/// returns the kinetic energy that they lose [J].
-double collide(const WcmpsSettings& settings, ParticleState& state, WcmpsScratchData& scratch);
+/// Changes of velocity that make pairs of classes F and B that approach below the collision distance part
+/// [Mellado2021, eqs. 5.38, 5.39], in scratch.collision; returns whether there are any.
+bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
 
-/// Longest shift and energy of place that shifting took away.
+/// Longest shift and energy of place that its first half took away.
 struct Shifting {
     double potential{0};        ///< [J]
     double longest_squared{0};  ///< [m^2]
@@ -24,7 +24,9 @@ struct Shifting {
 ///
 ///     delta x = -F grad C,   F = 2 l_0^2 CFL Ma = 2 l_0 dt max|v|,   at most a tenth of l_0,
 ///
-/// class B and F along the surface only, E not.
+/// and F at most 0.5/MpsLattice::zigzag_stiffness, which halves a zigzag of lattice planes in a step and ends one of
+/// pairs at 0.8 l_0, which are twice as stiff: more would turn it over, and one fast splash sets max|v|. The first half
+/// is made at once, the second after the next update of density. Class B and F along the surface only, E not.
 Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                const WcmpsScratchData& scratch);
 

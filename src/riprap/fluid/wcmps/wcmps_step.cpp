@@ -17,7 +17,7 @@ namespace {
 Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
 struct Sums {
-    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0};
+    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0}, collisions{0};
     double speed_squared{0}, acceleration_squared{0};
     Vec3 momentum{}, extra{};
 };
@@ -29,6 +29,7 @@ Sums operator+(Sums a, const Sums& b) {
     a.heat += b.heat;
     a.exchange += b.exchange;
     a.external += b.external;
+    a.collisions += b.collisions;
     a.speed_squared = std::max(a.speed_squared, b.speed_squared);
     a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
     a.momentum += b.momentum;
@@ -36,19 +37,23 @@ Sums operator+(Sums a, const Sums& b) {
     return a;
 }
 
-/// v += dt (force + extra force)/m + dt g, and the report of all that belongs to particles.
+/// v += collision + dt (force + extra force)/m + dt g, and the report of all that belongs to particles. With v' after
+/// the collision c, kinetic energy is m/2 v' v_(n+1): a collision takes m (v c + c^2/2) and half of what the step's
+/// acceleration gives to c, and forces work on the speeds of both steps, (v + v_(n+1))/2.
 void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          const WcmpsScratchData& s, std::span<const Vec3> extra_force, FluidReport& report) {
+          const WcmpsScratchData& s, bool collides, std::span<const Vec3> extra_force, WcmpsReport& report) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
         const Vec3 acceleration = (s.force[i] + extra) / m + gravity;
-        const Vec3 before = state.velocity[i], after = before + dt * acceleration;
+        const Vec3 collision = collides ? s.collision[i] : Vec3{};
+        const Vec3 before = state.velocity[i], after = before + collision + dt * acceleration;
         state.velocity[i] = after;
         Sums sums;
-        sums.kinetic = 0.5 * m * dot(before, after);
+        sums.kinetic = 0.5 * m * dot(before + collision, after);
+        sums.collisions = -0.5 * m * dot(collision, 2.0 * before + collision + dt * acceleration);
         sums.potential = -m * dot(downward, state.position[i]);
         sums.internal = m * internal_energy_of(settings, s.concentration[i]);
         sums.heat = s.heat[i];
@@ -67,6 +72,7 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
     report.internal = sums.internal;
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;
+    report.dissipated_collisions = sums.collisions;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
     report.mass = m * static_cast<double>(state.size());
@@ -153,11 +159,11 @@ void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const Bound
     const Vec3 g = in_plane(gravity, settings.domain);
     wcmps::add_walls(settings, state, walls, s);
     wcmps::classify(settings, state, s);
-    report.dissipated_collisions = wcmps::collide(settings, state, s);
+    const bool collides = wcmps::find_collisions(settings, state, s);
     const wcmps::Shifting shifting = wcmps::shift(settings, state, without_periodic(g, settings.domain), dt, s);
-    report.shifted = shifting.potential;
+    report.shifted += shifting.potential;
     report.max_shift = std::sqrt(shifting.longest_squared);
-    kick(settings, state, g, dt, s, extra_force, report);
+    kick(settings, state, g, dt, s, collides, extra_force, report);
     book_walls(walls, dt, report);
     find_wild_particle(settings, state, time, report);
 }
