@@ -28,7 +28,9 @@ if(RIPRAP_OPENMP)
   target_link_libraries(riprap_flags INTERFACE OpenMP::OpenMP_CXX)
 endif()
 if(RIPRAP_SANITIZE)
-  target_compile_options(riprap_flags INTERFACE -fsanitize=${RIPRAP_SANITIZE} -fno-omit-frame-pointer)
+  # undefined behaviour ends a program as well: what is only printed fails no test
+  target_compile_options(riprap_flags INTERFACE -fsanitize=${RIPRAP_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   target_link_options(riprap_flags INTERFACE -fsanitize=${RIPRAP_SANITIZE})
 endif()
 target_link_libraries(riprap_flags INTERFACE Threads::Threads)

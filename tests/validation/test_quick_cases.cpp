@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <string>
 
 #include "riprap/validation/validate.hpp"
 
@@ -27,7 +29,12 @@ INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                                          "water/stacked_blocks", "water/submerged_square", "water/standing_wave",
                                          "water/dam_break_front", "mikola/submarine_wedge", "mellado/normal_impact",
                                          "mellado/oblique_impact", "dda/planar_rotation", "dda/planar_incline",
-                                         "dda/planar_column", "dda/planar_tip_or_slide"));
+                                         "dda/planar_column", "dda/planar_tip_or_slide"),
+                         [](const auto& test) {
+                             std::string name = test.param;
+                             std::replace(name.begin(), name.end(), '/', '_');
+                             return name;
+                         });
 
 }  // namespace
 }  // namespace riprap::validation

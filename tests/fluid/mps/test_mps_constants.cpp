@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fixes each constant of semi-implicit MPS: a test here fails where the constant is halved or doubled
+// (tools/mutations.toml).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fluid/mps/basin.hpp"
+#include "riprap/fluid/mps/mps_scratch.hpp"
+
+namespace riprap::fluid::testing {
+namespace {
+
+constexpr double wave = 2 * std::numbers::pi;  ///< k of one length in a box of 1 m [1/m]
+
+/// Water that repeats every metre, at rest.
+Basin box_of_water(int across = 32) {
+    Basin basin;
+    basin.settings = mps_settings(2, 1.0 / across, 1);
+    basin.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
+    for (int j = 0; j < across; ++j) {
+        for (int i = 0; i < across; ++i) {
+            basin.add_particle({(i + 0.5) / across, (j + 0.5) / across, 0});
+        }
+    }
+    return basin;
+}
+
+TEST(MpsConstants, viscosity_takes_the_power_of_navier_and_stokes_from_a_shear_flow) {
+    Basin basin = box_of_water();
+    basin.settings.kinematic_viscosity = 0.01;
+    for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
+        basin.state.velocity[i].x = 0.1 * std::sin(wave * basin.state.position[i].y);
+    }
+    basin.step(1e-6);
+    const double power = 0.5 * 1000 * 0.01 * wave * wave * 0.1 * 0.1;  // rho nu k^2 U^2/2
+    EXPECT_NEAR(basin.report.dissipated_viscous / basin.last_dt, power, 0.05 * power);
+}
+
+TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamma_over_alpha_times_the_excess) {
+    // Nothing can move apart in a box that repeats: p rho_0 alpha_c/dt^2 = gamma rho_0/dt^2 (n - n_0)/n_0, gamma = 0.01
+    Basin basin = box_of_water();
+    basin.settings.spacing *= 1.01;
+    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
+    load_walls(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
+    ASSERT_EQ(basin.report.problem, "");
+    // of the lattice squeezed by 1.01: four neighbours at 1, four at sqrt(2), four at 2 of 2.1 spacings
+    double dense = 0;
+    for (const double r : {1.0, std::sqrt(2.0), 2.0}) {
+        dense += 4 * (2.1 * 1.01 / r - 1);
+    }
+    const double excess = dense / basin.settings.lattice().number_density - 1;
+    ASSERT_GT(excess, 0.01);
+    EXPECT_NEAR(basin.scratch.data().pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
+}
+
+TEST(MpsConstants, two_particles_that_meet_part_with_a_fifth_of_their_approach) {
+    Basin basin;
+    basin.settings = mps_settings(2, 0.02, 1);
+    basin.settings.kinematic_viscosity = 0;
+    basin.add_particle({0, 0, 0}, {1, 0.3, 0});
+    basin.add_particle({0.015, 0, 0}, {-0.5, 0.3, 0});
+    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-5, 0, basin.scratch, basin.report);
+    EXPECT_NEAR(basin.state.velocity[1].x - basin.state.velocity[0].x, 0.2 * 1.5, 1e-5);
+    EXPECT_NEAR(basin.state.velocity[1].x + basin.state.velocity[0].x, 0.5, 1e-6);
+}
+
+TEST(MpsConstants, a_wall_takes_from_a_layer_that_starts_along_it_what_stokes_first_problem_says) {
+    Basin basin;
+    basin.settings = mps_settings(2, 0.01, 1);
+    basin.settings.kinematic_viscosity = 1e-2;
+    basin.settings.domain = {{0, -1, 0}, {0.2, 1, 0}, {true, false, false}, 2};
+    for (long i = 0; i < 20; ++i) {
+        for (long j = -3; j < 10; ++j) {
+            const Vec3 x{(static_cast<double>(i) + 0.5) * 0.01, (static_cast<double>(j) + 0.5) * 0.01, 0};
+            if (j < 0) {
+                basin.add_wall_particle(x, false);
+            } else {
+                basin.add_particle(x, {0.1, 0, 0});
+            }
+        }
+    }
+    double sheared = 0;
+    while (basin.time < 0.02) {
+        basin.step();
+        for (const Vec3& f : basin.walls.viscous_force) {
+            sheared += f.x * basin.last_dt;
+        }
+    }
+    ASSERT_EQ(basin.report.problem, "");
+    const double expected = 2 * 1000 * 0.1 * std::sqrt(1e-2 * basin.time / std::numbers::pi) * 0.2;
+    EXPECT_NEAR(sheared, expected, 0.1 * expected);
+}
+
+TEST(MpsConstants, in_a_step_viscosity_spreads_over_an_eighth_of_a_spacing_squared) {
+    Basin basin = box_of_water();
+    basin.settings.kinematic_viscosity = 1000;
+    const double l = basin.settings.spacing;
+    EXPECT_NEAR(1000 * choose_fluid_time_step(basin.settings, basin.state).limit, l * l / 8, 1e-9 * l * l);
+}
+
+/// Whether the particle nearest to a place, in spacings, is one of the surface, among rows 40 wide under y = 0.
+bool is_surface(double squeezed, const std::vector<Vec3>& without, const Vec3& at) {
+    Basin basin;
+    basin.settings = mps_settings(2, 0.02, 1);
+    for (int j = 0; j < 12; ++j) {
+        for (int i = -20; i <= 20; ++i) {
+            const Vec3 x{static_cast<double>(i), static_cast<double>(-j), 0};
+            if (std::none_of(without.begin(), without.end(), [&](const Vec3& y) { return norm(x - y) < 0.1; })) {
+                basin.add_particle(0.02 * squeezed * x);
+            }
+        }
+    }
+    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-6, 0, basin.scratch, basin.report);
+    const auto found = surface_particles(basin.scratch);
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
+        const Vec3 wanted = 0.02 * squeezed * at;
+        nearest = norm(basin.state.position[i] - wanted) < norm(basin.state.position[nearest] - wanted) ? i : nearest;
+    }
+    return found[nearest] != 0;
+}
+
+TEST(MpsConstants, a_face_of_water_is_its_surface_unless_it_is_squeezed) {
+    // n is 0.68 n_0 in the highest row and 1.2 n_0 where rows are 0.8 spacings apart
+    EXPECT_TRUE(is_surface(1, {}, {0, 0, 0}));
+    EXPECT_FALSE(is_surface(0.8, {}, {0, 0, 0}));
+}
+
+TEST(MpsConstants, a_particle_beside_one_missing_is_inside_and_beside_two_it_is_at_a_surface) {
+    // The centre of its neighbours is 0.09 and 0.22 spacings away.
+    EXPECT_FALSE(is_surface(1, {{1, -6, 0}}, {0, -6, 0}));
+    EXPECT_TRUE(is_surface(1, {{1, -6, 0}, {1, -5, 0}}, {0, -6, 0}));
+}
+
+}  // namespace
+}  // namespace riprap::fluid::testing

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fixes each constant of weakly compressible MPS: a test here fails where the constant is halved or doubled
+// (tools/mutations.toml).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fluid/wcmps/pool.hpp"
+#include "riprap/fluid/wcmps/surface.hpp"
+
+namespace riprap::fluid::testing {
+namespace {
+
+constexpr double wave = 2 * std::numbers::pi;  ///< k of one length in a box of 1 m [1/m]
+constexpr int across = 48;
+
+/// Water that repeats every metre, at rest.
+Pool box_of_water() {
+    Pool pool;
+    pool.settings = wcmps_settings(2, 1.0 / across, 10);
+    pool.settings.domain = {{0, 0, 0}, {1, 1, 0}, {true, true, false}, 2};
+    for (int j = 0; j < across; ++j) {
+        for (int i = 0; i < across; ++i) {
+            pool.add_particle({(i + 0.5) / across, (j + 0.5) / across, 0});
+        }
+    }
+    return pool;
+}
+
+TEST(WcmpsConstants, viscosity_takes_the_power_of_navier_and_stokes_from_a_shear_flow) {
+    Pool pool = box_of_water();
+    pool.settings.kinematic_viscosity = 0.01;
+    pool.settings.shifting = 0;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        pool.state.velocity[i].x = 0.1 * std::sin(wave * pool.state.position[i].y);
+    }
+    pool.step(1e-6);
+    const double power = 0.5 * 1000 * 0.01 * wave * wave * 0.1 * 0.1;  // rho nu k^2 U^2/2
+    EXPECT_NEAR(pool.report.dissipated_viscous / pool.last_dt, power, 0.05 * power);
+}
+
+TEST(WcmpsConstants, density_spreads_as_by_the_diffusivity_delta_l_c_courant) {
+    // dx/dt = delta CFL c_0 l_0 laplace(x), delta = 0.35 [JandaghianShakibaeinia2020]
+    Pool pool = box_of_water();
+    constexpr double rise = 1e-5, dt = 1e-4;
+    const auto mode = [&](const Vec3& x) { return rise * 1000 * std::sin(wave * x.y); };
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        pool.state.density[i] = 1000 + mode(pool.state.position[i]);
+    }
+    update_density(pool.settings, pool.state, pool.walls, {}, dt, pool.scratch, pool.report);
+    double fallen = 0, first = 0;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        const double start = mode(pool.state.position[i]);
+        fallen += start * (1000 + start - pool.state.density[i]);
+        first += start * start;
+    }
+    const double rate = 0.35 * 0.5 * 10 / across * wave * wave;
+    EXPECT_NEAR(fallen / first, rate * dt, 0.05 * rate * dt);
+}
+
+TEST(WcmpsConstants, in_a_step_acceleration_moves_a_particle_a_thirty_second_of_a_spacing_and_viscosity_an_eighth) {
+    Pool pool = box_of_water();
+    const double l = pool.settings.spacing;
+    pool.state.max_acceleration = 1e6;  // far above what sound allows
+    FluidTimeStep step = choose_fluid_time_step(pool.settings, pool.state);
+    EXPECT_EQ(step.limit, step.force);
+    EXPECT_NEAR(0.5 * 1e6 * step.limit * step.limit, l / 32, 1e-9 * l);
+    pool.settings.kinematic_viscosity = 1000;
+    step = choose_fluid_time_step(pool.settings, pool.state);
+    EXPECT_EQ(step.limit, step.viscous);
+    EXPECT_NEAR(1000 * step.limit, l * l / 8, 1e-9 * l * l);
+}
+
+/// Sum over all others of W d/r^2, twice: what the gradient of concentration is D/n_0 of.
+Vec3 crowding_about(const Pool& pool, std::size_t i, const std::vector<Vec3>& place) {
+    const MpsWeight weight = pool.settings.weight();
+    Vec3 sum{};
+    for (const Vec3& x : place) {
+        Vec3 d = place[i] - x;
+        d.x -= std::round(d.x);
+        d.y -= std::round(d.y);
+        const double r2 = norm_squared(d), w = weight.value(r2);
+        sum += (-2 * weight.over_square(r2, w)) * d;
+    }
+    return sum;
+}
+
+TEST(WcmpsConstants, a_shift_is_that_of_the_source) {
+    // -2 l_0 dt max|v| grad C [Mellado2021, eq. 5.36]
+    Pool pool = box_of_water();
+    const double dp = pool.settings.spacing;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        pool.state.velocity[i] = {0.1, 0, 0};
+        pool.state.position[i].y += 0.02 * dp * std::sin(4 * wave * pool.state.position[i].y);
+    }
+    const std::vector<Vec3> before = pool.state.position;
+    pool.step();
+    const double factor = 2 * dp * pool.last_dt * 0.1;
+    ASSERT_LT(factor, 0.5 / pool.settings.lattice().zigzag_stiffness);
+    double product = 0, square = 0;
+    for (std::size_t k = 0; k < before.size(); k += 7) {
+        const auto id = static_cast<std::size_t>(pool.state.id[k]);
+        const Vec3 expected = (-factor * pool.settings.lattice().first_order()) * crowding_about(pool, id, before);
+        product += dot(2.0 * pool.state.shift[k], expected);
+        square += dot(expected, expected);
+    }
+    EXPECT_GT(square, 0);
+    EXPECT_NEAR(product / square, 1, 0.02);
+}
+
+TEST(WcmpsConstants, no_shift_is_longer_than_a_tenth_of_a_spacing) {
+    Pool pool = box_of_water();
+    pool.settings.shifting = 10;
+    const double dp = pool.settings.spacing;
+    for (Vec3& v : pool.state.velocity) {
+        v = {1, 0, 0};
+    }
+    pool.state.position[pool.state.position.size() / 2].x += 0.45 * dp;
+    pool.step();
+    EXPECT_NEAR(pool.report.max_shift, 0.1 * dp, 1e-6 * dp);
+}
+
+TEST(WcmpsConstants, two_particles_of_the_surface_that_meet_part_with_half_of_their_approach) {
+    Pool pool;
+    pool.settings = wcmps_settings(2, 0.02, 20);
+    pool.add_particle({0, 0, 0}, {1, 0.3, 0});
+    pool.add_particle({0.016, 0, 0}, {-0.5, 0.1, 0});
+    WcmpsScratchData& s = pool.scratch.data();
+    s.surface = {SurfaceClass::surface, SurfaceClass::near};
+    s.approaching = {1, 1};
+    ASSERT_TRUE(wcmps::find_collisions(pool.settings, pool.state, s));
+    EXPECT_NEAR(1 + s.collision[0].x, -0.5 + s.collision[1].x - 0.5 * 1.5, 1e-5);
+    EXPECT_NEAR(s.collision[0].x + s.collision[1].x, 0, 1e-6);
+    pool.state.position[1].x = 0.0185;  // farther than 0.9 spacings
+    wcmps::find_collisions(pool.settings, pool.state, s);
+    EXPECT_EQ(s.collision[0].x, 0);
+}
+
+/// Rows of water 40 wide, the highest at y = 0, `squeezed` spacings apart.
+Pool rows_of_water(int rows, double squeezed = 1) {
+    Pool pool;
+    pool.settings = wcmps_settings(2, 0.02, 20);
+    for (int j = 0; j < rows; ++j) {
+        for (int i = -20; i <= 20; ++i) {
+            pool.add_particle(0.02 * squeezed * Vec3{static_cast<double>(i), static_cast<double>(-j), 0});
+        }
+    }
+    return pool;
+}
+
+/// The particle nearest to a place given in spacings.
+SurfaceClass class_at(Pool& pool, double x, double y) {
+    pool.step(1e-9);
+    const auto classes = surface_classes(pool.scratch);
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        const Vec3 wanted{0.02 * x, 0.02 * y, 0};
+        nearest = norm(pool.state.position[i] - wanted) < norm(pool.state.position[nearest] - wanted) ? i : nearest;
+    }
+    return classes[nearest];
+}
+
+void take_away(Pool& pool, double x, double y) {
+    for (Vec3& place : pool.state.position) {
+        if (norm(place - Vec3{0.02 * x, 0.02 * y, 0}) < 0.002) {
+            place = {5, 5, 0};
+        }
+    }
+}
+
+TEST(WcmpsConstants, one_row_of_particles_is_splash_and_two_have_a_surface) {
+    // C is 0.28 in a single row and 0.56 in two
+    Pool one = rows_of_water(1), two = rows_of_water(2);
+    EXPECT_EQ(class_at(one, 0, 0), SurfaceClass::splash);
+    EXPECT_EQ(class_at(two, 0, 0), SurfaceClass::surface);
+}
+
+TEST(WcmpsConstants, a_face_of_water_is_its_surface_unless_it_is_squeezed) {
+    // C is 0.64 in the highest row and 1.0 where rows are 0.8 spacings apart: such a face holds its pressure
+    Pool even = rows_of_water(10), squeezed = rows_of_water(10, 0.8);
+    EXPECT_EQ(class_at(even, 0, 0), SurfaceClass::surface);
+    EXPECT_NE(class_at(squeezed, 0, 0), SurfaceClass::surface);
+}
+
+TEST(WcmpsConstants, a_particle_under_one_that_stands_out_is_of_the_surface_and_one_beside_a_hole_is_not) {
+    // 18 and 21 of 28 neighbours
+    Pool standing = rows_of_water(10), hole = rows_of_water(10);
+    standing.add_particle({0, 0.02, 0});
+    take_away(hole, 1, 0);
+    EXPECT_EQ(class_at(standing, 0, 0), SurfaceClass::surface);
+    EXPECT_NE(class_at(hole, 0, -1), SurfaceClass::surface);
+}
+
+}  // namespace
+}  // namespace riprap::fluid::testing
