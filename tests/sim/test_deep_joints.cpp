@@ -36,22 +36,22 @@ double excess(double heights, double gap) {
     return (mean - 1000 * 9.81 * edge * edge) / (1000 * 9.81 * depth * edge);
 }
 
-TEST(DeepJoints, uplift_is_within_half_a_percent_of_the_pressure_where_water_fills_the_joint_or_none_fits) {
+TEST(DeepJoints, uplift_is_within_half_a_percent_of_the_pressure_where_the_joint_is_shut_or_full_of_rows) {
     const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
     for (const double heights : is_full ? std::vector<double>{5, 20, 50} : std::vector<double>{5}) {
-        for (const double gap : {0.0, 1.0, 1.5, 2.0}) {
+        for (const double gap : {0.0, 1.0, 2.0}) {
             EXPECT_NEAR(excess(heights, gap), 0, 0.005) << heights << " heights, a gap of " << gap;
         }
     }
 }
 
-TEST(DeepJoints, a_joint_that_opens_lifts_by_a_share_of_the_pressure_that_does_not_grow_with_depth) {
-    // Three percent is wanted and half a spacing has 3.4: a row of particles half in takes turns with the joint's own
-    // pressure.
+TEST(DeepJoints, while_a_joint_opens_to_two_spacings_uplift_is_within_three_percent_of_the_pressure) {
+    // A row of particles half in held up to 1.15 times the pressure of the joint and lifted by 7 % too much.
     const bool is_full = std::getenv("RIPRAP_FULL") != nullptr;
     for (const double heights : is_full ? std::vector<double>{5, 20, 50} : std::vector<double>{5}) {
-        EXPECT_NEAR(excess(heights, 0.25), 0, 0.015) << heights;
-        EXPECT_NEAR(excess(heights, 0.5), 0, 0.04) << heights;
+        for (const double gap : {0.1, 0.25, 0.4, 0.5, 0.6, 0.7, 0.9, 1.25, 1.5}) {
+            EXPECT_NEAR(excess(heights, gap), 0, 0.03) << heights << " heights, a gap of " << gap;
+        }
     }
 }
 

@@ -25,6 +25,12 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
     });
 }
 
+/// u of a member in a joint: what the water found there leaves to do. Particles that press harder than the joint count
+/// for as much more of the room as they do: squeezed between two faces they hold a pressure that a film would let go.
+double left_to_do(const JointOpening& opening, double water, double joint) {
+    return joint > 0 ? std::max(0.0, 1 - (1 - opening.dry_share) * std::max(1.0, water / joint)) : opening.dry_share;
+}
+
 }  // namespace
 
 void JointPressure::list_sides() {
@@ -159,12 +165,14 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
         Vec3 sum{};
         pairs_.for_each_met(at(index), [&](std::size_t j) {
             const JointMember& other = members[j];
-            const double pressure = pressure_of(at(index), partner_of(other)) + pressure_of(j, partner_of(member));
+            const double own = pressure_of(at(index), partner_of(other)), others = pressure_of(j, partner_of(member));
+            const double pressure = own + others;
             if (pressure == 0) {
                 return;
             }
             const JointLink link = kernel.link(member, other);
-            const double share = 0.5 * (openings_[at(index)].dry_share + openings_[j].dry_share);
+            const double share = 0.5 * (left_to_do(openings_[at(index)], water.pressure[at(member.sample)], own) +
+                                        left_to_do(openings_[j], water.pressure[at(other.sample)], others));
             const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
             const JointLink closed = gap ? kernel.closed(link, *gap) : link;
             sum -=

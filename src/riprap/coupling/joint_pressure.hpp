@@ -21,7 +21,8 @@ namespace riprap::coupling {
 /// The second term brings faces that look at each other, n_i . n_j < -1/2, together along
 /// n_ij = (n_i - n_j)/|n_i - n_j|, s being the gap between them up to dp, from there on 2 dp less the gap and at last
 /// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
-/// found in the joint leaves to do, see JointOpening.
+/// found in the joint leaves to do: 1 - (1 - u_room) max(1, p_water/p) with the share u_room of the room that it leaves
+/// (JointOpening::dry_share), so that the face feels p whatever particles that are half in hold.
 ///
 /// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
 /// (linear between its ends) or a disk (Poisson's formula) of even opening:
