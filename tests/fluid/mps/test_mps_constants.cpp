@@ -128,9 +128,9 @@ TEST(MpsConstants, a_face_of_water_is_its_surface_unless_it_is_squeezed) {
     EXPECT_FALSE(is_surface(0.8, {}, {0, 0, 0}));
 }
 
-TEST(MpsConstants, a_particle_beside_one_missing_is_inside_and_beside_two_it_is_at_a_surface) {
-    // The centre of its neighbours is 0.09 and 0.22 spacings away.
-    EXPECT_FALSE(is_surface(1, {{1, -6, 0}}, {0, -6, 0}));
+TEST(MpsConstants, a_particle_beside_one_missing_at_a_corner_is_inside_and_beside_two_it_is_at_a_surface) {
+    // The weighted centre of its neighbours is 0.11 and 0.34 spacings away.
+    EXPECT_FALSE(is_surface(1, {{1, -5, 0}}, {0, -6, 0}));
     EXPECT_TRUE(is_surface(1, {{1, -6, 0}, {1, -5, 0}}, {0, -6, 0}));
 }
 
