@@ -10,6 +10,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/coupling/added_mass.hpp"
+#include "riprap/coupling/particle_walls/correct_bodies.hpp"
 #include "riprap/sim/cycle.hpp"
 #include "riprap/sim/fluid_exchange.hpp"
 #include "riprap/sim/ledger_table.hpp"
@@ -87,6 +88,10 @@ Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const b
                : outcome;
 }
 
+/// Most passes whose guess is Newton's, where a fluid offers that. Water that does not pull gives the loads kinks; a
+/// body at one of them may go to and fro between its sides, which the iteration that remembers all passes does not.
+constexpr int most_newton_passes = 8;
+
 /// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
 template <class Fluid>
 void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double since,
@@ -100,7 +105,11 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
     }
     const std::vector<double> inertia = mean_inertia(model.bodies);
     coupling::AddedMassIteration iteration(model.bodies.mass, inertia, kappa);
-    std::vector<body::Acceleration> found(count);
+    std::vector<std::uint8_t> is_sought(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        is_sought[b] = kappa[b] > coupling::AddedMassIteration::iterates_above ? 1 : 0;
+    }
+    std::vector<body::Acceleration> found(count), tried;
     for (bool is_settled = false; !is_settled;) {
         predict_middle(model, state, span, since, prediction);
         fluid.load(span, prediction.middle, data.fluid_loads);
@@ -108,7 +117,20 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
         for (std::size_t b = 0; b < count; ++b) {
             found[b] = response(state.coupling, prediction.kinematics, data.span_loads, b);
         }
+        tried = prediction.guess;
         is_settled = iteration.accept(prediction.guess, found, norm(model.gravity.value));
+        if constexpr (std::is_same_v<Fluid, coupling::ParticleMethod>) {
+            if (is_settled || iteration.passes() > most_newton_passes) {
+                continue;
+            }
+            for (std::size_t b = 0; b < count; ++b) {
+                found[b] = {found[b].linear - tried[b].linear, found[b].angular - tried[b].angular};
+            }
+            if (correct(*model.particles(), prediction.kinematics, is_sought, found,
+                        std::get<coupling::ParticleScratch>(data.fluid), tried)) {
+                prediction.guess = tried;
+            }
+        }
     }
     report.water_passes = std::max<std::int64_t>(report.water_passes, iteration.passes());
     report.water_residual = std::max(report.water_residual, iteration.residual());

@@ -6,6 +6,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/mps/bodies_in_pressure.hpp"
 #include "riprap/fluid/mps/mps_neighbours.hpp"
 #include "riprap/fluid/mps/mps_step.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
@@ -37,6 +38,7 @@ struct MpsScratchData {
     linear::IncompleteCholesky<1> preconditioner{8192};
     linear::PcgScratch solver;
     std::vector<double> right, solution;
+    mps::BodiesInPressure bodies;
 
     std::vector<double> wall_share, wall_mirrors, wall_given;  ///< as of weakly compressible MPS
     std::vector<double> wall_ones;
@@ -57,8 +59,8 @@ struct MpsScratchData {
                         solution, wall_share, wall_mirrors, wall_given, wall_ones, wall_head, wall_start, wall_weight,
                         wall_pressure, wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity,
                         wall_spread, wall_viscous, wall_collision) +
-               fluid.bytes() + walls.bytes() + matrix.bytes() + preconditioner.bytes() + solver.bytes() +
-               fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
+               fluid.bytes() + walls.bytes() + matrix.bytes() + bodies.bytes() + preconditioner.bytes() +
+               solver.bytes() + fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
     }
 };
 

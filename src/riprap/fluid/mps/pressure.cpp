@@ -6,24 +6,10 @@
 
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/mps/separation.hpp"
 
 namespace riprap::fluid::mps {
 namespace {
-
-/// x_i - x_j to the nearest image, without z in planar scenes.
-class Separation {
- public:
-    explicit Separation(const Domain& domain) : nearest_(domain), is_planar_(domain.dimension == 2) {}
-    Vec3 operator()(const Vec3& a, const Vec3& b) const {
-        Vec3 d = nearest_(a - b);
-        d.z = is_planar_ ? 0 : d.z;
-        return d;
-    }
-
- private:
-    NearestImage nearest_;
-    bool is_planar_;
-};
 
 /// n**/n_0 and whether p = 0: too few neighbours, and those to one side.
 void look_around(const MpsSettings& settings, const MpsLattice& lattice, std::size_t i, MpsScratchData& s) {
