@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/linear/cholmod.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/linear/vector_ops.hpp"
+
+#ifdef RIPRAP_CHOLMOD
+#include <suitesparse/cholmod.h>
+#endif
+
+namespace riprap::linear {
+
+#ifdef RIPRAP_CHOLMOD
+
+namespace {
+
+struct Session {
+    cholmod_common common{};
+    Session() {
+        cholmod_start(&common);
+        common.print = 0;
+    }
+    ~Session() { cholmod_finish(&common); }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+};
+
+/// The upper triangle by columns; columns of a symmetric matrix are its rows.
+template <int B>
+cholmod_sparse* upper_triangle(const BlockCsr<B>& a, cholmod_common& common) {
+    const std::size_t n = a.size();
+    cholmod_sparse* upper = cholmod_allocate_sparse(n, n, static_cast<std::size_t>(a.pattern().entries()) * B * B, 1, 1,
+                                                    1, CHOLMOD_REAL, &common);
+    auto* start = static_cast<int*>(upper->p);
+    auto* row = static_cast<int*>(upper->i);
+    auto* value = static_cast<double*>(upper->x);
+    int count = 0;
+    for (std::int64_t column = 0; column < a.rows(); ++column) {
+        for (int c = 0; c < B; ++c) {
+            start[column * B + c] = count;
+            for (std::int64_t e = a.pattern().first(column); e < a.pattern().end(column); ++e) {
+                const std::int64_t other = a.pattern().column_of(e);
+                for (int r = 0; r < B && other * B + r <= column * B + c; ++r) {
+                    row[count] = static_cast<int>(other * B + r);
+                    value[count++] = a.at(e, c, r);  // A(column, other) is A(other, column) transposed
+                }
+            }
+        }
+    }
+    start[n] = count;
+    return upper;
+}
+
+}  // namespace
+
+template <int B>
+SolveReport solve_cholmod(const BlockCsr<B>& a, std::span<const double> b, std::span<double> x) {
+    Session session;
+    cholmod_common& common = session.common;
+    SolveReport report;
+    cholmod_sparse* matrix = upper_triangle(a, common);
+    cholmod_factor* factor = cholmod_analyze(matrix, &common);
+    cholmod_factorize(matrix, factor, &common);
+    if (common.status != CHOLMOD_OK) {
+        report.status = SolveStatus::not_positive_definite;
+    } else {
+        cholmod_dense* right = cholmod_allocate_dense(a.size(), 1, a.size(), CHOLMOD_REAL, &common);
+        std::copy(b.begin(), b.end(), static_cast<double*>(right->x));
+        cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, right, &common);
+        const auto* found = static_cast<const double*>(solution->x);
+        std::copy(found, found + a.size(), x.begin());
+        cholmod_free_dense(&right, &common);
+        cholmod_free_dense(&solution, &common);
+        std::vector<double> left(a.size()), rest(a.size());
+        a.multiply(x, left);
+        const double size = std::sqrt(dot(b, b));
+        report.residual = size > 0 ? std::sqrt(subtract(b, left, rest)) / size : 0;
+        report.iterations = 1;
+    }
+    cholmod_free_factor(&factor, &common);
+    cholmod_free_sparse(&matrix, &common);
+    return report;
+}
+
+#else
+
+template <int B>
+SolveReport solve_cholmod(const BlockCsr<B>&, std::span<const double>, std::span<double>) {
+    SolveReport report;
+    report.status = SolveStatus::not_positive_definite;
+    return report;
+}
+
+#endif
+
+template SolveReport solve_cholmod(const BlockCsr<6>&, std::span<const double>, std::span<double>);
+template SolveReport solve_cholmod(const BlockCsr<12>&, std::span<const double>, std::span<double>);
+
+}  // namespace riprap::linear
