@@ -7,6 +7,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/quat.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/step_update.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
@@ -186,6 +187,32 @@ TEST(ExplicitDda, a_block_on_a_slope_slides_by_coulomb_or_stays) {
     const double after = stays.state.blocks.position[1].x;
     stays.step(3000);
     EXPECT_NEAR(stays.state.blocks.position[1].x, after, 1e-6);
+}
+
+TEST(ExplicitDda, a_bond_holds_its_tensile_strength_and_is_gone_when_it_has_torn) {
+    const double weight = 2500 * gravity;
+    for (const double factor : {0.9, 1.1}) {
+        Trial run;
+        run.rock(1e9, {1e7, 1e7});
+        run.system.gravity = {0, 0, -gravity};
+        run.system.surfaces[0].tension = factor * weight;
+        run.system.surfaces[0].cohesion = 1e9;
+        add_box(run.system, run.state.blocks, {1, 1, 1}, {});
+        add_box(run.system, run.state.blocks, {2, 2, 1}, {.position = {0, 0, 1}, .is_fixed = true});
+        run.state.contacts.bonded = bonded_pairs(run.system, run.state.blocks);
+        run.settings.mass_damping = 300;  // above the critical one: the load does not swing past the weight
+        run.dt = 1e-4;
+        run.step(4000);
+        const bool holds = factor > 1;
+        EXPECT_EQ(run.state.blocks.position[0].z > -0.005, holds) << run.state.blocks.position[0].z;
+        EXPECT_EQ(run.state.contacts.bonded.size(), holds ? 1U : 0U);
+        run.system.gravity = {0, 0, 20 * gravity};  // back to the roof, then hanging again
+        run.step(10000);
+        EXPECT_GT(run.state.blocks.position[0].z, -0.005);
+        run.system.gravity = {0, 0, -gravity};
+        run.step(4000);
+        EXPECT_EQ(run.state.blocks.position[0].z > -0.005, holds);
+    }
 }
 
 /// Two tilted boxes that hit each other off centre, free otherwise.

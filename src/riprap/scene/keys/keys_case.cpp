@@ -213,9 +213,9 @@ const Table& material_table() {
           Value::of(0.0)},
          {"tensile_strength",
           {number(dimension::pressure, non_negative())},
-          "Of solid.method \"planar_dda\" alone: with cohesion it bonds faces that touch at the start. A bond that is "
-          "torn "
-          "or sheared is gone for good. Two materials mix it as cohesion.",
+          "Of the DDA methods alone: with cohesion it bonds faces that touch at the start. A bond that is torn or "
+          "sheared "
+          "is gone for good. Two materials mix it as cohesion.",
           Value::of(0.0)},
          {"damping_ratio",
           {number(dimension::plain, between(0, 1))},

@@ -23,6 +23,18 @@ std::pair<std::size_t, std::size_t> rows_of(const BlockContactHistory& history, 
             static_cast<std::size_t>(range.second - history.pair.begin())};
 }
 
+/// Radius about the centre; without bound for a half-space [m].
+double size_of(const contact::PlacedHull& hull) {
+    if (hull.is_half_space()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    double square = 0;
+    for (const Vec3& x : hull.vertices) {
+        square = std::max(square, norm_squared(x - hull.centre));
+    }
+    return std::sqrt(square);
+}
+
 /// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
 void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, const contact::PlacedHull& b,
                   const BlockContactHistory& history, double reach, Vec3& separating,
@@ -38,8 +50,10 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
         separating = plane.normal;
         return;
     }
+    const double widest = 0.1 * std::min(size_of(a), size_of(b));
     contact::PlaneContacts points;
-    find_plane_contacts(a, b, plane, contact_tolerance(a, b, plane), points);
+    // What may close within the reach of a step takes part, not only what touches now.
+    find_plane_contacts(a, b, plane, std::max(contact_tolerance(a, b, plane), std::min(reach, widest)), points);
     const std::size_t first = found.size();
     for (int k = 0; k < points.count; ++k) {
         const contact::PlaneContact& point = points.contacts[at(k)];
@@ -70,6 +84,7 @@ void BlockContactHistory::clear() {
     mode.clear();
     is_intact.clear();
     energy.clear();
+    bonded.clear();
 }
 
 Vec3 turn_with_plane(const Vec3& v, const Vec3& old_normal, const Vec3& normal) {

@@ -38,8 +38,9 @@ struct BlockContactHistory {
     std::vector<Vec3> normal;             ///< at the last step, from a to b [-]
     std::vector<Vec3> slip;               ///< elastic slip t of a against b, which the shear spring holds [m]
     std::vector<std::uint8_t> mode;       ///< ContactMode
-    std::vector<std::uint8_t> is_intact;  ///< has neither opened nor slid: cohesion and tension hold
+    std::vector<std::uint8_t> is_intact;  ///< bonded, and has neither opened nor slid: cohesion and tension hold
     std::vector<double> energy;           ///< stored in its springs [J]
+    std::vector<std::uint64_t> bonded;    ///< pairs with unbroken bonds, ascending; see bonds.hpp. Not of the rows
 
     std::size_t size() const { return pair.size(); }
     void clear();
@@ -55,6 +56,7 @@ struct BlockContactHistory {
         visit("block_contact.mode", self.mode);
         visit("block_contact.is_intact", self.is_intact);
         visit("block_contact.energy", self.energy);
+        visit("block_contact.bonded", self.bonded);
     }
 };
 

@@ -28,7 +28,13 @@ std::pair<Mat3, Mat3> stretch_of(const Mat3& f) {
 Surface surface_of(const material::PairProperties& pair, const Elasticity& elasticity) {
     const double shear =
         pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * elasticity.contact_stiffness;
-    return {elasticity.contact_stiffness, shear, false, pair.friction, pair.cohesion, 0, pair.damping_ratio};
+    return {elasticity.contact_stiffness,
+            shear,
+            false,
+            pair.friction,
+            pair.cohesion,
+            pair.tensile_strength,
+            pair.damping_ratio};
 }
 
 std::int32_t shape_of_body(const SolidScene& scene, const body::Part& part, BlockSystem& system) {

@@ -7,6 +7,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
 
 namespace riprap::solid::explicit_dda {
@@ -69,15 +70,19 @@ ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state
     const Side a(system, state, softness, contact.a, contact.on_a), b(system, state, softness, contact.b, contact.on_b);
     const double mobility = a.mobility + b.mobility;
     const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, mobility);
-    contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, true};
+    contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, false};
     if (contact.old >= 0) {
         const auto row = at(contact.old);
         motion.slip = affine::turn_with_plane(history.slip[row], history.normal[row], contact.normal);
         motion.is_intact = history.is_intact[row] != 0;
+    } else {
+        motion.is_intact = begins_bonded(history, contact.a, contact.b);
     }
+    const bool was_intact = motion.is_intact;
     ContactForce result;
     result.answer = penalty(springs, motion);
     result.force = result.answer.force;
+    result.was_intact = was_intact;
     if (!result.answer.is_open) {
         // Gershgorin: k (W_i + sqrt(W_i W_j)), W the mobility.
         const double stiffness = std::max(springs.normal_stiffness, springs.shear_stiffness);
@@ -109,12 +114,14 @@ void add_loads(const affine::BlockState& state, const BlockContact& contact, con
 
 /// Remembers the contacts found now; what springs of lost contacts held, less what those of new ones of the same pair
 /// begin with, is dissipated.
-void remember(const Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
+void remember(const Scratch& scratch, double bond_tolerance, affine::BlockContactHistory& history, StepReport& report) {
     std::vector<std::uint8_t> is_carried(scratch.old.size(), 0);
     history.clear();
+    affine::BondChanges bonds;
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
         const BlockContact& contact = scratch.contacts[i];
         const contact::PenaltyAnswer& answer = scratch.forces[i].answer;
+        bonds.look_at(contact, scratch.forces[i].was_intact, !answer.is_open, answer.is_intact, bond_tolerance);
         if (answer.is_open) {
             continue;
         }
@@ -136,6 +143,7 @@ void remember(const Scratch& scratch, affine::BlockContactHistory& history, Step
         report.sliding_count += answer.is_sliding ? 1 : 0;
         ++report.contact_count;
     }
+    history.bonded = bonds_left(scratch.old.bonded, bonds);
     std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
         if (is_carried[row] == 0) {
@@ -153,6 +161,11 @@ void remember(const Scratch& scratch, affine::BlockContactHistory& history, Step
             report.lost_energy -= answer.energy;
         }
     }
+}
+
+/// Tells whether a contact point still holds by its bond.
+bool has_intact(const affine::BlockContactHistory& history) {
+    return std::find(history.is_intact.begin(), history.is_intact.end(), 1) != history.is_intact.end();
 }
 
 /// The stable step of blocks and contacts as they are, by Gershgorin's theorem.
@@ -254,7 +267,12 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     drift_all(system, settings, 0.5 * dt, state.blocks);
     place_blocks(system, state.blocks, scratch.placed);
     std::swap(scratch.old, state.contacts);
-    scratch.contacts = scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, 0);
+    // Contacts that are apart take part where bonds hold them.
+    const double touching = scratch.old.bonded.empty() && !has_intact(scratch.old)
+                                ? 0
+                                : affine::bond_tolerance * affine::smallest_size(system);
+    const double reach = touching > 0 ? std::max(touching, affine::tearing_gap(system)) : 0;
+    scratch.contacts = scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
     scratch.forces.resize(scratch.contacts.size());
     const double time = 0.5 * (state.last_dt + dt);
     const std::vector<Mat3> softness = softness_of(system, state.blocks);
@@ -266,7 +284,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         add_loads(state.blocks, scratch.contacts[i], scratch.forces[i], scratch.loads);
         report.dashpot_loss += dt * scratch.forces[i].answer.dashpot_power;
     }
-    remember(scratch, state.contacts, report);
+    remember(scratch, touching, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     const KickSums sums = parallel::reduce(
         system.size(), KickSums{},

@@ -7,6 +7,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 
 namespace riprap::solid {
 
@@ -53,6 +54,7 @@ ExplicitDda::ExplicitDda(const SolidScene& scene, const Settings& settings, cons
     affine::start_stretching(state_.bodies);
     if (fields.blocks.size() != scene.bodies.size()) {
         read_bodies(state.bodies, scene.bodies, fields.blocks);
+        fields.contacts.bonded = bonded_pairs(scratch.system, fields.blocks);
     }
 }
 

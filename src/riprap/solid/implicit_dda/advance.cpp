@@ -9,6 +9,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/step_update.hpp"
 
 namespace riprap::solid::implicit_dda {
@@ -79,8 +80,9 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     c.gap = found.gap - dot(found.normal, c.prescribed);
     ContactTrial& trial = c.trial;
     trial.gap = found.gap;
-    trial.is_intact = true;
-    trial.mode = found.gap < 0 ? ContactMode::lock : ContactMode::open;
+    trial.is_intact = found.old < 0 && begins_bonded(state.contacts, found.a, found.b);
+    const bool is_tied = trial.is_intact && c.springs.normal * found.gap <= c.springs.tension;
+    trial.mode = found.gap < 0 || is_tied ? ContactMode::lock : ContactMode::open;
     if (found.old >= 0) {
         const affine::BlockContactHistory& history = state.contacts;
         const auto row = at(found.old);
@@ -192,11 +194,12 @@ void reserve(affine::BlockContactHistory& history, std::size_t count) {
          history.energy);
 }
 
-/// Remembers what is closed, with the slip that its shear spring holds, and books energies.
-void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
+/// Remembers what is closed, with the slip that its shear spring holds, and which bonds are left; books energies.
+void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHistory& history, StepReport& report) {
     const affine::BlockContactHistory old = std::move(history);
     history = {};
     reserve(history, scratch.contacts.size());
+    affine::BondChanges bonds;
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
         const ContactTerm& c = scratch.contacts[i];
         const affine::BlockContact& found = scratch.found[i];
@@ -216,7 +219,10 @@ void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport
         report.numerical_loss += work - (stored - held);
         report.lost_energy -= held;
         report.contact += stored;
-        if (trial.mode == ContactMode::open) {
+        const bool is_closed = trial.mode != ContactMode::open;
+        const bool is_intact = trial.is_intact && trial.mode == ContactMode::lock;
+        bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_tolerance);
+        if (!is_closed) {
             continue;
         }
         report.deepest = std::max(report.deepest, -trial.gap);
@@ -228,12 +234,13 @@ void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport
         history.normal.push_back(found.normal);
         history.slip.push_back(slip);
         history.mode.push_back(static_cast<std::uint8_t>(trial.mode));
-        history.is_intact.push_back(trial.is_intact && trial.mode == ContactMode::lock ? 1 : 0);
+        history.is_intact.push_back(is_intact ? 1 : 0);
         history.energy.push_back(stored);
     }
     for (const double energy : old.energy) {
         report.lost_energy += energy;
     }
+    history.bonded = bonds_left(old.bonded, bonds);
 }
 
 /// Largest motion of a corner, for the limit of a step.
@@ -337,7 +344,10 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
                 std::isfinite(ratio) ? std::min(0.9, 1 / ratio) : settings.cut};
     }
     book_blocks(system, external, state.blocks, fixed_points, scratch, report);
-    remember(scratch, state.contacts, report);
+    if (settings.dynamic != 1) {
+        report.static_loss = (1 - settings.dynamic * settings.dynamic) * measure(system, state.blocks).kinetic;
+    }
+    remember(scratch, affine::bond_tolerance * size, state.contacts, report);
     move_blocks(system, settings, dt, scratch, state.blocks);
     report.sums = measure(system, state.blocks);
     return {};
@@ -357,6 +367,7 @@ affine::Outcome advance_in_pieces(const BlockSystem& system, const std::vector<F
             total.friction_loss += report.friction_loss;
             total.numerical_loss += report.numerical_loss;
             total.lost_energy += report.lost_energy;
+            total.static_loss += report.static_loss;
             total.external_work += report.external_work;
             total.open_close += report.open_close;
             total.solver_iterations += report.solver_iterations;
@@ -370,6 +381,7 @@ affine::Outcome advance_in_pieces(const BlockSystem& system, const std::vector<F
     report.friction_loss = total.friction_loss;
     report.numerical_loss = total.numerical_loss;
     report.lost_energy = total.lost_energy;
+    report.static_loss = total.static_loss;
     report.external_work = total.external_work;
     report.open_close = total.open_close;
     report.solver_iterations = total.solver_iterations;

@@ -58,6 +58,7 @@ struct StepReport {
     double strain{0}, contact{0};    ///< stored in blocks, and in contact springs and fixed points [J]
     double friction_loss{0};         ///< taken by sliding [J]
     double numerical_loss{0};        ///< taken by the integrator: 1/2 D K D over all springs [J]
+    double static_loss{0};           ///< kinetic energy that Settings::dynamic leaves behind [J]
     double lost_energy{0};           ///< of contact springs, where contact points are found elsewhere than the step of
                                      ///< the equations left them: on new corners, or not at all [J]
     double external_work{0};         ///< of given loads [J]

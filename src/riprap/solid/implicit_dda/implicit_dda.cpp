@@ -7,6 +7,8 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/linear/cholmod.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 
 namespace riprap::solid {
 
@@ -17,13 +19,26 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
     using Engine = implicit_dda::Settings;
     using affine::Elasticity;
     using implicit_dda::Solver;
-    const KeyList<implicit_dda::SolveSettings> solve_keys{
-        choice(&implicit_dda::SolveSettings::solver, "solver",
-               {{"pcg_jacobi", Solver::pcg_jacobi}, {"pcg_cholesky", Solver::pcg_cholesky}, {"sor", Solver::sor}},
-               "Solver of the equations: conjugate gradients by preconditioner, or over-relaxation.")};
+    using implicit_dda::SolveSettings;
+    std::vector<Word<Solver>> solvers{
+        {"pcg_jacobi", Solver::pcg_jacobi}, {"pcg_cholesky", Solver::pcg_cholesky}, {"sor", Solver::sor}};
+    if (linear::has_cholmod()) {
+        solvers.push_back({"cholmod", Solver::cholmod});
+    }
+    const KeyList<SolveSettings> solve_keys{
+        choice(&SolveSettings::solver, "solver", solvers,
+               "Solver of the equations: conjugate gradients by preconditioner, or over-relaxation."),
+        number(&SolveSettings::tolerance, "solver_tolerance", dimension::plain, between(1e-14, 1e-2),
+               "Residual of the equations over their right-hand side."),
+        number(&SolveSettings::relaxation, "relaxation", dimension::plain,
+               {.low = 0, .high = 2, .is_low_open = true, .is_high_open = true}, "Of the solver \"sor\".")};
     const KeyList<Engine> engine_keys{
         number(&Engine::max_displacement, "max_displacement", dimension::plain, above(0, 1),
-               "A step that moves a corner farther than this share of the smallest block is cut.")};
+               "A step that moves a corner farther than this share of the smallest block is cut."),
+        integer(&Engine::open_close, "open_close", 1, 100,
+                "Rounds of the open-close iteration before the step is cut."),
+        number(&Engine::dynamic, "dynamic_factor", dimension::plain, between(0, 1),
+               "Share of the velocity that the next step begins with: 1 = dynamic, 0 = static.")};
     const KeyList<Elasticity> elastic_keys{
         number(&Elasticity::youngs_modulus, "youngs_modulus", dimension::pressure, positive(),
                "Young's modulus of all blocks."),
@@ -70,6 +85,7 @@ ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, cons
     affine::start_stretching(state_.bodies);
     if (fields.blocks.size() != scene.bodies.size()) {
         read_bodies(state.bodies, scene.bodies, fields.blocks);
+        fields.contacts.bonded = bonded_pairs(scratch.system, fields.blocks);
     }
 }
 
@@ -150,6 +166,7 @@ std::span<const Account> ImplicitDda::accounts() {
                 "stored in contacts that ended while pressed, less what new ones began with, since time 0", true},
         Account{"numerical_damping", Balance::lost, Booking::across_kick,
                 "lost by the integration of motion and strain since time 0", true},
+        Account{"static_damping", Balance::lost, Booking::across_kick, "lost to dynamic_factor since time 0"},
     };
     return table;
 }
@@ -190,7 +207,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.kick.external_work = step.external_work;
     report.elastic = step.contact;
     report.friction_loss = step.friction_loss;
-    report.own = {step.strain, step.lost_energy, step.numerical_loss};
+    report.own = {step.strain, step.lost_energy, step.numerical_loss, step.static_loss};
     report.max_depth = step.deepest;
     report.contact_count = step.contact_count;
     report.pair_count = scratch_->engine.finder.pair_count();

@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/linear/cholmod.hpp"
 #include "riprap/linear/small_cholesky.hpp"
 #include "riprap/linear/vector_ops.hpp"
 
@@ -227,6 +228,9 @@ linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
     equations.solution.resize(equations.right.size(), 0);
     if (settings.solver == Solver::sor) {
         return solve_sor(settings, equations);
+    }
+    if (settings.solver == Solver::cholmod) {
+        return linear::solve_cholmod(equations.matrix, equations.right, equations.solution);
     }
     const linear::PcgSettings pcg{settings.tolerance, 0, settings.max_iterations};
     const bool is_cholesky = settings.solver == Solver::pcg_cholesky;

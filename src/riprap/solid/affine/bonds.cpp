@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/affine/bonds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid::affine {
+
+namespace {
+
+bool has_strength(const Surface& surface) { return surface.cohesion > 0 || surface.tension > 0; }
+
+}  // namespace
+
+double smallest_size(const BlockSystem& system) {
+    double size = std::numeric_limits<double>::infinity();
+    for (std::int32_t b = 0; b < system.size(); ++b) {
+        const Shape& shape = system.shape_of(b);
+        size = shape.is_half_space() ? size : std::min(size, shape.size);
+    }
+    return std::isfinite(size) ? size : 1;
+}
+
+std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state) {
+    std::vector<std::uint64_t> pairs;
+    if (std::none_of(system.surfaces.begin(), system.surfaces.end(), has_strength)) {
+        return pairs;
+    }
+    BlockSystem loose = system;  // what is held at the start may be released later, its bonds intact
+    std::fill(loose.is_fixed.begin(), loose.is_fixed.end(), std::uint8_t{0});
+    PlacedBlocks placed;
+    place_blocks(loose, state, placed);
+    ContactFinder finder;
+    for (const BlockContact& c : finder.find(loose, state, placed, {}, bond_tolerance * smallest_size(system))) {
+        const std::uint64_t pair = contact::pair_key({c.a, c.b});
+        if (has_strength(system.surface_of(c.a, c.b)) && (pairs.empty() || pairs.back() != pair)) {
+            pairs.push_back(pair);
+        }
+    }
+    return pairs;
+}
+
+double tearing_gap(const BlockSystem& system) {
+    double radius = 0, gap = 0;
+    for (const Shape& shape : system.shapes) {
+        radius = std::max(radius, shape.is_half_space() ? 0 : shape.circumradius);
+    }
+    for (const Surface& surface : system.surfaces) {
+        const double area = surface.is_per_area ? 1 : 4 * radius * radius;
+        gap = std::max(gap, surface.tension > 0 ? surface.tension * area / surface.normal_stiffness : 0);
+    }
+    return gap;
+}
+
+bool begins_bonded(const BlockContactHistory& history, std::int32_t a, std::int32_t b) {
+    return std::binary_search(history.bonded.begin(), history.bonded.end(), contact::pair_key({a, b}));
+}
+
+void BondChanges::look_at(const BlockContact& contact, bool was_intact, bool is_closed, bool is_intact,
+                          double tolerance) {
+    const std::uint64_t pair = contact::pair_key({contact.a, contact.b});
+    if (is_closed || contact.gap <= tolerance) {
+        touching.push_back(pair);
+    }
+    // A point that was not there before and is open has not held anything yet.
+    if (was_intact && !is_intact && (is_closed || contact.old >= 0)) {
+        broken.push_back(pair);
+    }
+}
+
+std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, const BondChanges& changes) {
+    std::vector<std::uint64_t> there, left;
+    std::set_intersection(bonded.begin(), bonded.end(), changes.touching.begin(), changes.touching.end(),
+                          std::back_inserter(there));
+    std::set_difference(there.begin(), there.end(), changes.broken.begin(), changes.broken.end(),
+                        std::back_inserter(left));
+    return left;
+}
+
+}  // namespace riprap::solid::affine

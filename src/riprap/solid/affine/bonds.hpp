@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "riprap/solid/affine/block_contacts.hpp"
+
+// Bonds of faces that touch at the start. Cohesion and tensile strength belong to them alone: a contact that comes
+// about later, or again, has neither.
+
+namespace riprap::solid::affine {
+
+/// Gap up to which faces count as touching, over the smallest block [-].
+constexpr double bond_tolerance = 1e-4;
+
+/// Returns the edge of the smallest block that is no half-space, the cube root of its volume; 1 where there is none
+/// [m].
+double smallest_size(const BlockSystem& system);
+
+/// Returns the pairs of blocks that touch and whose surfaces have cohesion or tensile strength, ascending.
+std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state);
+
+/// Returns how far apart a bonded contact may be before it tears [m]: T A/k, A bounded by the largest block.
+double tearing_gap(const BlockSystem& system);
+
+/// Tells whether a contact point that has no history begins bonded.
+bool begins_bonded(const BlockContactHistory& history, std::int32_t a, std::int32_t b);
+
+/// What became of the bonded pairs in a step. Pairs are told in ascending order, more than once at will.
+struct BondChanges {
+    std::vector<std::uint64_t> touching;  ///< have a point that holds, or that is no farther apart than the tolerance
+    std::vector<std::uint64_t> broken;    ///< a point of theirs has opened or slid
+    void look_at(const BlockContact& contact, bool was_intact, bool is_closed, bool is_intact, double tolerance);
+};
+
+/// Keeps of the bonded pairs those that touch and have no broken point.
+std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, const BondChanges& changes);
+
+}  // namespace riprap::solid::affine
