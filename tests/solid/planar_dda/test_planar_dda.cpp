@@ -129,7 +129,7 @@ TEST(PlanarDda, ABondBreaksOnceAndForGood) {
     Joint joint{.normal_stiffness = 1e8, .shear_stiffness = 4e7, .friction = 0.5, .cohesion = 1e4, .tension = 2e3};
     Blocks blocks(joint);
     blocks.settings.dynamic_factor = 0;
-    blocks.add_box({-0.5, -1}, {1, 1}, true);
+    blocks.add_box({-1, -1}, {2, 1}, true);
     blocks.add_box({-0.5, 0}, {1, 1});
     ASSERT_EQ(bond_contacts(blocks.model, blocks.settings, 1e-9, blocks.state), 2);
     ASSERT_TRUE(blocks.run(20, 0.01, {0, 0.79}));  // pulled with 1975 N
@@ -170,6 +170,47 @@ TEST(PlanarDda, CornersMeetAtTheEntranceWithTheLargerGap) {
     find_contacts(blocks.model, blocks.state, blocks.settings, corners, search, contacts);
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].gap.value, 0.01, 1e-12);
+}
+
+TEST(PlanarDda, FacesThatEndTogetherBearHalfAtEitherCornerAndPreferNoBlock) {
+    const auto shares = [](double width) {
+        Blocks blocks;
+        blocks.add_box({-0.5 * width, -1}, {width, 1}, true);
+        blocks.add_box({-0.5, 0}, {1, 1});
+        std::vector<Vec2> corners;
+        ContactSearch search;
+        std::vector<Contact> contacts;
+        place_corners(blocks.model, blocks.state, corners);
+        find_contacts(blocks.model, blocks.state, blocks.settings, corners, search, contacts);
+        std::vector<double> found;
+        for (const Contact& contact : contacts) {
+            found.push_back(contact.share);
+        }
+        return found;
+    };
+    EXPECT_EQ(shares(1), (std::vector<double>{0.5, 0.5, 0.5, 0.5})) << "two corners of either block";
+    EXPECT_EQ(shares(3), (std::vector<double>{1, 1}));
+}
+
+TEST(PlanarDda, AMirroredSceneStaysMirrored) {
+    // Three voussoirs without friction fall in on themselves between two that are fixed.
+    Blocks blocks({.normal_stiffness = 1e6, .shear_stiffness = 1e6}, {20, 5e5, 0.2});
+    blocks.settings = settings_for(2.5, 0.05);
+    constexpr int count = 5;
+    for (int i = 0; i < count; ++i) {
+        std::vector<Vec2> corners;
+        for (const auto& [r, joint] : {std::pair{2.0, i}, {2.5, i}, {2.5, i + 1}, {2.0, i + 1}}) {
+            const double angle = std::numbers::pi * joint / count;
+            corners.push_back({r * std::cos(angle), r * std::sin(angle)});
+        }
+        blocks.add(corners, i == 0 || i + 1 == count);
+    }
+    for (int k = 0; k < 300; ++k) {
+        ASSERT_TRUE(blocks.run(1, 1e-3, {0, -g}));
+        EXPECT_NEAR(blocks.state.x[1], -blocks.state.x[3], 1e-9) << k;
+        EXPECT_NEAR(blocks.state.y[1], blocks.state.y[3], 1e-9) << k;
+    }
+    EXPECT_LT(blocks.state.y[2], 2.1) << "it falls";
 }
 
 TEST(PlanarDda, ACornerInANotchTouchesBothSidesAndTheNotchItselfTouchesNothing) {
@@ -221,7 +262,7 @@ TEST(PlanarDda, AFrontThatClosesAStackBlockByBlockIsNoFailure) {
     }
     ASSERT_TRUE(blocks.step(1e-3, {0, -g}).ok());
     EXPECT_GE(blocks.report.iterations, 20);
-    EXPECT_EQ(blocks.report.closed_contacts, 40);
+    EXPECT_EQ(blocks.report.closed_contacts, 80) << "two halves at either end of every joint";
 }
 
 TEST(PlanarDda, TheFarSideOfAThinBlockIsNotTouched) {

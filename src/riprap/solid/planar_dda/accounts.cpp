@@ -130,8 +130,9 @@ double contact_energy(const Model& model, const State& state, const std::vector<
                                   corners[at(model.corner_next[at(edge)])],
                                   {state.x[at(a)], state.y[at(a)]},
                                   {state.x[at(b)], state.y[at(b)]}};
-        sum += half_square(joint.normal_stiffness, gap_of(where).value) +
-               half_square(joint.shear_stiffness, slip_of(where, state.contact_lock[k]).value);
+        sum +=
+            state.contact_share[k] * (half_square(joint.normal_stiffness, gap_of(where).value) +
+                                      half_square(joint.shear_stiffness, slip_of(where, state.contact_lock[k]).value));
     }
     return sum;
 }

@@ -14,13 +14,13 @@ Vec2 center_of(const State& state, std::int32_t block) { return {state.x[at(bloc
 void add_spring(Scratch& scratch, std::int32_t block_a, std::int32_t block_b, double stiffness, const Linear& length) {
     const std::int32_t a = scratch.row[at(block_a)], b = scratch.row[at(block_b)];
     if (a >= 0) {
-        scratch.matrix.add_outer(a, a, stiffness, length.a, length.a);
+        scratch.equations.add_outer(a, a, stiffness, length.a, length.a);
     }
     if (b >= 0) {
-        scratch.matrix.add_outer(b, b, stiffness, length.b, length.b);
+        scratch.equations.add_outer(b, b, stiffness, length.b, length.b);
     }
     if (a >= 0 && b >= 0) {
-        scratch.matrix.add_outer(a, b, stiffness, length.a, length.b);
+        scratch.equations.add_outer(a, b, stiffness, length.a, length.b);
     }
 }
 
@@ -111,9 +111,9 @@ Linear bolt_length(const State& state, const Bolt& bolt) {
 }
 
 void assemble_matrix(const Model& model, const State& state, double dt, Scratch& scratch) {
-    scratch.matrix.set_zero();
+    scratch.equations.set_zero();
     for (std::size_t row = 0; row < scratch.stiffness.size(); ++row) {
-        scratch.matrix.add_diagonal(static_cast<std::int32_t>(row), scratch.stiffness[row]);
+        scratch.equations.add_diagonal(static_cast<std::int32_t>(row), scratch.stiffness[row]);
     }
     for (const Bolt& bolt : model.bolts) {
         add_spring(scratch, bolt.first, bolt.second, bolt.stiffness, bolt_length(state, bolt));

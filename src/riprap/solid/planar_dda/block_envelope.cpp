@@ -183,6 +183,16 @@ void BlockEnvelope::add_outer(std::int32_t row_u, std::int32_t row_v, double s, 
     }
 }
 
+void BlockEnvelope::add_block(std::int32_t row, std::int32_t column, const double* added) {
+    const std::int32_t i = place_[at(row)], j = place_[at(column)];
+    if (i >= j) {
+        Block6& target = block(i, j);
+        for (std::size_t k = 0; k < 36; ++k) {
+            target[k] += added[k];
+        }
+    }
+}
+
 std::int32_t BlockEnvelope::factorize() {
     const auto count = static_cast<std::int32_t>(row_.size());
     for (std::int32_t i = 0; i < count; ++i) {

@@ -23,6 +23,9 @@ class BlockEnvelope {
     void add_diagonal(std::int32_t row, const Block6& block);
     /// Adds s u v^T to the block (row_u, row_v) and its transpose to (row_v, row_u); equal rows: s u v^T once.
     void add_outer(std::int32_t row_u, std::int32_t row_v, double s, const Unknowns& u, const Unknowns& v);
+    /// Adds the block (row, column), by columns, of a matrix that is given whole; those above the diagonal of the
+    /// envelope are left out.
+    void add_block(std::int32_t row, std::int32_t column, const double* added);
     /// Factorises in place. @returns the row whose pivot is not positive, or -1
     std::int32_t factorize();
     /// x = K^-1 b after factorize(); rows as the caller numbers them.

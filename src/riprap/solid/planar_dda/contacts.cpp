@@ -93,8 +93,38 @@ void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, Co
     }
 }
 
-/// Chooses the entrance of two convex corners; false when their cones leave no way in from outside.
-bool choose_entrance(const Scene& scene, std::int32_t v, std::int32_t w, std::pair<std::int32_t, std::int32_t>& found) {
+/// A corner and an edge.
+using Key = std::pair<std::int32_t, std::int32_t>;
+
+/// Ways in at two convex corners: none where their cones leave none from outside, one, or two that share it.
+struct Entrances {
+    int count{0};
+    Key key[2]{};
+};
+
+bool is_foot_on_edge(const GapAndFoot& g) { return g.foot >= -foot_slack && g.foot <= 1 + foot_slack; }
+
+/// Two lines that are nearly one: who stands on whom. Both, where both do.
+Entrances standing_entrances(const Scene& scene, const Key& first, const Key& second) {
+    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
+    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
+    if (is_foot_on_edge(g1) && is_foot_on_edge(g2)) {
+        return {2, {first, second}};
+    }
+    return {1, {beyond_ends(g1) < beyond_ends(g2) ? first : second}};
+}
+
+/// Two lines at an angle: a closed contact stays the entrance until it opens or is left, else the larger gap decides.
+Entrances cornered_entrance(const Scene& scene, const Key& first, const Key& second) {
+    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
+    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
+    const bool stays1 = scene.is_closed(first.first, first.second) && is_foot_on_edge(g1);
+    const bool stays2 = scene.is_closed(second.first, second.second) && is_foot_on_edge(g2);
+    const bool is_first = stays1 != stays2 ? stays1 : g1.gap >= g2.gap;
+    return {1, {is_first ? first : second}};
+}
+
+Entrances find_entrances(const Scene& scene, std::int32_t v, std::int32_t w) {
     const Vec2 p1 = scene.place(scene.next(w)) - scene.place(w), p2 = scene.place(scene.before(w)) - scene.place(w);
     const Vec2 q1 = scene.place(v) - scene.place(scene.next(v)), q2 = scene.place(v) - scene.place(scene.before(v));
     const auto angle = [](const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), dot(a, b)); };
@@ -109,41 +139,36 @@ bool choose_entrance(const Scene& scene, std::int32_t v, std::int32_t w, std::pa
         }
     }
     if (total > std::numbers::pi + 2 * scene.settings.angle_tolerance) {
-        return false;
+        return {};
     }
-    using Key = std::pair<std::int32_t, std::int32_t>;
     const Key first = begin == 0 ? Key{v, w} : Key{w, v};
     const Key second = end == cone_w ? Key{v, scene.before(w)} : Key{w, scene.before(v)};
-    for (const Key& key : {first, second}) {  // a closed contact stays the entrance until it opens or is left
-        const GapAndFoot g = gap_and_foot(scene, key.first, key.second);
-        if (scene.is_closed(key.first, key.second) && g.foot >= -foot_slack && g.foot <= 1 + foot_slack) {
-            found = key;
-            return true;
-        }
-    }
-    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
-    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
-    if (total > std::numbers::pi - 2 * scene.settings.angle_tolerance) {  // nearly one line: who stands on whom
-        const double beyond1 = beyond_ends(g1), beyond2 = beyond_ends(g2);
-        found = beyond1 < beyond2 || (beyond1 == beyond2 && first < second) ? first : second;
-    } else {
-        found = g1.gap >= g2.gap ? first : second;
-    }
-    return true;
+    return total > std::numbers::pi - 2 * scene.settings.angle_tolerance ? standing_entrances(scene, first, second)
+                                                                         : cornered_entrance(scene, first, second);
 }
 
 void find_at_corners(const Scene& scene, std::int32_t v, std::int32_t w, ContactSearch& search) {
-    std::pair<std::int32_t, std::int32_t> entrance;
-    if (!choose_entrance(scene, v, w, entrance)) {
+    const Entrances entrances = find_entrances(scene, v, w);
+    if (entrances.count == 0) {
         return;
     }
-    const double gap = gap_and_foot(scene, entrance.first, entrance.second).gap;
-    if (gap >= -scene.depth(entrance.first, entrance.second) || scene.is_closed(entrance.first, entrance.second)) {
-        search.wanted.push_back(key_of(entrance.first, entrance.second));
+    const auto is_entrance = [&entrances](const Key& key) {
+        return key == entrances.key[0] || (entrances.count == 2 && key == entrances.key[1]);
+    };
+    for (int k = 0; k < entrances.count; ++k) {
+        const auto& [corner, edge] = entrances.key[k];
+        if (gap_and_foot(scene, corner, edge).gap >= -scene.depth(corner, edge) || scene.is_closed(corner, edge)) {
+            search.wanted.push_back(key_of(corner, edge));
+        }
     }
-    const std::pair<std::int32_t, std::int32_t> all[] = {{v, w}, {v, scene.before(w)}, {w, v}, {w, scene.before(v)}};
-    for (const auto& other : all) {
-        if (other != entrance) {
+    if (entrances.count == 2) {
+        const std::uint64_t one = key_of(entrances.key[0].first, entrances.key[0].second);
+        const std::uint64_t other = key_of(entrances.key[1].first, entrances.key[1].second);
+        search.twins.emplace_back(one, other);
+        search.twins.emplace_back(other, one);
+    }
+    for (const Key& other : {Key{v, w}, Key{v, scene.before(w)}, Key{w, v}, Key{w, scene.before(v)}}) {
+        if (!is_entrance(other)) {
             search.vetoed.push_back(key_of(other.first, other.second));
         }
     }
@@ -174,6 +199,9 @@ void remember(const Scene& scene, Contact& contact, const CornerAndEdge& where) 
         for (const std::int32_t other : {v, scene.before(v)}) {
             if (old < 0 && norm(scene.place(w) - scene.place(v)) < scene.reach) {
                 old = scene.remembered(w, other);
+                if (old >= 0 && contact.share < 1 && scene.state.contact_share[at(old)] < 1) {
+                    old = -1;  // the other half's own; this half was open
+                }
                 has_swapped = old >= 0;
             }
         }
@@ -183,7 +211,7 @@ void remember(const Scene& scene, Contact& contact, const CornerAndEdge& where) 
     }
     contact.mode = static_cast<Mode>(scene.state.contact_mode[at(old)]);
     contact.is_bonded = scene.state.contact_is_bonded[at(old)] != 0;
-    contact.multiplier = scene.state.contact_multiplier[at(old)];
+    contact.multiplier = contact.share / scene.state.contact_share[at(old)] * scene.state.contact_multiplier[at(old)];
     contact.lock = scene.state.contact_lock[at(old)];
     if (has_swapped) {  // the same slip, seen from the other edge
         const CornerAndEdge before = scene.pair(scene.state.contact_corner[at(old)], scene.state.contact_edge[at(old)]);
@@ -191,7 +219,7 @@ void remember(const Scene& scene, Contact& contact, const CornerAndEdge& where) 
     }
 }
 
-Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge) {
+Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge, double share) {
     const CornerAndEdge where = scene.pair(corner, edge);
     const Model& model = scene.model;
     Contact contact;
@@ -200,18 +228,22 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge)
     contact.a = model.corner_block[at(corner)];
     contact.b = model.corner_block[at(edge)];
     contact.joint = model.joint(contact.a, contact.b);
+    contact.share = share;
+    contact.joint.normal_stiffness *= share;
+    contact.joint.shear_stiffness *= share;
     contact.edge_length = norm(where.end - where.begin);
     contact.foot = foot_of(where);
     contact.gap = gap_of(where);
     remember(scene, contact, where);
     contact.slip = slip_of(where, contact.lock);
     if (contact.joint.cohesion > 0 || contact.joint.tension > 0) {
-        contact.bond_length = half_overlap(scene, contact) * model.thickness;
+        contact.bond_length = share * half_overlap(scene, contact) * model.thickness;
     }
     if (contact.joint.damping_ratio > 0) {
         const auto inverse = [&model](std::int32_t b) { return model.is_fixed[at(b)] ? 0.0 : 1 / model.mass[at(b)]; };
         const double reduced = 1 / (inverse(contact.a) + inverse(contact.b));
-        contact.dashpot = 2 * contact.joint.damping_ratio * std::sqrt(contact.joint.normal_stiffness * reduced);
+        // The whole joint's, shared: springs and dashpots in parallel.
+        contact.dashpot = 2 * contact.joint.damping_ratio * std::sqrt(share * contact.joint.normal_stiffness * reduced);
     }
     return contact;
 }
@@ -293,6 +325,7 @@ void find_contacts(const Model& model, const State& state, const Settings& setti
     find_pairs(model, corners, scene.reach, search);
     search.wanted.clear();
     search.vetoed.clear();
+    search.twins.clear();
     for (const auto& [i, j] : search.pairs) {
         find_of_pair(scene, i, j, search);
         find_of_pair(scene, j, i, search);
@@ -300,12 +333,17 @@ void find_contacts(const Model& model, const State& state, const Settings& setti
     std::sort(search.wanted.begin(), search.wanted.end());
     search.wanted.erase(std::unique(search.wanted.begin(), search.wanted.end()), search.wanted.end());
     std::sort(search.vetoed.begin(), search.vetoed.end());
+    std::erase_if(search.wanted, [&search](std::uint64_t key) {
+        return std::binary_search(search.vetoed.begin(), search.vetoed.end(), key);
+    });
+    std::sort(search.twins.begin(), search.twins.end());
     contacts.clear();
     for (const std::uint64_t key : search.wanted) {
-        if (!std::binary_search(search.vetoed.begin(), search.vetoed.end(), key)) {
-            contacts.push_back(make_contact(scene, static_cast<std::int32_t>(key >> 32),
-                                            static_cast<std::int32_t>(key & 0xffffffffU)));
-        }
+        const auto twin = std::lower_bound(search.twins.begin(), search.twins.end(), std::pair{key, std::uint64_t{0}});
+        const bool is_shared = twin != search.twins.end() && twin->first == key &&
+                               std::binary_search(search.wanted.begin(), search.wanted.end(), twin->second);
+        contacts.push_back(make_contact(scene, static_cast<std::int32_t>(key >> 32),
+                                        static_cast<std::int32_t>(key & 0xffffffffU), is_shared ? 0.5 : 1.0));
     }
 }
 
@@ -320,6 +358,7 @@ std::int32_t bond_contacts(const Model& model, const Settings& settings, double 
     state.contact_mode.clear();
     state.contact_is_bonded.clear();
     state.contact_lock.clear();
+    state.contact_share.clear();
     state.contact_multiplier.clear();
     state.contact_force.clear();
     for (const Contact& contact : contacts) {
@@ -331,6 +370,7 @@ std::int32_t bond_contacts(const Model& model, const Settings& settings, double 
         state.contact_mode.push_back(static_cast<std::uint8_t>(Mode::locked));
         state.contact_is_bonded.push_back(1);
         state.contact_lock.push_back(contact.foot);
+        state.contact_share.push_back(contact.share);
         state.contact_multiplier.push_back(0);
         state.contact_force.push_back(0);
     }

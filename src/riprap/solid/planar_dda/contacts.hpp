@@ -18,9 +18,10 @@ struct Contact {
     double bond_length{0};  ///< half of the length along which two faces overlap; 0 for a corner alone [m]
     double edge_length{0};  ///< [m]
     double foot{0};         ///< of the corner along the edge, 0 to 1 [-]
+    double share{1};        ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
     double dashpot{0};      ///< [N s/m]
-    Joint joint{};
-    Linear gap{}, slip{};  ///< at the start of the step and what changes them
+    Joint joint{};          ///< springs and dashpot times the share
+    Linear gap{}, slip{};   ///< at the start of the step and what changes them
 };
 
 /// Places the corners of all blocks [m].
@@ -35,6 +36,7 @@ struct ContactSearch {
     std::vector<std::int32_t> order;
     std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
     std::vector<std::uint64_t> wanted, vetoed;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> twins;  ///< contacts that share a pair of corners, both orders
 };
 
 /// Pairs of blocks whose bounding boxes come closer than `reach` [m], at least one of them not fixed; a < b, sorted.
@@ -45,7 +47,8 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 /// corner's two edges lean into the edge's material by no more than the tolerance. Where two convex corners v and w are
 /// near, the bodies overlap when v - w lies in the sum of the cone at w and the mirrored cone at v, whose two bounding
 /// lines run along edges: the line with the larger gap is the entrance [Shi1988], and no other edge at v and w takes
-/// part. Concave corners touch nothing by themselves.
+/// part. Where the two lines are nearly one and either corner stands on the other's edge, both are entrances with half
+/// of the springs each, so that neither block is preferred. Concave corners touch nothing by themselves.
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
                    ContactSearch& search, std::vector<Contact>& contacts);
 

@@ -77,6 +77,7 @@ void keep_contacts(const Scratch& scratch, State& state) {
     state.contact_mode.clear();
     state.contact_is_bonded.clear();
     state.contact_lock.clear();
+    state.contact_share.clear();
     state.contact_multiplier.clear();
     state.contact_force.clear();
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
@@ -95,6 +96,7 @@ void keep_contacts(const Scratch& scratch, State& state) {
         state.contact_mode.push_back(static_cast<std::uint8_t>(trial.mode));
         state.contact_is_bonded.push_back(trial.is_bonded ? 1 : 0);
         state.contact_lock.push_back(lock);
+        state.contact_share.push_back(contact.share);
         state.contact_multiplier.push_back(trial.multiplier);
         state.contact_force.push_back(trial.normal);
     }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "riprap/solid/planar_dda/block_envelope.hpp"
 #include "riprap/solid/planar_dda/contacts.hpp"
+#include "riprap/solid/planar_dda/equations.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -60,7 +60,7 @@ struct Scratch {
     std::vector<Unknowns> force;    ///< per row, without contacts
     std::vector<Unknowns> right, solution;
     std::vector<Unknowns> motion;  ///< D per block, of fixed ones too
-    BlockEnvelope matrix;
+    Equations equations;
 };
 
 /// Takes one step, or refuses it and leaves the state as it was.
