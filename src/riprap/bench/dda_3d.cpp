@@ -7,10 +7,15 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 #include "riprap/bench/benches.hpp"
 #include "riprap/bench/measure.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/linear/cholmod.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
+#include "riprap/sim/time_step.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
 
@@ -110,6 +115,93 @@ void measure_walls(const Setting& setting, std::span<const int> sides, std::vect
     }
 }
 
+/// The wall of 1000 cubes as a case, moved by a solid method through whole steps of the driver.
+struct WallCase {
+    sim::Model model;
+    sim::State state;
+    sim::Scratch scratch;
+    double dt{0};
+
+    WallCase(const std::string& method, const std::string& more) {
+        scene::LoadedCase loaded = scene::read_case_text(fmt::format(R"(
+gravity = [0.0, 0.0, -9.81]
+end = 10.0
+[material.rock]
+density = 2500.0
+normal_stiffness = "10 MPa"
+friction_coefficient = 0.6
+damping_ratio = 0.2
+[[body]]
+name = "floor"
+material = "rock"
+fixed = true
+shape = {{ half_space = {{ normal = [0.0, 0.0, 1.0] }} }}
+[[body]]
+name = "cube"
+material = "rock"
+shape = {{ cube = 1.0 }}
+position = [0.0, 0.0, 0.4995]
+repeat = {{ counts = [10, 10, 10], pitch = [0.999, 0.999, 0.999] }}
+[solid]
+method = "{}"
+{}
+)",
+                                                                     method, more),
+                                                         "bench", ".");
+        sim::initialise(loaded.model, loaded.state);
+        model = std::move(loaded.model);
+        state = std::move(loaded.state);
+        dt = 0.5 * choose_time_step(model, state, scratch).dt;
+    }
+    sim::StepReport step() {
+        const sim::StepReport report = advance(model, state, scratch, dt, sim::Measure::flow);
+        if (!report.status.ok()) {
+            throw std::runtime_error(report.status.text);
+        }
+        return report;
+    }
+};
+
+/// A step of explicit DDA over one of rigid polyhedra, on the same wall with the same pairs that touch.
+void compare_with_rigid(int threads, std::vector<Result>& results) {
+    WallCase blocks("explicit_dda", "youngs_modulus = 1e9\ncontact_stiffness = 1e7");
+    for (const auto& [name, word] : {std::pair{"distance_potential", "contact = \"distance_potential\""},
+                                     std::pair{"common_plane", "contact = \"common_plane_penalty\""}}) {
+        WallCase rigid("distance_potential_dem", word);
+        const std::int64_t points = blocks.step().contact_count, rigid_contacts = rigid.step().contact_count;
+        const Timing ratio = compare_calls([&] { blocks.step(); }, [&] { rigid.step(); }, 15);
+        results.push_back({fmt::format("dda.explicit.over_rigid.{}", name), threads, ratio.median, "-",
+                           fmt::format("a step of 1000 cubes, {} contact points, over one of rigid polyhedra, {} "
+                                       "contacts, in turn; {}",
+                                       points, rigid_contacts, spread(ratio))});
+    }
+}
+
+/// One solution of about 20 000 unknowns by the factors of CHOLMOD over the same by conjugate gradients.
+void compare_with_cholmod(int threads, std::vector<Result>& results) {
+    if (!linear::has_cholmod()) {
+        return;
+    }
+    Implicit run;
+    build_wall(12, 12, 12, run.system, run.state.blocks);
+    run.settings.open_close = 20;
+    for (int i = 0; i < 3; ++i) {
+        run.step();
+    }
+    auto& equations = run.scratch.equations;
+    const auto solve_by = [&](implicit_dda::Solver solver) {
+        std::fill(equations.solution.begin(), equations.solution.end(), 0.0);
+        implicit_dda::SolveSettings settings = run.settings.solve;
+        settings.solver = solver;
+        solve(settings, equations);
+    };
+    const Timing ratio = compare_calls([&] { solve_by(implicit_dda::Solver::cholmod); },
+                                       [&] { solve_by(implicit_dda::Solver::pcg_jacobi); }, 9);
+    results.push_back({"dda.implicit.cholmod_over_pcg", threads, ratio.median, "-",
+                       fmt::format("{} unknowns, analysis, factors and solution, in turn; {}", equations.right.size(),
+                                   spread(ratio))});
+}
+
 }  // namespace
 
 void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
@@ -147,11 +239,20 @@ void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
                                        solved.iterations, one.median / bound, 1e3 * filled.median,
                                        static_cast<double>(equations.matrix.pattern().entries()) /
                                            static_cast<double>(equations.matrix.rows()))});
+        // Solving is iterations of one price, the set-up of the preconditioner in it.
+        const double share = iterations * one.median / std::max(1, solved.iterations) / whole.median;
+        results.push_back({"dda.implicit_3400.solve_share", threads, share, "-",
+                           "of a step; the rest finds contacts, assembles and moves"});
+        compare_with_cholmod(threads, results);
     }
 }
 
 void dda_explicit(const Setting& setting, std::vector<Result>& results) {
     measure_walls(setting, std::array{10, 20}, results);
+    for (const int threads : setting.thread_counts) {
+        const ThreadScope scope(threads);
+        compare_with_rigid(threads, results);
+    }
 }
 
 void dda_explicit_100k(const Setting& setting, std::vector<Result>& results) {
