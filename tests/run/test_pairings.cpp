@@ -98,6 +98,19 @@ INSTANTIATE_TEST_SUITE_P(Words, Pairings,
                                            Pairing{"polyhedra_wcmps", "distance_potential_dem", "wcmps", box},
                                            Pairing{"polyhedra_mps", "distance_potential_dem", "mps", box}),
                          [](const auto& pairing) { return std::string(pairing.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Dda, Pairings,
+    ::testing::Values(
+        Pairing{"planar_sph", "planar_dda", "sph", box}, Pairing{"planar_wcmps", "planar_dda", "wcmps", box},
+        Pairing{"planar_mps", "planar_dda", "mps", box}, Pairing{"planar_grid", "planar_dda", "grid", box},
+        Pairing{"planar_hydrostatic", "planar_dda", "hydrostatic", box},
+        Pairing{"implicit_sph", "implicit_dda", "sph", box}, Pairing{"implicit_wcmps", "implicit_dda", "wcmps", box},
+        Pairing{"implicit_mps", "implicit_dda", "mps", box}, Pairing{"implicit_grid", "implicit_dda", "grid", box},
+        Pairing{"implicit_hydrostatic", "implicit_dda", "hydrostatic", box},
+        Pairing{"explicit_sph", "explicit_dda", "sph", box}, Pairing{"explicit_wcmps", "explicit_dda", "wcmps", box},
+        Pairing{"explicit_mps", "explicit_dda", "mps", box}, Pairing{"explicit_grid", "explicit_dda", "grid", box},
+        Pairing{"explicit_hydrostatic", "explicit_dda", "hydrostatic", box}),
+    [](const auto& pairing) { return std::string(pairing.param.name); });
 
 TEST_P(Pairings, what_the_water_loses_the_bodies_gain) {
     scene::LoadedCase loaded = start();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/shapes.hpp"
@@ -167,51 +170,72 @@ std::pair<double, double> thrust_limits() {
     return {least, greatest};
 }
 
-}  // namespace
+/// What happens to the arch without friction in 0.6 s, in three dimensions and in two.
+struct Fall {
+    Curve way3{"3D", {}, {}, CurveStyle::line, 0}, way2{"2D", {}, {}, CurveStyle::markers, 1};
+    double way_error{0}, speed_error{0};  ///< of the key block, over its largest way and speed [-]
+    double mirror{0}, sideways{0};        ///< in three dimensions [m]
+};
 
-void arch_3d(const CaseSetting& setting, CaseReport& report) {
+Fall let_fall(double dt) {
     Arch3D solid(0);
     Arch2D flat(0);
-    const double start3 = solid.trial.position(key).z, start2 = flat.state.y[key], dt = 0.01;
-    Curve way3{"3D", {}, {}, CurveStyle::line, 0}, way2{"2D", {}, {}, CurveStyle::markers, 1};
-    double way_error = 0, speed_error = 0, mirror = 0, sideways = 0, deepest = 0, fastest = 0;
-    for (int i = 0; i < 60; ++i) {
-        solid.trial.dt = dt;
+    Fall fall;
+    const double start3 = solid.trial.position(key).z, start2 = flat.state.y[key];
+    double deepest = 0, fastest = 0;
+    solid.trial.dt = dt;
+    const int steps = static_cast<int>(std::lround(0.6 / dt));
+    for (int i = 0; i < steps; ++i) {
         solid.trial.step();
         flat.step(dt);
         const double w3 = start3 - solid.trial.position(key).z, w2 = start2 - flat.state.y[key];
         const double v3 = -solid.trial.velocity(key).z, v2 = -flat.state.rates[6 * key + 1];
-        way_error = std::max(way_error, std::abs(w3 - w2));
-        speed_error = std::max(speed_error, std::abs(v3 - v2));
+        fall.way_error = std::max(fall.way_error, std::abs(w3 - w2));
+        fall.speed_error = std::max(fall.speed_error, std::abs(v3 - v2));
         deepest = std::max(deepest, std::abs(w2));
         fastest = std::max(fastest, std::abs(v2));
         for (int b = 0; b < count; ++b) {
             const Vec3 p = solid.trial.position(b), q = solid.trial.position(count - 1 - b);
-            mirror = std::max({mirror, std::abs(p.x + q.x), std::abs(p.z - q.z)});
-            sideways = std::max(sideways, std::abs(p.y + 0.5 * depth));
+            fall.mirror = std::max({fall.mirror, std::abs(p.x + q.x), std::abs(p.z - q.z)});
+            fall.sideways = std::max(fall.sideways, std::abs(p.y + 0.5 * depth));
         }
-        way3.x.push_back(solid.trial.time);
-        way3.y.push_back(w3);
-        way2.x.push_back(solid.trial.time);
-        way2.y.push_back(w2);
+        fall.way3.x.push_back(solid.trial.time);
+        fall.way3.y.push_back(w3);
+        fall.way2.x.push_back(solid.trial.time);
+        fall.way2.y.push_back(w2);
     }
+    fall.way_error /= deepest;
+    fall.speed_error /= fastest;
+    return fall;
+}
+
+}  // namespace
+
+void arch_3d(const CaseSetting& setting, CaseReport& report) {
+    const double dt = 0.01;
+    const Fall fall = let_fall(dt), resolved = let_fall(0.2 * dt);
     write_plot(setting, "displacement",
                {"Arch without friction: the key block falls",
                 "implicit DDA, three dimensions against two",
                 {"time [s]"},
                 {"displacement [m]"},
-                {way3, way2}});
+                {fall.way3, fall.way2}});
     const std::string why =
-        "from 0.16 s on, corners of the planar arch open and close from step to step where those of the "
-        "solid one stay closed; to 0.15 s both agree within 0.3 %";
-    report.judge_below({"key block, 3D against 2D: displacement over its largest", "%", 1.7, 0, why},
-                       100 * way_error / deepest, 1.7);
-    report.judge_below({"key block, 3D against 2D: velocity over its largest", "%", 3.8, 0, why},
-                       100 * speed_error / fastest, 3.8);
-    report.judge({"displacement after 0.6 s, free fall at most", "m", {}, {}, {}}, way3.y.back(), 0,
+        "omega dt of the joints is 9: from 0.16 s on, corners of the planar arch bounce by the chance phase of their "
+        "impacts; to 0.15 s both agree within 0.3 %, with resolved joints to the end";
+    for (const auto& [name, one, note] : {std::tuple{"steps of 10 ms", &fall, why.c_str()},
+                                          std::tuple{"steps of 2 ms", &resolved, "the joints are resolved"}}) {
+        report.judge_below(
+            {fmt::format("{}: key block, 3D against 2D: displacement over its largest", name), "%", 1.7, 0, note},
+            100 * one->way_error, 1.7);
+        report.judge_below(
+            {fmt::format("{}: key block, 3D against 2D: velocity over its largest", name), "%", 3.8, 0, note},
+            100 * one->speed_error, 3.8);
+    }
+    report.judge({"displacement after 0.6 s, free fall at most", "m", {}, {}, {}}, fall.way3.y.back(), 0,
                  0.5 * gravity * 0.36);
-    report.judge_below({"left against right, over the span", "-", "symmetric", 0, {}}, mirror / (2 * inner), 1e-6);
-    report.judge_below({"motion across the plane", "m", {}, 0, {}}, sideways, 1e-9);
+    report.judge_below({"left against right, over the span", "-", "symmetric", 0, {}}, fall.mirror / (2 * inner), 1e-6);
+    report.judge_below({"motion across the plane", "m", {}, 0, {}}, fall.sideways, 1e-9);
 
     Arch3D stable(std::tan(40 * M_PI / 180));
     stable.trial.dt = dt;

@@ -7,6 +7,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/quat.hpp"
 #include "riprap/geometry/shapes.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 #include "riprap/validation/block_trial.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
 
@@ -48,6 +49,7 @@ struct Dam {
         trial.dt = dt;
         trial.settings.max_displacement = 0.1;
         trial.system.gravity = {0, 0, -gravity};
+        trial.state.contacts.bonded = bonded_pairs(trial.system, trial.state.blocks);
         trial.settle(200, 1e-12);
         start_downstream = trial.position(downstream);
         force.resize(at(trial.system.size()));
@@ -171,6 +173,9 @@ void gravity_dam(const CaseSetting& setting, CaseReport& report) {
         Dam dam(cohesion, 0.01);
         dam.run(4.2, end, INFINITY);
         cohesive.push_back(dam.slid());
+        report.state(
+            {fmt::format("4.2 m, cohesion {:.0f} kPa: displacement after {} s", 1e-3 * cohesion, end), "m", {}},
+            cohesive.back());
     }
     bool is_monotone = true;
     for (std::size_t i = 1; i < cohesive.size(); ++i) {

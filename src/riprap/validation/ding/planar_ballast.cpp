@@ -72,16 +72,6 @@ double surface_of(const PlanarTrial& trial, std::int32_t first, double length) {
 
 }  // namespace
 
-std::int32_t BallastBed::stone_at(const Vec2& point) const {
-    std::int32_t nearest = first_stone;
-    for (std::int32_t b = first_stone; b < first_stone + stone_count; ++b) {
-        if (norm(trial.center(b) - point) < norm(trial.center(nearest) - point)) {
-            nearest = b;
-        }
-    }
-    return nearest;
-}
-
 BallastBed make_bed(double length, double thickness, std::uint64_t seed) {
     BallastBed bed{PlanarTrial({2600, 5e10, 0.2}, ballast_joint())};
     PlanarTrial& trial = bed.trial;
@@ -131,28 +121,27 @@ namespace {
 struct Watch {
     const BallastBed& bed;
     PlanarTrial& trial;
-    std::int32_t ice, marked;
-    Strike result;
+    std::int32_t ice;
+    std::int32_t struck{-1};  ///< stone that the ice meets first: the marked one
+    Strike result{};
     Vec2 touch{};
-    std::vector<double> rise;
-    std::vector<std::vector<Vec2>> paths;  ///< of every stone: time and height while it flies
+    std::vector<double> rise{}, drift{};     ///< largest way of every stone up and aside [m]
+    std::vector<std::vector<Vec2>> paths{};  ///< of every stone: time and height while it flies
 
     void look() {
         if (result.impact_time == 0) {
             for (std::int32_t b = bed.first_stone; b < bed.first_stone + bed.stone_count; ++b) {
-                if (trial.do_touch(ice, b)) {
+                if (trial.do_touch(ice, b) && struck < 0) {
                     result.impact_time = trial.time;
                     touch = trial.center(ice);
+                    struck = b - bed.first_stone;
                 }
             }
         }
         for (std::int32_t k = 0; k < bed.stone_count; ++k) {
             const Vec2 moved = trial.center(bed.first_stone + k) - bed.start[at(k)];
             rise[at(k)] = std::max(rise[at(k)], moved.y);
-            if (bed.first_stone + k == marked) {
-                result.marked.x = std::max(result.marked.x, std::abs(moved.x));
-                result.marked.y = std::max(result.marked.y, moved.y);
-            }
+            drift[at(k)] = std::max(drift[at(k)], std::abs(moved.x));
             if (trial.center(bed.first_stone + k).y > bed.surface + 0.08) {
                 paths[at(k)].push_back({trial.time, trial.center(bed.first_stone + k).y});
             }
@@ -227,8 +216,9 @@ Strike strike(const BallastBed& bed, const Shot& shot) {
                                  ? trial.add_regular(center, shot.size.x, shot.corners, shot.is_flat, bed.ice_material)
                                  : trial.add_box(center - 0.5 * shot.size, shot.size, false, bed.ice_material);
     trial.set_velocity(ice, shot.velocity);
-    Watch watch{bed, trial, ice, bed.stone_at({shot.place, bed.surface - 0.03}), {}, {}, {}, {}};
+    Watch watch{bed, trial, ice};
     watch.rise.assign(at(bed.stone_count), 0);
+    watch.drift.assign(at(bed.stone_count), 0);
     watch.paths.resize(at(bed.stone_count));
     trial.dt = shot.height > 0.2 ? 1e-3 : 1e-4;
     double end = 2;
@@ -240,14 +230,17 @@ Strike strike(const BallastBed& bed, const Shot& shot) {
         if (watch.result.impact_time > 0) {
             end = std::min(end, watch.result.impact_time + shot.after);
         }
-        if (shot.rail >= 0 && trial.do_touch(ice, shot.rail)) {
-            watch.result.has_hit_rail = true;
+        for (const std::int32_t rail : bed.rails) {
+            watch.result.has_hit_rail = watch.result.has_hit_rail || trial.do_touch(ice, rail);
         }
     }
     for (const double rise : watch.rise) {
         watch.result.flying += rise > 0.047 ? 1 : 0;
         watch.result.above_330 += rise > 0.33 ? 1 : 0;
         watch.result.highest = std::max(watch.result.highest, rise);
+    }
+    if (watch.struck >= 0) {
+        watch.result.marked = {watch.drift[at(watch.struck)], watch.rise[at(watch.struck)]};
     }
     watch.result.ice = trial.center(ice) - center;
     watch.result.parabola = watch.misfit();

@@ -17,9 +17,7 @@ struct BallastBed {
     double surface{0};                    ///< mean height of the highest stones in the middle [m]
     double porosity{0};                   ///< below the surface [-]
     std::vector<geometry::Vec2> start{};  ///< of the stones [m]
-
-    /// The stone nearest to a point.
-    std::int32_t stone_at(const geometry::Vec2& point) const;
+    std::vector<std::int32_t> rails{};    ///< blocks that stand for rails; none unless added
 };
 
 /// Stones of one packing. Sizes, shapes and places follow from the seed alone.
@@ -31,7 +29,7 @@ struct Strike {
     int flying{0};            ///< stones whose centre rose by more than 47 mm, a mean size
     int above_330{0};         ///< stones whose centre rose by more than 330 mm
     double highest{0};        ///< rise of a stone [m]
-    geometry::Vec2 marked{};  ///< largest displacement of the marked stone along x and y [m]
+    geometry::Vec2 marked{};  ///< largest displacement along x and y of the marked stone, which the ice meets first [m]
     geometry::Vec2 ice{};     ///< displacement of the ice at the end [m]
     double ice_way{0};        ///< largest distance of the ice from where it touched [m]
     double ice_bounce{0};     ///< rise of the ice above the surface after the touch [m]
@@ -49,7 +47,6 @@ struct Shot {
     bool is_flat{false};  ///< it comes with an edge first, not with a corner
     geometry::Vec2 size{0.05, 0.05};  ///< radius of the polygon, or both sides [m]
     double after{0.3};                ///< time computed from the touch [s]
-    std::int32_t rail{-1};
 };
 
 /// Throws ice on a copy of the bed.
