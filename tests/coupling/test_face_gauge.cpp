@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/face_gauge.hpp"
+#include "riprap/coupling/particle_walls/face_reading.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "coupling/tank_scenes.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::coupling {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constants of water in joints, from where rows of particles stand before a face: docs/theory/coupling.md, 6.
-#include "riprap/coupling/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_openings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "riprap/coupling/solid_slopes.hpp"
+#include "riprap/coupling/joints/solid_slopes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling/tank_scenes.hpp"
-#include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 namespace riprap::coupling {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "coupling/tank_scenes.hpp"
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -12,7 +12,7 @@
 #include "coupling/tank_scenes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/strays.hpp"
+#include "riprap/coupling/particle_walls/strays.hpp"
 
 #include <gtest/gtest.h>
 

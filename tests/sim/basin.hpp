@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "riprap/coupling/fill.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 #include "sim/small_scene.hpp"
 
 namespace riprap::sim {

@@ -6,7 +6,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 #include "sim/basin.hpp"

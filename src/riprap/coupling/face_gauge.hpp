@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
-#include "riprap/coupling/penalty_walls.hpp"
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/body/body_set.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::coupling {
@@ -25,43 +24,5 @@ struct FaceGauge {
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
                                    const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
                                    const Vec3& place, double reach, BodyId only = {});
-
-/// Bodies with their boundary particles after a step: what the water pressed on, and how hard.
-struct LoadedFaces {
-    const geometry::ShapeSet& shapes;
-    const body::BodySet& bodies;
-    std::span<const std::uint8_t> is_dry;       ///< per body: not there for the water; empty = none
-    const body::Motion& motion;                 ///< of all bodies, where the samples are
-    SampleView samples;                         ///< the samples that the water may feel
-    const fluid::BoundaryParticles& particles;  ///< ... as the water met them; may be more than the samples
-    const fluid::Domain& domain;
-    double spacing;                                           ///< dp [m]
-    double reach;                                             ///< how deep the water looks into a solid [m]
-    std::span<const std::vector<PenaltyWalls::Push>> pushes;  ///< of faces on particles, besides
-};
-
-/// What a transducer reads: the force of the water on the face about it over the area of the face there [Pa],
-///
-///     p = -sum_s (f_s . n) w(x_s) / sum_s A_s w(x_s),     w(x) = B(a) B(b), in two dimensions B(a),
-///
-/// f_s the pressure force on boundary particle s behind the plane of the face, or the push of a particle on it, x_s its
-/// foot on the plane, a and b distances from the gauge along the face, B a cubic B-spline that is one spacing wide and
-/// ends at two (spline_weight of the fluid's gauges) and A_s the area that a particle of the first layer stands for. So
-/// the impulse of what hits is right however few particles it is, where an average over the particles near the gauge
-/// takes one of them for a layer (docs/theory/coupling.md, 8).
-///
-/// A particle counts where its foot lies on the open face of its own body: that body just below, none just above.
-/// Bodies that lie flush go on as one face. Boundary particles that are buried, where bodies overlap in a corner, have
-/// no face of their own; they count for the place in front of the body that covers their foot. A gauge reads 0 where it
-/// is dry or covered.
-///
-/// Within two spacings of an edge that stands out into the water it reads up to a third too little.
-///
-/// It is the force of the last step, not a mean since the last reading. Viscous forces and water in joints, which no
-/// particle stands for, are not in it. Bodies thinner than `reach` feel the water of their other side too.
-double read_face(const FaceGauge& gauge, const LoadedFaces& loaded);
-
-/// Whether water can be at the gauge: nothing that is wet lies on it.
-bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded);
 
 }  // namespace riprap::coupling

@@ -11,7 +11,7 @@
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
-#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 
 namespace riprap::coupling {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "riprap/core/index.hpp"
-#include "riprap/coupling/strays.hpp"
+#include "riprap/coupling/particle_walls/strays.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/solid/travel_bound.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"

@@ -15,7 +15,7 @@
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
-#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
 #include "riprap/fluid/grid/read.hpp"

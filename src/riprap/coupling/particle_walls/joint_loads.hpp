@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "riprap/coupling/fluid_scene.hpp"
-#include "riprap/coupling/joint_pressure.hpp"
+#include "riprap/coupling/joints/joint_pressure.hpp"
 #include "riprap/coupling/particle_walls/particle_fluid.hpp"
 
 namespace riprap::coupling {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "riprap/coupling/particle_walls/paddle_absorption.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/open/sponge.hpp"
 #include "riprap/fluid/schemes.hpp"

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "riprap/core/account.hpp"
-#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/particle_walls/face_reading.hpp"
 #include "riprap/coupling/particle_walls/particle_scratch.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 

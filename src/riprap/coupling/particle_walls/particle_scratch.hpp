@@ -9,9 +9,9 @@
 
 #include "riprap/coupling/particle_walls/joint_loads.hpp"
 #include "riprap/coupling/particle_walls/particle_fluid.hpp"
-#include "riprap/coupling/penalty_walls.hpp"
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/particle_walls/penalty_walls.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 
 namespace riprap::coupling {
 

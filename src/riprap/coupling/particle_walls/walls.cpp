@@ -8,7 +8,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/near_samples.hpp"
+#include "riprap/coupling/samples/near_samples.hpp"
 
 namespace riprap::coupling {
 

@@ -11,7 +11,7 @@
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"

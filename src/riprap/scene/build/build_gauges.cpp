@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "riprap/coupling/particle_walls/face_reading.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/placed_part.hpp"

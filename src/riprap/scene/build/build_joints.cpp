@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/coupling/joint_pairs.hpp"
+#include "riprap/coupling/joints/joint_pairs.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
 namespace riprap::scene {

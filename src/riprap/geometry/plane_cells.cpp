@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/plane_cells.hpp"
+#include "riprap/geometry/plane_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "riprap/core/parallel.hpp"
 
-namespace riprap::coupling {
+namespace riprap::geometry {
 
 void clip(PlanePolygon& polygon, const HalfPlane& side, PlanePolygon& buffer) {
     const auto excess = [&side](const PlanePoint& p) { return side.a * p.u + side.b * p.v - side.c; };
@@ -157,4 +157,4 @@ std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, cons
     return cells;
 }
 
-}  // namespace riprap::coupling
+}  // namespace riprap::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/ground_samples.hpp"
+#include "riprap/coupling/samples/ground_samples.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/joint_pressure.hpp"
+#include "riprap/coupling/joints/joint_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/near_parts.hpp"
+#include "riprap/coupling/particle_walls/near_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/face_layers.hpp"
+#include "riprap/geometry/face_layers.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
 
-#include "riprap/coupling/plane_cells.hpp"
+#include "riprap/geometry/plane_cells.hpp"
 
-namespace riprap::coupling {
+namespace riprap::geometry {
 
 namespace {
 
@@ -90,7 +90,7 @@ class FaceSections {
         origin_ = centre + (faces[face].plane.offset - dot(normal_, centre)) * normal_;
         for (std::size_t i = 0; i < faces.size(); ++i) {
             if (i != face) {
-                const geometry::Plane& plane = faces[i].plane;
+                const Plane& plane = faces[i].plane;
                 const double along = dot(plane.normal, normal_);
                 lines_.push_back({dot(plane.normal, e1_), dot(plane.normal, e2_),
                                   plane.offset - dot(plane.normal, origin_), along - (faces[i].is_cut ? 0 : 1),
@@ -328,4 +328,4 @@ std::vector<LayerPoint> layers_under_faces(std::span<const LayerFace> faces, dou
     return points;
 }
 
-}  // namespace riprap::coupling
+}  // namespace riprap::geometry

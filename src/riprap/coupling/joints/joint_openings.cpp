@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_openings.hpp"
 
 #include <algorithm>
 #include <cmath>

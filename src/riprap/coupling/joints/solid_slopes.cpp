@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/solid_slopes.hpp"
+#include "riprap/coupling/joints/solid_slopes.hpp"
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"

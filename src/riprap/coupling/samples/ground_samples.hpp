@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/body/ground.hpp"
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 
 namespace riprap::coupling {
 

@@ -7,11 +7,11 @@
 
 #include "riprap/geometry/polyhedron.hpp"
 
-namespace riprap::coupling {
+namespace riprap::geometry {
 
 /// A face plane of a convex part.
 struct LayerFace {
-    geometry::Plane plane;
+    Plane plane;
     bool is_cut;  ///< where the part was cut off: no layers follow it, and points keep half a spacing from it
 };
 
@@ -47,4 +47,4 @@ struct LayerSettings {
 std::vector<LayerPoint> layers_under_faces(std::span<const LayerFace> faces, double inscribed_radius,
                                            const Vec3& centre, double extent, const LayerSettings& settings);
 
-}  // namespace riprap::coupling
+}  // namespace riprap::geometry

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace riprap::coupling {
+namespace riprap::geometry {
 
 /// A point of a plane.
 struct PlanePoint {
@@ -39,4 +39,4 @@ PlaneBox bounds(std::span<const PlanePolygon> polygons);
 /// may lie outside. Exact; about 50 cuts a point when the points lie about `spacing` apart. Deterministic, in parallel.
 std::vector<PlanePolygon> voronoi_cells(std::span<const PlanePoint> points, const PlaneBox& box, double spacing);
 
-}  // namespace riprap::coupling
+}  // namespace riprap::geometry

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/kernel.hpp"

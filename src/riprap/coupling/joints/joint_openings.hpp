@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joint_pairs.hpp"
+#include "riprap/coupling/joints/joint_pairs.hpp"
 
 namespace riprap::coupling {
 

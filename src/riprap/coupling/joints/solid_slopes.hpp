@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/rigid_map.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/domain.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
 

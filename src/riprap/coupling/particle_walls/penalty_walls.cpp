@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/penalty_walls.hpp"
+#include "riprap/coupling/particle_walls/penalty_walls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <ranges>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/near_parts.hpp"
+#include "riprap/coupling/particle_walls/near_parts.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_openings.hpp"
 
 namespace riprap::coupling {
 

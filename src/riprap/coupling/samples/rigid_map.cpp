@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"

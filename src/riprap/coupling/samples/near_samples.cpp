@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/near_samples.hpp"
+#include "riprap/coupling/samples/near_samples.hpp"
 
 #include <algorithm>
 #include <array>

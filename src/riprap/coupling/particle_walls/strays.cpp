@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/strays.hpp"
+#include "riprap/coupling/particle_walls/strays.hpp"
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/near_parts.hpp"
+#include "riprap/coupling/particle_walls/near_parts.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {

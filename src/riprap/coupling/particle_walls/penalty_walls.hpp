@@ -10,7 +10,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/core/bytes.hpp"
-#include "riprap/coupling/rigid_map.hpp"
+#include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/geometry/shape_set.hpp"

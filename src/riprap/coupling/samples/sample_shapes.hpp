@@ -5,7 +5,7 @@
 #include <span>
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/domain.hpp"
 #include "riprap/geometry/shape_set.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/sample_shapes.hpp"
+#include "riprap/coupling/samples/sample_shapes.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/coupling/face_layers.hpp"
-#include "riprap/coupling/ground_samples.hpp"
-#include "riprap/coupling/seams.hpp"
+#include "riprap/coupling/samples/ground_samples.hpp"
+#include "riprap/coupling/samples/seams.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/geometry/chebyshev.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/face_layers.hpp"
 #include "riprap/geometry/shapes.hpp"
 
 namespace riprap::coupling {
@@ -84,7 +84,7 @@ Polyhedron box_in_body(const Box& box, const Pose& pose) {
 /// A convex part in the frame of its body, cut to what is to be sampled.
 struct CutPart {
     Polyhedron shape;
-    std::vector<LayerFace> faces;
+    std::vector<geometry::LayerFace> faces;
     bool has_glue{false};  ///< some faces lie against other parts
 };
 
@@ -154,12 +154,12 @@ double layer_estimate(const CutPart& part, const SampleSettings& settings) {
     return area / (settings.spacing * settings.spacing) * layers;
 }
 
-std::vector<LayerPoint> sample_part(const CutPart& part, const SampleSettings& settings, bool is_planar) {
+std::vector<geometry::LayerPoint> sample_part(const CutPart& part, const SampleSettings& settings, bool is_planar) {
     std::vector<Plane> planes;
     std::vector<std::uint8_t> flags;
     planes.reserve(part.faces.size());
     flags.reserve(part.faces.size());
-    for (const LayerFace& face : part.faces) {
+    for (const geometry::LayerFace& face : part.faces) {
         planes.push_back(face.plane);
         flags.push_back(face.is_cut ? 1 : 0);
     }
@@ -173,13 +173,13 @@ std::vector<LayerPoint> sample_part(const CutPart& part, const SampleSettings& s
     const double extent = 2 * geometry::length_scale(part.shape.vertices);
     geometry::InscribedSphere sphere = geometry::largest_inscribed_sphere(planes, flags, middle, extent);
     sphere.centre.z = is_planar ? 0 : sphere.centre.z;
-    return layers_under_faces(part.faces, sphere.radius, sphere.centre, extent,
-                              {settings.spacing, settings.reach, is_planar});
+    return geometry::layers_under_faces(part.faces, sphere.radius, sphere.centre, extent,
+                                        {settings.spacing, settings.reach, is_planar});
 }
 
 void append(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyId body, const CutPart& cut,
             const SampleSettings& settings, SampleSet& samples) {
-    for (const LayerPoint& point : sample_part(cut, settings, bodies.is_planar)) {
+    for (const geometry::LayerPoint& point : sample_part(cut, settings, bodies.is_planar)) {
         Vec3 normal = cut.faces[at(point.face)].plane.normal;
         double depth = point.depth;
         if (cut.has_glue) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/seams.hpp"
+#include "riprap/coupling/samples/seams.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include "riprap/body/loads.hpp"
 #include "riprap/body/motion.hpp"
-#include "riprap/coupling/sample_set.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
 
 namespace riprap::coupling {
