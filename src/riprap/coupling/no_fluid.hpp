@@ -41,6 +41,7 @@ class NoFluid {
     Outcome kick(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     std::span<const double> feedback() const { return {}; }
+    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return false; }
     static std::array<double, 3> read(const FluidScene& /*scene*/, const Settings& /*settings*/,
                                       const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
                                       const fluid::Gauge& /*gauge*/, const FaceGauge* /*face*/, double /*time*/) {

@@ -4,6 +4,10 @@
 // What the methods of a case say of themselves beyond what a step needs. A method that does not say it has the default.
 
 #include <limits>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "riprap/sim/model.hpp"
 
@@ -62,6 +66,31 @@ inline bool tells_depth(const Model& model) {
     return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
         return requires { requires Solid::tells_depth; };
     });
+}
+
+/// Does the fluid read gauges of a kind? It says so by `reads(kind)`.
+inline bool reads_gauge(const Model& model, fluid::GaugeKind kind) {
+    return Fluids::visit(
+        model.fluid, [kind]<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::reads(kind); });
+}
+
+/// Returns the words of the fluids that read gauges of a kind.
+inline std::vector<std::string_view> fluids_that_read(fluid::GaugeKind kind) {
+    std::vector<std::string_view> words;
+    const auto add = [&words]<class... Schemes>(const std::variant<Schemes...>* /*schemes*/) {
+        (words.push_back(Schemes::method_name), ...);
+    };
+    Fluids::for_each([&]<class Fluid>() {
+        if (!Fluid::reads(kind)) {
+            return;
+        }
+        if constexpr (std::is_same_v<typename Fluid::Settings, coupling::ParticleFluid>) {
+            add(static_cast<const fluid::SchemeSettings*>(nullptr));
+        } else if constexpr (Fluid::is_there) {
+            words.push_back(Fluid::Settings::method_name);
+        }
+    });
+    return words;
 }
 
 }  // namespace riprap::sim

@@ -47,6 +47,7 @@ concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span,
     { fluid.kick(span, report) } -> std::same_as<Outcome>;
     { fluid.end(span, report) } -> std::same_as<Outcome>;
     { looked_at.feedback() } -> std::convertible_to<std::span<const double>>;
+    { M::reads(fluid::GaugeKind::pressure) } -> std::same_as<bool>;
 };
 
 /// A list of methods, and what is made of it: settings for the Model, buffers for the Scratch.

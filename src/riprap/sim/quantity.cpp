@@ -104,6 +104,9 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
         gauge.face >= 0 ? &model.output.faces[static_cast<std::size_t>(gauge.face)] : nullptr;
     const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
+        if (!Fluid::reads(gauge.kind)) {
+            return std::array<double, 3>{std::numeric_limits<double>::quiet_NaN()};
+        }
         const auto* const scratch =
             moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().fluid);
         if constexpr (std::is_same_v<typename Fluid::Fields, NoFields>) {

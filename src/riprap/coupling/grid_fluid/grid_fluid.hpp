@@ -104,6 +104,8 @@ class GridFluid {
     Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     std::span<const double> feedback() const { return scratch_->feedback; }
 
+    /// Tells whether a gauge of this kind means something here: all do.
+    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return true; }
     /// Reads a gauge of any kind. Without scratch, bodies are cut anew.
     static std::array<double, 3> read(const FluidScene& scene, const Settings& settings, const Fields& fields,
                                       const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face);

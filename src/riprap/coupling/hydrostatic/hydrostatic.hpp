@@ -94,6 +94,11 @@ class HydrostaticFluid {
     Outcome kick(const TimeSpan& span, FluidStep& report);
     Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     std::span<const double> feedback() const { return {}; }
+    /// Tells whether a gauge of this kind means something in still water.
+    static constexpr bool reads(fluid::GaugeKind kind) {
+        return kind == fluid::GaugeKind::pressure || kind == fluid::GaugeKind::velocity ||
+               kind == fluid::GaugeKind::level;
+    }
     static std::array<double, 3> read(const FluidScene& scene, const Settings& settings,
                                       const fluid::ParticleState& particles, const Scratch* scratch,
                                       const fluid::Gauge& gauge, const FaceGauge* face, double time);

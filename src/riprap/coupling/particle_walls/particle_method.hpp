@@ -52,6 +52,8 @@ class ParticleMethod {
     /// Returns the share of each body's mass that its walls feed back to the loads: the bodies whose accelerations have
     /// to be iterated [-].
     std::span<const double> feedback() const { return scratch_->bodies.kappa; }
+    /// Tells whether a gauge of this kind means something here: all do.
+    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return true; }
     /// Reads a gauge; nothing before the first step for one on a face.
     static std::array<double, 3> read(const FluidScene& scene, const Settings& water,
                                       const fluid::ParticleState& particles, const Scratch* scratch,

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "riprap/coupling/particle_walls/face_reading.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/placed_part.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
@@ -117,6 +120,25 @@ void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const flui
     }
 }
 
+/// Refuses a kind of gauge that means nothing in the fluid of the case.
+void check_kind(CaseBuild& build, const Value& table, fluid::GaugeKind kind) {
+    const sim::Model& model = build.model;
+    if (!model.has_fluid() || sim::reads_gauge(model, kind)) {
+        return;
+    }
+    std::vector<std::string_view> kinds;
+    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
+        if (sim::reads_gauge(model, info.kind)) {
+            kinds.push_back(info.name);
+        }
+    }
+    build.problem(
+        get(table, "kind").place,
+        fmt::format("the fluid '{}' has no '{}' to read at the gauge '{}'",
+                    get_text(get(build.root, "fluid"), "method"), get_text(table, "kind"), get_text(table, "name")),
+        fmt::format("{}, or fluid.method = {}", fmt::join(kinds, ", "), fmt::join(sim::fluids_that_read(kind), ", ")));
+}
+
 /// Returns the size of particles or cells of the fluid [m]; 0 where it has none.
 double spacing_of(const sim::Model& model) {
     return sim::Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
@@ -221,6 +243,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
         gauge.name = get_text(table, "name");
         gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"))->kind;
         gauge.point = get_vector(table, "point");
+        check_kind(build, table, gauge.kind);
         gauge.up = build.up();
         if (!build.domain->holds(gauge.point)) {
             const Vec3 &x = gauge.point, &low = build.domain->low, &high = build.domain->high;
