@@ -48,7 +48,7 @@ TEST(AcousticDamping, sound_decays_as_bulk_viscosity_says) {
     for (const double damping : {0.25, 1.0}) {
         Water water = periodic_water(spacing, 0.02, c, damping);
         const Rest rest = after_two_periods(water);
-        const double bulk_viscosity = damping * water.scratch.data().damped_share[0] * c *
+        const double bulk_viscosity = damping * water.scratch.data().water.damped_share[0] * c *
                                       water.settings.smoothing_length();  // over rho_0 [m^2/s]
         const double expected = -bulk_viscosity * wave * wave * 2 / c;
         EXPECT_NEAR(std::log(rest.left), expected, 0.03 * std::abs(expected)) << damping;
@@ -128,7 +128,7 @@ TEST(AcousticDamping, neighbours_stand_evenly_inside_a_lattice_and_not_at_its_fa
             }
             water.step();
             const auto share_of = [&](std::size_t i) {
-                const Vec3& gradient = water.scratch.data().concentration_gradient[i];
+                const Vec3& gradient = water.scratch.data().continuity.concentration_gradient[i];
                 return even_share(water.settings.smoothing_length() * norm(gradient));
             };
             const std::size_t middle = water.state.size() / 2, face = middle - 4;  // nine in a row
@@ -155,8 +155,9 @@ TEST(AcousticDamping, at_a_crowded_surface_there_is_none_either) {
     };
     const Water damped = crowd(1);
     const SphScratchData& s = damped.scratch.data();
-    EXPECT_GT(*std::max_element(s.correction_share.begin(), s.correction_share.end()), 0.3);  // taken for the inside
-    EXPECT_EQ(*std::max_element(s.damped_share.begin(), s.damped_share.end()), 0);
+    EXPECT_GT(*std::max_element(s.water.correction_share.begin(), s.water.correction_share.end()),
+              0.3);  // taken for the inside
+    EXPECT_EQ(*std::max_element(s.water.damped_share.begin(), s.water.damped_share.end()), 0);
     EXPECT_EQ(damped.state.velocity, crowd(0).state.velocity);
 }
 

@@ -10,8 +10,6 @@
 
 namespace riprap::fluid {
 
-struct SphScratchData;
-
 /// A symmetric tensor in the order of symmetric.hpp.
 using Symmetric = std::array<double, symmetric_numbers>;
 inline constexpr Symmetric unit_tensor{1, 1, 0, 1, 0, 0};
@@ -22,14 +20,14 @@ inline double contract(int dimension, const Symmetric& b, const Symmetric& g) {
     return dimension == 2 ? planar : planar + b[3] * g[3] + 2 * (b[4] * g[4] + b[5] * g[5]);
 }
 
-/// How the gradients of one particle are corrected.
+/// Correction of the gradients of one particle.
 struct GradientCorrection {
     Symmetric tensor;  ///< B [-]
     double share;      ///< s, from 0, where B = I, to 1, where velocities linear in space have their exact divergence
 };
 
-/// c, how much of a particle is inside what its moments were summed over: 0 where tr M/D <= 0.95 or >= 1.15, 1 from
-/// 1.00 to 1.05, linear between.
+/// Returns c, the share of a particle that is inside what its moments were summed over: 0 where tr M/D <= 0.95 or
+/// >= 1.15, 1 from 1.00 to 1.05, linear between.
 /// @param trace  tr M/D
 inline double interior_share(double trace) {
     // Behind a flat surface at h/dp = 1.5 the rows of a square (cubic) lattice have 0.62 (0.67), 0.91 (0.94), 1.00
@@ -70,8 +68,5 @@ inline GradientCorrection gradient_correction(int dimension, const Symmetric& mo
     }
     return correction;
 }
-
-/// B = I for all particles.
-void leave_gradients(std::size_t particles, SphScratchData& scratch);
 
 }  // namespace riprap::fluid

@@ -9,7 +9,7 @@
 namespace riprap::fluid {
 namespace {
 
-/// What the sum over a square (cubic) lattice makes of the rest density, divided out of every sum
+/// Returns the sum over a square (cubic) lattice over the rest density, divided out of every sum [-].
 double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
     const double dp = settings.spacing, radius = settings.support_radius();
     const int reach = static_cast<int>(radius / dp) + 1, layers = settings.domain.dimension == 2 ? 0 : reach;
@@ -27,15 +27,16 @@ double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
 void sum_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, SphScratchData& s) {
     const DensitySum pair{Poly6Kernel(settings.support_radius(), settings.domain.dimension)};
     const double scale = 1 / lattice_excess(settings, pair.kernel);
-    s.mass.assign(state.position.size(), scale * settings.particle_mass);
-    s.wall_mass.resize(walls.position.size());
-    for (std::size_t w = 0; w < s.wall_mass.size(); ++w) {
-        s.wall_mass[w] = scale * settings.rest_density * walls.volume[w];
+    s.water.mass.assign(state.position.size(), scale * settings.particle_mass);
+    s.walls.mass.resize(walls.position.size());
+    for (std::size_t w = 0; w < s.walls.mass.size(); ++w) {
+        s.walls.mass[w] = scale * settings.rest_density * walls.volume[w];
     }
     make_zero(state.density, state.position.size());
-    add_pair_sums_within(settings, pair, {state.position, {field(s.mass)}}, {sink(state.density)}, s.fluid_fluid);
-    add_pair_sums(settings, pair, {state.position, {field(s.mass)}}, {walls.position, {field(s.wall_mass)}},
-                  {sink(state.density)}, s.fluid_walls);
+    add_pair_sums_within(settings, pair, {state.position, {field(s.water.mass)}}, {sink(state.density)},
+                         s.lists.fluid_fluid);
+    add_pair_sums(settings, pair, {state.position, {field(s.water.mass)}}, {walls.position, {field(s.walls.mass)}},
+                  {sink(state.density)}, s.lists.fluid_walls);
 }
 
 SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
@@ -49,21 +50,21 @@ void with_viscosity(const SphSettings& settings, const Work& work) {
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
     sum_density(settings, state, walls, s);
-    find_pressure(settings, state, s);
+    find_pressure(settings, state, s.water);
     const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
-    s.dynamic_viscosity.assign(state.position.size(), settings.rest_density * nu);
-    make_zero(s.bareness, state.position.size());
-    leave_gradients(state.position.size(), s);
-    find_pressure_tensors(s);
-    make_room_for_forces(state.position.size(), s);
-    make_zero(s.wall_heat, state.position.size());
+    s.water.dynamic_viscosity.assign(state.position.size(), settings.rest_density * nu);
+    make_zero(s.water.bareness, state.position.size());
+    s.water.correction.assign(state.position.size(), unit_tensor);  // gradients are left as they are
+    find_pressure_tensors(s.water);
+    make_room_for_forces(state.position.size(), s.forces);
+    make_zero(s.forces.wall_heat, state.position.size());
     sum_at_walls(settings, spiky(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
 }
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratchData& s) {
-    extrapolate_to_walls(walls, gravity, s);
+    extrapolate_to_walls(s.at_walls, gravity, walls, s.walls);
     with_viscosity(settings,
                    [&](const auto& law) { find_forces_on_walls(settings, spiky(settings), state, walls, law, s); });
 }
@@ -72,7 +73,7 @@ void kick_fluid(const SphSettings& settings, ParticleState& state, const Boundar
                 double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
     with_viscosity(settings,
                    [&](const auto& law) { add_forces_from_walls(settings, spiky(settings), state, walls, law, s); });
-    kick(settings, state, gravity, dt, s, extra_force, report);
+    kick(settings, state, gravity, dt, s.water.volume, s.forces, extra_force, report);
     book_walls(walls, dt, report);
 }
 

@@ -71,16 +71,17 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
 
 void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, WaterAtWalls& water) {
     const SphScratchData& s = scratch.data();
-    water.weight.resize(s.wall_weight.size());
-    water.slope.resize(s.wall_slope.size());
+    water.weight.resize(s.at_walls.weight.size());
+    water.slope.resize(s.at_walls.slope.size());
     water.pressure.resize(water.weight.size());
     parallel::for_each(static_cast<std::int64_t>(water.weight.size()), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        water.weight[w] = s.wall_weight[w];
-        water.slope[w] = s.wall_slope[w];
-        water.pressure[w] = water.weight[w] > 0
-                                ? std::max(0.0, (s.wall_pressure[w] + dot(gravity, s.wall_moment[w])) / water.weight[w])
-                                : 0;
+        water.weight[w] = s.at_walls.weight[w];
+        water.slope[w] = s.at_walls.slope[w];
+        water.pressure[w] =
+            water.weight[w] > 0
+                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment[w])) / water.weight[w])
+                : 0;
     });
 }
 
