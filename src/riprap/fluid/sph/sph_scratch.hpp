@@ -10,7 +10,7 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/vec3.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 
@@ -84,15 +84,6 @@ struct WallFields {
     std::vector<double> mass;             ///< as it enters a sum of density [kg]
 
     std::size_t bytes() const { return bytes_of(mirrored_velocity, grip, mass); }
-};
-
-/// Lists of neighbours and buffers of the sums: a cache.
-struct SweepLists {
-    SweepScratch fluid_fluid;
-    SweepScratch fluid_walls{SweepScratch::sharing_buffers(fluid_fluid)};
-    SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
-
-    std::size_t bytes() const { return fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes(); }
 };
 
 struct SphScratchData {

@@ -14,22 +14,26 @@ namespace {
 void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, WcmpsScratchData& s) {
     const auto count = state.density.size();
-    for (std::vector<double>* sums : {&s.rate, &s.diffusion, &s.crowding, &s.neighbours}) {
+    for (std::vector<double>* sums :
+         {&s.continuity.rate, &s.continuity.diffusion, &s.continuity.crowding, &s.continuity.neighbours}) {
         clear(*sums, count);
     }
-    clear(s.normal, count);
+    clear(s.continuity.normal, count);
     const Vec3 head = settings.diffuses_hydrostatic ? Vec3{} : settings.rest_density * gravity;
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto n = [&](int axis) { return sink_component(s.normal, axis); };
+    const auto n = [&](int axis) { return sink_component(s.continuity.normal, axis); };
     add_pair_sums_within(settings, NumberContinuity{settings.weight(), {head.x, head.y, head.z}},
-                         {state.position, {v(0), v(1), v(2), field(s.pressure), field(s.concentration)}},
-                         {sink(s.rate), sink(s.diffusion), sink(s.crowding), sink(s.neighbours), n(0), n(1), n(2)},
-                         s.fluid_fluid);
-    add_pair_sums(settings, NumberContinuityAtWalls{settings.weight()}, {state.position, {v(0), v(1), v(2)}},
-                  {walls.position,
-                   {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
-                    field(s.wall_share), field(s.wall_mirrors)}},
-                  {sink(s.rate), sink(s.crowding), sink(s.neighbours), n(0), n(1), n(2)}, s.fluid_walls);
+                         {state.position, {v(0), v(1), v(2), field(s.water.pressure), field(s.water.concentration)}},
+                         {sink(s.continuity.rate), sink(s.continuity.diffusion), sink(s.continuity.crowding),
+                          sink(s.continuity.neighbours), n(0), n(1), n(2)},
+                         s.lists.fluid_fluid);
+    add_pair_sums(
+        settings, NumberContinuityAtWalls{settings.weight()}, {state.position, {v(0), v(1), v(2)}},
+        {walls.position,
+         {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
+          field(s.walls.share), field(s.walls.mirrors)}},
+        {sink(s.continuity.rate), sink(s.continuity.crowding), sink(s.continuity.neighbours), n(0), n(1), n(2)},
+        s.lists.fluid_walls);
 }
 
 /// x after water has torn: splashes hold no pressure, and what neighbours leave on one side holds no tension.
@@ -59,36 +63,36 @@ double finish_shift(const WcmpsSettings& settings, ParticleState& state, const V
 
 }  // namespace
 
-void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
-    for (std::vector<double>* values : {&s.concentration, &s.pressure, &s.pressure_over_concentration}) {
+void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water) {
+    for (std::vector<double>* values : {&water.concentration, &water.pressure, &water.pressure_over_concentration}) {
         values->resize(state.density.size());
     }
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.concentration[i] = state.density[i] / settings.rest_density;
-        s.pressure[i] = pressure_of(settings, s.concentration[i]);
-        s.pressure_over_concentration[i] = s.pressure[i] / s.concentration[i];
+        water.concentration[i] = state.density[i] / settings.rest_density;
+        water.pressure[i] = pressure_of(settings, water.concentration[i]);
+        water.pressure_over_concentration[i] = water.pressure[i] / water.concentration[i];
     });
 }
 
-void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsScratchData& s) {
-    s.wall_share.resize(walls.position.size());
-    s.wall_mirrors.resize(walls.position.size());
-    s.wall_given.resize(walls.position.size());
+void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsWalls& seen) {
+    seen.share.resize(walls.position.size());
+    seen.mirrors.resize(walls.position.size());
+    seen.given.resize(walls.position.size());
     const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
-        s.wall_share[w] = walls.volume[w] * per_volume;
-        s.wall_mirrors[w] = is_given ? 0 : 1;
-        s.wall_given[w] = is_given ? walls.given_pressure[w] : 0;
+        seen.share[w] = walls.volume[w] * per_volume;
+        seen.mirrors[w] = is_given ? 0 : 1;
+        seen.given[w] = is_given ? walls.given_pressure[w] : 0;
     });
 }
 
 void update_density(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, WcmpsScratchData& s, FluidReport& report) {
-    find_pressure(settings, state, s);
-    find_wall_shares(settings, walls, s);
+    find_pressure(settings, state, s.water);
+    find_wall_shares(settings, walls, s.walls);
     sum_continuity(settings, state, walls, gravity, s);
     report.shifted = finish_shift(settings, state, gravity);
     const MpsLattice lattice = settings.lattice();
@@ -98,13 +102,13 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         lattice.second_order() * diffusivity / (settings.rest_density * settings.sound_speed * settings.sound_speed);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.crowding[i] /= lattice.number_density;
-        const double length = norm(s.normal[i]);
-        s.normal[i] *= length > 0 ? 1 / length : 0;
-        const double before = s.concentration[i];
-        const double spread = dt * spread_factor * s.diffusion[i];
-        const double flown = before - dt * lattice.first_order() * s.rate[i] + spread;
-        const double after = after_tearing(lattice, s.crowding[i], s.neighbours[i], flown);
+        s.continuity.crowding[i] /= lattice.number_density;
+        const double length = norm(s.continuity.normal[i]);
+        s.continuity.normal[i] *= length > 0 ? 1 / length : 0;
+        const double before = s.water.concentration[i];
+        const double spread = dt * spread_factor * s.continuity.diffusion[i];
+        const double flown = before - dt * lattice.first_order() * s.continuity.rate[i] + spread;
+        const double after = after_tearing(lattice, s.continuity.crowding[i], s.continuity.neighbours[i], flown);
         state.density[i] = settings.rest_density * after;
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);

@@ -12,11 +12,11 @@ inline constexpr double splash_limit = 0.4;      ///< beta_E of C
 inline constexpr double surface_limit = 0.9;     ///< beta_F of C
 inline constexpr double neighbour_limit = 0.75;  ///< beta_N of N/N_0
 
-/// x and p and q of every particle, from its density.
-void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
+/// Finds x, p and q of every particle from its density.
+void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water);
 
-/// b, m and P of wall particles.
-void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsScratchData& scratch);
+/// Finds b, m and P of wall particles.
+void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsWalls& seen);
 
 /// Changes the density by continuity, diffusion and tearing; leaves C, numbers of neighbours and normals in scratch.
 void update_density(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,

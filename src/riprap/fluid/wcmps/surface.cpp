@@ -50,58 +50,60 @@ Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_n
 void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
     const auto count = state.position.size();
     const MpsLattice lattice = settings.lattice();
-    s.surface.resize(count);
-    s.is_surface.resize(count);
-    s.surface_normal.resize(count);
+    s.surface.classes.resize(count);
+    s.surface.is_surface.resize(count);
+    s.surface.normal.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.surface[i] = class_alone(lattice, s.crowding[i], s.neighbours[i], s.in_front[i]);
-        const bool is_surface = s.surface[i] == SurfaceClass::surface;
-        s.is_surface[i] = is_surface ? 1 : 0;
-        s.surface_normal[i] = is_surface ? s.normal[i] : Vec3{};
+        s.surface.classes[i] =
+            class_alone(lattice, s.continuity.crowding[i], s.continuity.neighbours[i], s.forces.in_front[i]);
+        const bool is_surface = s.surface.classes[i] == SurfaceClass::surface;
+        s.surface.is_surface[i] = is_surface ? 1 : 0;
+        s.surface.normal[i] = is_surface ? s.continuity.normal[i] : Vec3{};
     });
-    clear(s.adjacent, count);
-    clear(s.approaching, count);
-    clear(s.inner_normal, count);
+    clear(s.surface.adjacent, count);
+    clear(s.surface.approaching, count);
+    clear(s.surface.inner_normal, count);
     const double l = settings.spacing;
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto n = [&](int axis) { return component(s.surface_normal, axis); };
-    const auto inner = [&](int axis) { return sink_component(s.inner_normal, axis); };
-    add_pair_sums_within(settings,
-                         MpsSurface{settings.weight(), square(2.1 * l), square(settings.collision_distance * l)},
-                         {state.position, {v(0), v(1), v(2), field(s.is_surface), n(0), n(1), n(2)}},
-                         {sink(s.adjacent), inner(0), inner(1), inner(2), sink(s.approaching)}, s.fluid_fluid);
+    const auto n = [&](int axis) { return component(s.surface.normal, axis); };
+    const auto inner = [&](int axis) { return sink_component(s.surface.inner_normal, axis); };
+    add_pair_sums_within(
+        settings, MpsSurface{settings.weight(), square(2.1 * l), square(settings.collision_distance * l)},
+        {state.position, {v(0), v(1), v(2), field(s.surface.is_surface), n(0), n(1), n(2)}},
+        {sink(s.surface.adjacent), inner(0), inner(1), inner(2), sink(s.surface.approaching)}, s.lists.fluid_fluid);
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        if (s.surface[i] == SurfaceClass::internal && s.adjacent[i] > 0.5) {
-            s.surface[i] = SurfaceClass::near;
+        if (s.surface.classes[i] == SurfaceClass::internal && s.surface.adjacent[i] > 0.5) {
+            s.surface.classes[i] = SurfaceClass::near;
         }
     });
 }
 
 bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
     const auto count = state.position.size();
-    s.collision_share.resize(count);
+    s.collisions.share.resize(count);
     const double size = 0.5 * (1 + settings.collision_ratio);
     const double most = parallel::reduce(
         state.size(), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            const bool may = s.surface[i] == SurfaceClass::surface || s.surface[i] == SurfaceClass::near;
-            s.collision_share[i] = may && s.approaching[i] > 0.5 ? size / s.approaching[i] : 0;
-            return s.collision_share[i];
+            const bool may =
+                s.surface.classes[i] == SurfaceClass::surface || s.surface.classes[i] == SurfaceClass::near;
+            s.collisions.share[i] = may && s.surface.approaching[i] > 0.5 ? size / s.surface.approaching[i] : 0;
+            return s.collisions.share[i];
         },
         [](double a, double b) { return std::max(a, b); });
     if (most == 0) {
         return false;
     }
-    clear(s.collision, count);
+    clear(s.collisions.change, count);
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto c = [&](int axis) { return sink_component(s.collision, axis); };
+    const auto c = [&](int axis) { return sink_component(s.collisions.change, axis); };
     const double l = settings.spacing;
     add_pair_sums_within(settings, MpsCollision{square(settings.collision_distance * l), 1e-8 * l * l},
-                         {state.position, {v(0), v(1), v(2), field(s.collision_share)}}, {c(0), c(1), c(2)},
-                         s.fluid_fluid);
+                         {state.position, {v(0), v(1), v(2), field(s.collisions.share)}}, {c(0), c(1), c(2)},
+                         s.lists.fluid_fluid);
     return true;
 }
 
@@ -116,7 +118,8 @@ Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& 
     const double longest = 0.1 * settings.spacing;
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        Vec3 move = along_surface(s.surface[i], s.normal[i], s.inner_normal[i], -strength * s.crowding_gradient[i]);
+        Vec3 move = along_surface(s.surface.classes[i], s.continuity.normal[i], s.surface.inner_normal[i],
+                                  -strength * s.forces.crowding_gradient[i]);
         const double length = norm(move);
         move *= length > longest ? longest / length : 1;
         state.shift[i] = 0.5 * move;

@@ -11,7 +11,7 @@ namespace riprap::fluid::wcmps {
 void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
 
 /// Changes of velocity that make pairs of classes F and B that approach below the collision distance part
-/// [Mellado2021, eqs. 5.38, 5.39], in scratch.collision; returns whether there are any.
+/// [Mellado2021, eqs. 5.38, 5.39], in scratch.collisions.change; returns whether there are any.
 bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
 
 /// Longest shift and energy of place that its first half took away.

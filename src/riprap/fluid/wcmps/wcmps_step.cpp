@@ -47,17 +47,17 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
-        const Vec3 acceleration = (s.force[i] + extra) / m + gravity;
-        const Vec3 collision = collides ? s.collision[i] : Vec3{};
+        const Vec3 acceleration = (s.forces.force[i] + extra) / m + gravity;
+        const Vec3 collision = collides ? s.collisions.change[i] : Vec3{};
         const Vec3 before = state.velocity[i], after = before + collision + dt * acceleration;
         state.velocity[i] = after;
         Sums sums;
         sums.kinetic = 0.5 * m * dot(before + collision, after);
         sums.collisions = -0.5 * m * dot(collision, 2.0 * before + collision + dt * acceleration);
         sums.potential = -m * dot(downward, state.position[i]);
-        sums.internal = m * internal_energy_of(settings, s.concentration[i]);
-        sums.heat = s.heat[i];
-        sums.exchange = 0.5 * dot(s.wall_hold[i], before + after) - s.wall_hold_power[i];
+        sums.internal = m * internal_energy_of(settings, s.water.concentration[i]);
+        sums.heat = s.forces.heat[i];
+        sums.exchange = 0.5 * dot(s.forces.wall_hold[i], before + after) - s.forces.wall_hold_power[i];
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
         sums.acceleration_squared = norm_squared(acceleration);
@@ -132,17 +132,17 @@ void begin_forces(const WcmpsSettings& settings, ParticleState& state, const Bou
 
 void describe_water_at_walls(const Vec3& gravity, const WcmpsScratch& scratch, WaterAtWalls& water) {
     const WcmpsScratchData& s = scratch.data();
-    const auto count = s.wall_weight.size();
+    const auto count = s.at_walls.weight.size();
     water.weight.resize(count);
     water.slope.resize(count);
     water.pressure.resize(count);
     parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        water.weight[w] = s.cell_weight * s.wall_weight[w];
-        water.slope[w] = -s.slope_factor * s.wall_slope[w];
+        water.weight[w] = s.at_walls.cell_weight * s.at_walls.weight[w];
+        water.slope[w] = -s.at_walls.slope_factor * s.at_walls.slope[w];
         water.pressure[w] =
-            s.wall_weight[w] > 0
-                ? std::max(0.0, (s.wall_pressure[w] + dot(gravity, s.wall_moment[w])) / s.wall_weight[w])
+            s.at_walls.weight[w] > 0
+                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment[w])) / s.at_walls.weight[w])
                 : 0;
     });
 }
@@ -177,6 +177,6 @@ void accelerate(const WcmpsSettings& settings, ParticleState& state, BoundaryPar
     }
 }
 
-std::span<const SurfaceClass> surface_classes(const WcmpsScratch& scratch) { return scratch.data().surface; }
+std::span<const SurfaceClass> surface_classes(const WcmpsScratch& scratch) { return scratch.data().surface.classes; }
 
 }  // namespace riprap::fluid
