@@ -6,7 +6,7 @@
 
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
-#include "riprap/contact/stability.hpp"
+#include "riprap/contact/respond.hpp"
 
 namespace riprap::contact {
 
@@ -66,7 +66,7 @@ std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes) {
     return topologies;
 }
 
-void CommonPlanePhysics::find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
+void CommonPlanePhysics::meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
     const PairSide &a = pair.a, &b = pair.b;
     if (is_still_apart(a, b, cache)) {
         return;
@@ -100,16 +100,7 @@ void CommonPlanePhysics::find_contacts(const Candidate& pair, SeparatingCache& c
         normal.depth = depth;
         normal.potential = depth / radius;
         normal.spin_moment = 2.0 / 3 * norm(normal.force) * std::sqrt(point.area / M_PI);
-        const Mobility mobility_a = mobility_at(a, normal.point, points.normal);
-        const Mobility mobility_b = mobility_at(b, normal.point, points.normal);
-        FoundContact& contact = found.add(point.feature);
-        const ShearState before = contact.springs;
-        const LinearContact linear = friction.visit([&](const auto& law_of_friction) {
-            return law_of_friction.respond(normal, pair.surfaces,
-                                           kinematics_at(pair, normal.point, mobility_a, mobility_b),
-                                           contact.is_old() ? &before : nullptr, contact.springs, contact.row);
-        });
-        set_stability(linear, mobility_a, mobility_b, contact.row);
+        respond(pair, normal, points.normal, point.feature, friction, found);
     }
 }
 

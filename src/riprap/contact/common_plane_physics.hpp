@@ -29,7 +29,7 @@ struct CommonPlanePhysics {
     const Frictions& friction;
     PlaneLaw law{PlaneLaw::soft};
 
-    void find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;
+    void meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;
 };
 
 extern template double ContactPipeline::find_contacts(const CommonPlanePhysics& physics, const ContactScene& scene,

@@ -12,7 +12,7 @@ struct DistancePotentialPhysics {
     DistancePotentialOptions options;
     const Frictions& friction;
 
-    void find_contacts(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;
+    void meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const;
 };
 
 extern template double ContactPipeline::find_contacts(const DistancePotentialPhysics& physics,

@@ -9,7 +9,7 @@
 
 namespace riprap::contact {
 
-template <PairPhysics Physics>
+template <ContactPhysics Physics>
 double ContactPipeline::find_contacts(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                                       const body::BodyKinematics& kinematics, double sliding_time,
                                       ContactHistory& history) {
@@ -21,7 +21,7 @@ double ContactPipeline::find_contacts(const Physics& physics, const ContactScene
     return lost;
 }
 
-template <PairPhysics Physics>
+template <ContactPhysics Physics>
 void ContactPipeline::evaluate(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                                const body::BodyKinematics& kinematics, double sliding_time,
                                const ContactHistory& history) {
@@ -57,7 +57,7 @@ void ContactPipeline::evaluate(const Physics& physics, const ContactScene& scene
             const auto& surfaces =
                 scene.materials.pair(scene.bodies.material[at(a.body)], scene.bodies.material[at(b.body)]);
             found.begin_pair(static_cast<std::int32_t>(p), parts, contact_begin_[at(p)]);
-            physics.find_contacts({a, b, surfaces, sliding_time}, separating_[at(p)], found);
+            physics.meet({a, b, surfaces, sliding_time}, separating_[at(p)], found);
             found.end_pair();
         }
         for (const FoundContact& contact : chunk) {

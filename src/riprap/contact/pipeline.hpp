@@ -6,8 +6,8 @@
 
 #include "riprap/body/loads.hpp"
 #include "riprap/contact/broadphase/pair_cache.hpp"
+#include "riprap/contact/contact_physics.hpp"
 #include "riprap/contact/contact_set.hpp"
-#include "riprap/contact/pair_physics.hpp"
 #include "riprap/contact/placed_parts.hpp"
 #include "riprap/material/material_set.hpp"
 
@@ -42,7 +42,7 @@ class ContactPipeline {
     /// find_contacts.hpp; a physics instantiates it in its own source file.
     /// @param sliding_time  time since the last evaluation [s]
     /// @returns energy of springs whose contact was lost, dissipated [J]
-    template <PairPhysics Physics>
+    template <ContactPhysics Physics>
     double find_contacts(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                          const body::BodyKinematics& kinematics, double sliding_time, ContactHistory& history);
     /// Sums the contact loads of every body over its contacts in the order of their keys.
@@ -64,7 +64,7 @@ class ContactPipeline {
     /// Tells whether the last contacts found are those of `history`: not so once another State has been loaded.
     bool are_rows_of(const ContactHistory& history) const;
     void map_history(const ContactHistory& history);
-    template <PairPhysics Physics>
+    template <ContactPhysics Physics>
     void evaluate(const Physics& physics, const ContactScene& scene, const body::BodyState& state,
                   const body::BodyKinematics& kinematics, double sliding_time, const ContactHistory& history);
     /// Builds rows_, contact_begin_ and the history from the chunks.

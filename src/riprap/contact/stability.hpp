@@ -2,8 +2,8 @@
 #pragma once
 
 #include "riprap/contact/contact_kinematics.hpp"
+#include "riprap/contact/contact_physics.hpp"
 #include "riprap/contact/contact_set.hpp"
-#include "riprap/contact/pair_physics.hpp"
 
 namespace riprap::contact {
 

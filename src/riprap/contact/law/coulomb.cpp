@@ -105,10 +105,10 @@ SpringResult advance_springs(const NormalContact& normal, const Tangential& shea
     return {friction_loss, share < 1, couple};
 }
 
-/// The share of `drag` that a spring force within its limit can bear: the largest s <= 1 with |spring + s drag| <=
-/// strength.
-double share_within(const Vec3& spring, const Vec3& drag, double strength) {
-    const double a = norm_squared(drag), b = dot(spring, drag);
+/// The share of `damping_force` that a spring force within its limit can bear: the largest s <= 1 with |spring + s
+/// damping_force| <= strength.
+double share_within(const Vec3& spring, const Vec3& damping_force, double strength) {
+    const double a = norm_squared(damping_force), b = dot(spring, damping_force);
     const double room = std::max(0.0, strength * strength - norm_squared(spring));
     if (a + 2 * b <= room) {
         return 1;
@@ -135,29 +135,29 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
         linear.torsion_stiffness += shear.stiffness * norm_squared(after.anchor - normal.point);
     }
 
-    Vec3 drag{};
+    Vec3 damping_force{};
     if (pair.damping_ratio > 0 && shear.stiffness > 0) {
         linear.shear_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.tangential_mass * shear.stiffness);
         if (!springs.is_sliding) {
-            drag = -linear.shear_damping * sliding;
-            drag = share_within(after.shear_force, drag, shear.strength) * drag;
+            damping_force = -linear.shear_damping * sliding;
+            damping_force = share_within(after.shear_force, damping_force, shear.strength) * damping_force;
         }
     }
-    const Vec3 tangential_force = after.shear_force + drag;
+    const Vec3 tangential_force = after.shear_force + damping_force;
 
-    double drag_couple = 0;
+    double damping_couple = 0;
     if (pair.damping_ratio > 0 && shear.torsion_stiffness > 0) {
         linear.torsion_damping = 2 * pair.damping_ratio * std::sqrt(kinematics.twist_inertia * shear.torsion_stiffness);
         const double limit = pair.friction * normal.spin_moment;
         const double held = after.torsion + springs.anchor_couple;
         const double wanted = held - linear.torsion_damping * dot(kinematics.relative_spin, n);
-        drag_couple = std::clamp(wanted, -limit, limit) - held;
+        damping_couple = std::clamp(wanted, -limit, limit) - held;
     }
 
-    fill_row(normal, push, tangential_force, drag, kinematics, row);
-    row.moment = normal.moment + (after.torsion + springs.anchor_couple + drag_couple) * n;
+    fill_row(normal, push, tangential_force, damping_force, kinematics, row);
+    row.moment = normal.moment + (after.torsion + springs.anchor_couple + damping_couple) * n;
     row.friction_loss = springs.friction_loss;
-    const Vec3 dashpot = drag - (push.force - push.elastic) * n, dashpot_couple = drag_couple * n;
+    const Vec3 dashpot = damping_force - (push.force - push.elastic) * n, dashpot_couple = damping_couple * n;
     row.dashpot_couple = narrow(dashpot_couple);
     row.dashpot_power =
         static_cast<float>(dot(dashpot, kinematics.relative_velocity) + dot(dashpot_couple, kinematics.relative_spin));

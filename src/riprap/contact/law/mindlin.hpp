@@ -116,8 +116,8 @@ inline TangentialResponse<T> advance_spring(TangentialSpring<T>& spring, const V
     response.energy = choose(has_spring, dot(spring.force, spring.force) / (T(2.0) * larger(stiffness, tiny)), zero);
     response.friction_loss = old_energy - T(0.5) * dt * dot(old_force + spring.force, sliding) - response.energy;
 
-    const Vec3T<T> drag = sliding * -choose(is_sliding, zero, damping);
-    const Vec3T<T> total = spring.force + drag;
+    const Vec3T<T> damping_force = sliding * -choose(is_sliding, zero, damping);
+    const Vec3T<T> total = spring.force + damping_force;
     const T total_size = sqrt(dot(total, total));
     const T cut = choose(both(total_size > limit, total_size > zero), limit / larger(total_size, tiny), one);
     const T keep = choose(is_sliding, one, cut);

@@ -36,10 +36,10 @@ inline NormalPush push_along_normal(const NormalContact& normal, const material:
 
 /// Fills the row of a contact that sticks and has no couple about its normal, but for the parts and the stability.
 /// @param tangential  force on A across the normal [N]
-/// @param drag        the part of it that dashpots add [N]
-inline void fill_row(const NormalContact& normal, const NormalPush& push, const Vec3& tangential, const Vec3& drag,
-                     const ContactKinematics& kinematics, ContactRow& row) {
-    const Vec3 dashpot = drag - (push.force - push.elastic) * push.n;
+/// @param damping_force  the part of it that dashpots add [N]
+inline void fill_row(const NormalContact& normal, const NormalPush& push, const Vec3& tangential,
+                     const Vec3& damping_force, const ContactKinematics& kinematics, ContactRow& row) {
+    const Vec3 dashpot = damping_force - (push.force - push.elastic) * push.n;
     row.point = normal.point;
     row.force = tangential - push.force * push.n;
     row.moment = normal.moment;

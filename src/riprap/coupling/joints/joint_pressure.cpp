@@ -27,8 +27,8 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
 
 /// u of a member in a joint: what the water found there leaves to do. Particles that press harder than the joint count
 /// for as much more of the room as they do: squeezed between two faces they hold a pressure that a film would let go.
-double left_to_do(const JointOpening& opening, double water, double joint) {
-    return joint > 0 ? std::max(0.0, 1 - (1 - opening.dry_share) * std::max(1.0, water / joint)) : opening.dry_share;
+double left_to_do(const JointWater& at_member, double water, double joint) {
+    return joint > 0 ? std::max(0.0, 1 - (1 - at_member.dry_share) * std::max(1.0, water / joint)) : at_member.dry_share;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void JointPressure::list_sides() {
     side_begin_.assign(1, 0);
     sides_.clear();
     for (std::size_t i = 0; i < members.size(); ++i) {
-        for (const std::int32_t other : openings_[i].others) {
+        for (const std::int32_t other : found_[i].others) {
             const std::int32_t own = partner_of(members[i]);
             const auto low = static_cast<std::uint32_t>(std::min(own, other)),
                        high = static_cast<std::uint32_t>(std::max(own, other));
@@ -59,11 +59,11 @@ double JointPressure::felt_about(std::size_t member, const fluid::ParticleSettin
     const double reach = JointKernel::reach(settings);
     double sum = 0, weights = 0;
     const auto add = [&](std::size_t k) {
-        const JointOpening& opening = openings_[k];
+        const JointWater& at_member = found_[k];
         const Vec3 d = nearest(members[member].place - members[k].place);
-        const double weight = opening.weight * std::max(0.0, 1 - norm(d) / reach);
+        const double weight = at_member.weight * std::max(0.0, 1 - norm(d) / reach);
         weights += weight;
-        sum += weight > 0 ? weight * (opening.felt + settings.rest_density * dot(gravity, d)) : 0;
+        sum += weight > 0 ? weight * (at_member.felt + settings.rest_density * dot(gravity, d)) : 0;
     };
     add(member);
     pairs_.for_each_met(member, add);
@@ -73,12 +73,12 @@ double JointPressure::felt_about(std::size_t member, const fluid::ParticleSettin
 JointPressure::RimPiece JointPressure::rim_piece(const SampleView& near, std::size_t member,
                                                  const fluid::ParticleSettings& settings, const Vec3& gravity) const {
     const JointMember& self = pairs_.members()[member];
-    const JointOpening& opening = openings_[member];
-    const double strength = settings.smoothing_length() * norm(opening.rim) - uneven;
+    const JointWater& at_member = found_[member];
+    const double strength = settings.smoothing_length() * norm(at_member.rim) - uneven;
     if (!(strength > 0) || near.depth(at(self.sample)) >= settings.spacing) {
         return {};
     }
-    const double share = std::min(1.0, opening.covered / well_filled), weight = strength * self.volume;
+    const double share = std::min(1.0, at_member.covered / well_filled), weight = strength * self.volume;
     return {self.place, weight * share, weight * (1 - share), share > 0 ? felt_about(member, settings, gravity) : 0};
 }
 
@@ -137,7 +137,7 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
     }
     pairs_.update(near, solids, motion, walls, settings);
     const JointKernel kernel(settings);
-    find_joint_openings(pairs_, near, slopes, motion, water, settings, openings_);
+    find_joint_water(pairs_, near, slopes, motion, water, settings, found_);
     list_sides();
     if (sides_.empty()) {
         return;
@@ -171,8 +171,8 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
                 return;
             }
             const JointLink link = kernel.link(member, other);
-            const double share = 0.5 * (left_to_do(openings_[at(index)], water.pressure[at(member.sample)], own) +
-                                        left_to_do(openings_[j], water.pressure[at(other.sample)], others));
+            const double share = 0.5 * (left_to_do(found_[at(index)], water.pressure[at(member.sample)], own) +
+                                        left_to_do(found_[j], water.pressure[at(other.sample)], others));
             const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
             const JointLink closed = gap ? kernel.closed(link, *gap) : link;
             sum -=
@@ -183,9 +183,9 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
 }
 
 std::size_t JointPressure::bytes() const {
-    std::size_t bytes = pairs_.bytes() + bytes_of(openings_, side_begin_, sides_, pieces_, rims_);
-    for (const JointOpening& opening : openings_) {
-        bytes += bytes_of(opening.others);
+    std::size_t bytes = pairs_.bytes() + bytes_of(found_, side_begin_, sides_, pieces_, rims_);
+    for (const JointWater& at_member : found_) {
+        bytes += bytes_of(at_member.others);
     }
     return bytes;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joints/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_water.hpp"
 
 namespace riprap::coupling {
 
@@ -22,10 +22,10 @@ namespace riprap::coupling {
 /// n_ij = (n_i - n_j)/|n_i - n_j|, s being the gap between them up to dp, from there on 2 dp less the gap and at last
 /// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
 /// found in the joint leaves to do: 1 - (1 - u_room) max(1, p_water/p) with the share u_room of the room that it leaves
-/// (JointOpening::dry_share), so that the face feels p whatever particles that are half in hold.
+/// (JointWater::dry_share), so that the face feels p whatever particles that are half in hold.
 ///
 /// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
-/// (linear between its ends) or a disk (Poisson's formula) of even opening:
+/// (linear between its ends) or a disk (Poisson's formula) of even at_member:
 ///
 ///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r (c_r + e_r (1 - c_r))),
 ///     w_r = s_r V_r/(|x_i - x_r|^2 + dp^2/4)^((D-1)/2).
@@ -74,7 +74,7 @@ class JointPressure {
     double pressure_of(std::size_t member, std::int32_t other) const;
 
     JointPairs pairs_;
-    std::vector<JointOpening> openings_;    ///< of each member
+    std::vector<JointWater> found_;    ///< of each member
     std::vector<std::int32_t> side_begin_;  ///< of each member in sides_, one more at the end
     std::vector<Side> sides_;
     std::vector<RimPiece> pieces_;             ///< of each side

@@ -16,7 +16,7 @@ double even_share(double lopsidedness);
 
 /// a h rho_0 c_0 [Pa s]. Forces see the pressure p + s_i a h rho_0 c_0 (-div v), which is that of a bulk viscosity, and
 /// its heat per volume is s_i a h rho_0 c_0 (div v)^2 [Sun2023]; s_i is `damped_share` of the Scratch, -div v its
-/// `squeeze`.
+/// `compression_rate`.
 double resistance_of_damping(const SphSettings& settings);
 
 }  // namespace riprap::fluid

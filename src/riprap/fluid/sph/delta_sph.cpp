@@ -117,7 +117,7 @@ void make_room_for_density(std::size_t particles, WaterFields& water) {
     water.correction.resize(particles);
     water.correction_share.resize(particles);
     water.damped_share.resize(particles);
-    water.squeeze.resize(particles);
+    water.compression_rate.resize(particles);
 }
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
@@ -147,8 +147,8 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const double before = state.density[i];
         const double diluted = density_after_shift(before, state.dilution[i], settings.rest_density);
         const double spread = dt * diluted * diffusivity * sums.diffusion[i];
-        water.squeeze[i] = contract(dimension, water.correction[i], sums.rates[i]);
-        const double flown = diluted + dt * diluted * water.squeeze[i] + spread;
+        water.compression_rate[i] = contract(dimension, water.correction[i], sums.rates[i]);
+        const double flown = diluted + dt * diluted * water.compression_rate[i] + spread;
         const double torn =
             density_by_tearing(water.bareness[i], leaves_wall, flown, settings.rest_density) +
             density_by_escape(caught, flown, settings.rest_density, settings.sound_speed * dt / settings.spacing);
@@ -183,8 +183,8 @@ void prepare_forces(const SphSettings& settings, const ParticleState& state, con
             water.dynamic_viscosity[i] =
                 settings.rest_density * law.kinematic(settings, strain_rate(settings, sums.strain[i]));
             water.volume[i] = settings.particle_mass / state.density[i];
-            const double damping = resistance * water.damped_share[i] * water.squeeze[i];
-            forces.wall_heat[i] = damping * water.squeeze[i];
+            const double damping = resistance * water.damped_share[i] * water.compression_rate[i];
+            forces.wall_heat[i] = damping * water.compression_rate[i];
             water.pressure[i] = pressure_at(state.density[i]) + damping;
             for (std::size_t k = 0; k < water.correction[i].size(); ++k) {
                 water.pressure_tensor[i][k] = water.pressure[i] * water.correction[i][k];

@@ -39,7 +39,7 @@ struct WaterFields {
     std::vector<Symmetric> correction;     ///< B [-]
     std::vector<double> correction_share;  ///< share of it [-]
     std::vector<double> bareness;          ///< 1 at the surface, 0 inside the water [-]
-    std::vector<double> squeeze;           ///< -div v [1/s]
+    std::vector<double> compression_rate;  ///< -div v [1/s]
     std::vector<double> damped_share;      ///< s_i of Sound (docs/theory/sph.md, 5) [-]
     // For the sums of forces.
     std::vector<double> dynamic_viscosity;                 ///< molecular and of eddies [Pa s]
@@ -48,7 +48,7 @@ struct WaterFields {
     std::vector<double> mass;                              ///< as it enters a sum of density [kg]
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, correction, correction_share, bareness, squeeze, damped_share,
+        return bytes_of(pressure, volume, correction, correction_share, bareness, compression_rate, damped_share,
                         dynamic_viscosity, pressure_tensor, transposed_stress, mass);
     }
 };

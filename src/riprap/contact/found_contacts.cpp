@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/contact/pair_physics.hpp"
+#include "riprap/contact/contact_physics.hpp"
 
 #include <algorithm>
 #include <string>

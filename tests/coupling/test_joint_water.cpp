@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constants of water in joints, from where rows of particles stand before a face: docs/theory/coupling.md, 6.
-#include "riprap/coupling/joints/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_water.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ struct Faces {
         }
     }
     /// @returns of the sample of the first layer that is nearest to x
-    JointOpening opening_at(double x) const {
+    JointWater opening_at(double x) const {
         fluid::BoundaryParticles walls;
         walls.position = samples.anchor;
         const fluid::WendlandC2 kernel(settings.smoothing_length(), 2);
@@ -61,22 +61,22 @@ struct Faces {
         const auto slopes = solid_slopes(samples, motion, is_still, kernel, settings.support_radius(), settings.domain);
         JointPairs pairs;
         pairs.update(samples, {is_still, is_loose}, motion, walls, settings);
-        std::vector<JointOpening> openings;
-        find_joint_openings(pairs, samples, slopes, motion, at_walls, settings, openings);
+        std::vector<JointWater> found;
+        find_joint_water(pairs, samples, slopes, motion, at_walls, settings, found);
         std::size_t nearest = 0;
-        for (std::size_t i = 0; i < openings.size(); ++i) {
+        for (std::size_t i = 0; i < found.size(); ++i) {
             const auto of = [&](std::size_t k) {
                 return samples.anchor[static_cast<std::size_t>(pairs.members()[k].sample)];
             };
             const bool is_first = pairs.members()[i].solid == 0 && of(i).y == -0.5;
             nearest = is_first && std::abs(of(i).x - x) < std::abs(of(nearest).x - x) ? i : nearest;
         }
-        return openings[nearest];
+        return found[nearest];
     }
 };
 
 /// Rows of water over an endless face, the first `height` above it.
-JointOpening under_rows(double height) {
+JointWater under_rows(double height) {
     Faces faces;
     faces.add_slab(0, 0, 1, 10);
     for (int row = 0; row < 4; ++row) {
@@ -87,7 +87,7 @@ JointOpening under_rows(double height) {
     return faces.opening_at(0);
 }
 
-TEST(JointOpenings, a_wall_feels_crowded_water_as_crowded_down_to_where_the_guard_holds_it) {
+TEST(JointWaters, a_wall_feels_crowded_water_as_crowded_down_to_where_the_guard_holds_it) {
     EXPECT_NEAR(under_rows(0.5).felt, pressure, 0.005 * pressure);
     EXPECT_NEAR(under_rows(0.4).felt, 1.083 * pressure, 0.005 * pressure);  // sums over the lattice, by hand
     EXPECT_NEAR(under_rows(0.3).felt, 1.154 * pressure, 0.005 * pressure);
@@ -96,8 +96,8 @@ TEST(JointOpenings, a_wall_feels_crowded_water_as_crowded_down_to_where_the_guar
     EXPECT_NEAR(under_rows(0.1).felt, under_rows(0.2).felt, 0.005 * pressure);
 }
 
-TEST(JointOpenings, water_a_sixth_of_a_spacing_farther_off_than_at_rest_counts_in_full_and_beyond_for_less) {
-    const JointOpening at_rest = under_rows(0.5), off = under_rows(0.5 + 1.0 / 7), far = under_rows(0.5 + 1.0 / 4);
+TEST(JointWaters, water_a_sixth_of_a_spacing_farther_off_than_at_rest_counts_in_full_and_beyond_for_less) {
+    const JointWater at_rest = under_rows(0.5), off = under_rows(0.5 + 1.0 / 7), far = under_rows(0.5 + 1.0 / 4);
     EXPECT_NEAR(off.weight, at_rest.weight, 1e-9 * at_rest.weight);
     EXPECT_NEAR(far.weight, 0.767 / 0.85 * at_rest.weight, 0.01 * at_rest.weight);
     // What is ragged is not less crowded: it is taken as it is.
@@ -117,7 +117,7 @@ double felt_at_mouth(double gap) {
     return faces.opening_at(-0.5).felt / pressure;
 }
 
-TEST(JointOpenings, water_before_a_joint_is_crowded_while_it_is_shut_and_on_its_way_in_once_it_is_a_quarter_open) {
+TEST(JointWaters, water_before_a_joint_is_crowded_while_it_is_shut_and_on_its_way_in_once_it_is_a_quarter_open) {
     const double shut = felt_at_mouth(0) - 1;
     EXPECT_GT(shut, 0.1);
     EXPECT_NEAR(felt_at_mouth(0.125) - 1, 0.5 * shut, 0.15 * shut);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/coupling/joints/joint_openings.hpp"
+#include "riprap/coupling/joints/joint_water.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct Surroundings {
     double gap{std::numeric_limits<double>::infinity()};  ///< to the nearest face that looks at it [m]
 };
 
-/// @param others  see JointOpening
+/// @param others  see JointWater
 Surroundings look_around(const JointPairs& pairs, std::size_t index, const JointKernel& kernel,
                          std::vector<std::int32_t>& others) {
     const std::vector<JointMember>& members = pairs.members();
@@ -62,37 +62,37 @@ double covered(const Vec3& open, const Vec3& water) {
 
 }  // namespace
 
-void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                         const body::Motion& motion, const fluid::WaterAtWalls& water,
-                         const fluid::ParticleSettings& settings, std::vector<JointOpening>& openings) {
+void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
+                      const body::Motion& motion, const fluid::WaterAtWalls& water,
+                      const fluid::ParticleSettings& settings, std::vector<JointWater>& found) {
     const std::vector<JointMember>& members = pairs.members();
     const JointKernel kernel(settings);
-    openings.resize(members.size());
+    found.resize(members.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
-        JointOpening& opening = openings[at(index)];
+        JointWater& at_member = found[at(index)];
         if (!pairs.is_at_joint(at(index))) {
-            opening = {};
+            at_member = {};
             return;
         }
-        const Surroundings around = look_around(pairs, at(index), kernel, opening.others);
+        const Surroundings around = look_around(pairs, at(index), kernel, at_member.others);
         const auto sample = at(member.sample);
         const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
         const Vec3 &own = slopes[near.number(sample)], &n = member.normal, &of_water = water.slope[sample];
         const Vec3 open = (member.solid == still_solid ? own : rotate(turn, own)) + around.slope;
-        opening.rim = open - dot(open, n) * n;
-        opening.covered = covered(opening.rim, of_water);
+        at_member.rim = open - dot(open, n) * n;
+        at_member.covered = covered(at_member.rim, of_water);
         // All that is not solid is open to the first layer; deeper ones see that layer end behind them as well.
         const bool is_first = near.depth(sample) < settings.spacing;
         const double filled = dot(of_water, n), room = is_first ? -dot(open, n) : dot(around.of_gap, n);
-        opening.dry_share = room > 0 && filled > 0 ? std::max(0.0, 1 - filled / room) : 1;
+        at_member.dry_share = room > 0 && filled > 0 ? std::max(0.0, 1 - filled / room) : 1;
 
         const double share = covered(open, of_water);  // q
         const double ragged = std::max(0.0, (well_filled - share) / (1 - well_filled));
         const double crowding = (std::clamp(share, well_filled, most_felt) - 1) * std::max(0.0, 1 - ragged);
-        const double trust = 1 - opening.dry_share * std::min(1.0, around.gap / (mouth * settings.spacing));
-        opening.felt = (1 + trust * crowding) * water.pressure[sample];
-        opening.weight = is_first ? member.volume * dot(open, open) * std::min(1.0, share / well_filled) : 0;
+        const double trust = 1 - at_member.dry_share * std::min(1.0, around.gap / (mouth * settings.spacing));
+        at_member.felt = (1 + trust * crowding) * water.pressure[sample];
+        at_member.weight = is_first ? member.volume * dot(open, open) * std::min(1.0, share / well_filled) : 0;
     });
 }
 

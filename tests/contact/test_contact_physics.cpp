@@ -15,7 +15,7 @@ constexpr std::uint64_t left = feature_key(1, 7), right = feature_key(2, 3);
 struct TwoCorners {
     bool has_right{true};
 
-    void find_contacts(const Candidate& pair, SeparatingCache&, FoundContacts& found) const {
+    void meet(const Candidate& pair, SeparatingCache&, FoundContacts& found) const {
         if (has_right) {
             push(pair, found.add(right), 0.5);
         }
@@ -30,9 +30,9 @@ struct TwoCorners {
 };
 
 /// A stack of unit cubes.
-class PairPhysicsTest : public ::testing::Test {
+class ContactPhysicsTest : public ::testing::Test {
  protected:
-    explicit PairPhysicsTest(int cubes = 3) {
+    explicit ContactPhysicsTest(int cubes = 3) {
         materials_.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7});
         mix_pairs(materials_, material::Mixing::mean, material::Mixing::mean);
         const ShapeId cube = shapes_.add_convex(geometry::cube(1), false, nullptr);
@@ -68,7 +68,7 @@ class PairPhysicsTest : public ::testing::Test {
     ContactHistory history_;
 };
 
-TEST_F(PairPhysicsTest, TwoContactsOfAPairStandInTheOrderOfTheirKeys) {
+TEST_F(ContactPhysicsTest, TwoContactsOfAPairStandInTheOrderOfTheirKeys) {
     find(TwoCorners{});
     EXPECT_EQ(history_.pair,
               (std::vector<std::uint64_t>{pair_key({0, 1}), pair_key({0, 1}), pair_key({1, 2}), pair_key({1, 2})}));
@@ -78,7 +78,7 @@ TEST_F(PairPhysicsTest, TwoContactsOfAPairStandInTheOrderOfTheirKeys) {
     EXPECT_EQ(pipeline_.rows()[1].point.x, 0.5);
 }
 
-TEST_F(PairPhysicsTest, EveryContactOfAPairLoadsBothBodies) {
+TEST_F(ContactPhysicsTest, EveryContactOfAPairLoadsBothBodies) {
     find(TwoCorners{});
     body::Loads loads;
     pipeline_.gather_loads(scene_, state_, loads);
@@ -91,7 +91,7 @@ TEST_F(PairPhysicsTest, EveryContactOfAPairLoadsBothBodies) {
     EXPECT_EQ(loads.torque[2].y, 0.5);  // 1 N upwards at x = -0.5 m: (-0.5, 0, z) x (0, 0, 1)
 }
 
-TEST_F(PairPhysicsTest, SpringsFollowTheirFeatureFromStepToStep) {
+TEST_F(ContactPhysicsTest, SpringsFollowTheirFeatureFromStepToStep) {
     find(TwoCorners{});
     find(TwoCorners{.has_right = false});
     find(TwoCorners{});
@@ -99,13 +99,13 @@ TEST_F(PairPhysicsTest, SpringsFollowTheirFeatureFromStepToStep) {
     EXPECT_EQ(history_.torsion, (std::vector<double>{3, 1, 3, 1}));
 }
 
-TEST_F(PairPhysicsTest, TheEnergyOfALostFeatureIsReportedOnce) {
+TEST_F(ContactPhysicsTest, TheEnergyOfALostFeatureIsReportedOnce) {
     EXPECT_EQ(find(TwoCorners{}), 0);
     EXPECT_EQ(find(TwoCorners{.has_right = false}), 20);
     EXPECT_EQ(find(TwoCorners{.has_right = false}), 0);
 }
 
-TEST_F(PairPhysicsTest, SpringsSurviveNewCandidatesAndANewPipeline) {
+TEST_F(ContactPhysicsTest, SpringsSurviveNewCandidatesAndANewPipeline) {
     find(TwoCorners{});
     lift(1, 20);  // the pairs are searched anew: (1, 2) is none any more
     EXPECT_EQ(find(TwoCorners{}), 20);
@@ -118,7 +118,7 @@ TEST_F(PairPhysicsTest, SpringsSurviveNewCandidatesAndANewPipeline) {
     EXPECT_EQ(history_.torsion, (std::vector<double>{4, 4, 2, 2}));
 }
 
-TEST_F(PairPhysicsTest, SpringsAreThoseOfTheHistoryGivenAndNotOfTheLastStep) {
+TEST_F(ContactPhysicsTest, SpringsAreThoseOfTheHistoryGivenAndNotOfTheLastStep) {
     find(TwoCorners{});
     lift(1, 20);
     find(TwoCorners{});
@@ -137,9 +137,9 @@ TEST_F(PairPhysicsTest, SpringsAreThoseOfTheHistoryGivenAndNotOfTheLastStep) {
 }
 
 /// Enough cubes for many chunks.
-class LongStackTest : public PairPhysicsTest {
+class LongStackTest : public ContactPhysicsTest {
  protected:
-    LongStackTest() : PairPhysicsTest(3000) {}
+    LongStackTest() : ContactPhysicsTest(3000) {}
 };
 
 TEST_F(LongStackTest, ContactsKeepTheirOrderAndSpringsAcrossChunksAtAnyNumberOfThreads) {

@@ -45,7 +45,7 @@ struct FoundContact {
     bool is_old() const { return old_contact >= 0; }
 };
 
-/// Where the physics of a pair puts the contacts it finds, none to many, in any order.
+/// Takes the contacts that the physics of a pair finds, none to many, in any order.
 class FoundContacts {
  public:
     FoundContacts(const ContactHistory& history, std::vector<FoundContact>& found)
@@ -70,16 +70,17 @@ class FoundContacts {
     std::size_t first_{0};  ///< of this pair's contacts in *found_
 };
 
-/// Physics of a pair of parts: a narrowphase and a law. One object serves all threads; per candidate it has a
-/// SeparatingCache to remember what may save it work. A DDA reports a contact per vertex on face and edge on edge, the
-/// distance potential one per pair.
+/// Physics of a pair of parts: a narrowphase, which finds contacts, and a law, which responds to each with its forces
+/// (respond.hpp). One object serves all threads; per candidate it has a SeparatingCache to remember what may save it
+/// work. The common plane finds a contact per vertex on face and edge on edge, the distance potential one per pair.
 ///
-/// A physics fills `springs` and `row` of what it adds, forces on A. The pipeline finds the candidates, carries the
-/// springs from step to step by (part, part, feature), sums the loads in the order of that key, and knows nothing of
-/// what a feature is.
+/// `meet` adds the contacts of a candidate, `springs` and `row` filled, forces on A. The pipeline finds the candidates,
+/// carries the springs from step to step by (part, part, feature), sums the loads in the order of that key, and knows
+/// nothing of what a feature is.
 template <class T>
-concept PairPhysics = requires(const T& physics, const Candidate& pair, SeparatingCache& cache, FoundContacts& found) {
-    { physics.find_contacts(pair, cache, found) } -> std::same_as<void>;
+concept ContactPhysics = requires(const T& physics, const Candidate& pair, SeparatingCache& cache,
+                                  FoundContacts& found) {
+    { physics.meet(pair, cache, found) } -> std::same_as<void>;
 };
 
 }  // namespace riprap::contact

@@ -9,9 +9,9 @@
 
 namespace riprap::coupling {
 
-/// What a member of a joint finds about itself (docs/theory/coupling.md, 6). G_own, G_others and G_water are the sums
+/// Water about a member of a joint (docs/theory/coupling.md, 6). G_own, G_others and G_water are the sums
 /// of V grad W over its own solid, over others and of V B grad W over the water.
-struct JointOpening {
+struct JointWater {
     Vec3 rim;          ///< t, the part of G_own + G_others along the face [1/m]
     double covered;    ///< -t . G_water/t^2, how much of what is open along the face is water; no less than 0
     double dry_share;  ///< u, how much of the room in the joint water has left, 0 to 1
@@ -20,12 +20,12 @@ struct JointOpening {
     std::vector<std::int32_t> others;  ///< loose solids that it shares a joint with, still_solid for all others
 };
 
-/// What members feel and find open about themselves; nothing for those that are not at a joint.
+/// Finds the water about all members; nothing for those that are not at a joint.
 /// @param slopes    of solid_slopes, for each sample of the set that `near` looks at
 /// @param water     at each sample of `near`
-/// @param openings  receives one for each member; its memory is reused
-void find_joint_openings(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                         const body::Motion& motion, const fluid::WaterAtWalls& water,
-                         const fluid::ParticleSettings& settings, std::vector<JointOpening>& openings);
+/// @param found  receives one for each member; its memory is reused
+void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
+                      const body::Motion& motion, const fluid::WaterAtWalls& water,
+                      const fluid::ParticleSettings& settings, std::vector<JointWater>& found);
 
 }  // namespace riprap::coupling
