@@ -10,7 +10,8 @@ namespace selftest {
 
 namespace {
 
-using riprap::parallel::cuda::DeviceArray;
+using riprap::Field;
+using riprap::Residence;
 using Sweep = riprap::fluid::TargetSweep<3, AccelerationPair>;
 
 }  // namespace
@@ -21,7 +22,7 @@ bool check_sweep() {
     const riprap::fluid::SweepReach reach{2 * water.constants.smoothing_length, water.domain};
     const riprap::fluid::FixedPoint fixed(reach, water.domain.high);
     std::vector<std::int32_t> places;
-    std::vector<float> fields, sums(3 * n);
+    std::vector<float> fields;
     for (std::size_t i = 0; i < n; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             places.push_back(fixed(water.position[i], axis));
@@ -32,38 +33,36 @@ bool check_sweep() {
     }
     riprap::fluid::CellGrid grid;
     grid.build(water.position, water.domain, reach.support_radius);
-    Sweep sweep{AccelerationPair{water.constants},
-                grid.view(),
-                water.position.data(),
-                places.data(),
-                places.data(),
-                fields.data(),
-                fields.data(),
-                {},
-                static_cast<float>(reach.support_radius * reach.support_radius),
-                sums.data()};
-    for (int axis = 0; axis < 3; ++axis) {
-        sweep.quantum[axis] = static_cast<float>(fixed.quantum()[axis]);
-    }
-    riprap::parallel::for_each(static_cast<std::int64_t>(n), sweep);
+    riprap::parallel::cuda::Memory memory;
+    const auto copy_of = [](auto values) { return std::vector(values.begin(), values.end()); };
+    Field<std::int32_t> cell_starts(copy_of(grid.starts()), &memory);
+    Field<std::uint32_t> cell_points(copy_of(grid.points()), &memory);
+    Field<Vec3> position(water.position, &memory);
+    Field<std::int32_t> place(places, &memory);
+    Field<float> field(fields, &memory), sum(3 * n, &memory);
+    const auto sum_up = [&](Residence where) {
+        Sweep sweep{AccelerationPair{water.constants},
+                    grid.view(),
+                    position.read(where).data(),
+                    place.read(where).data(),
+                    place.read(where).data(),
+                    field.read(where).data(),
+                    field.read(where).data(),
+                    {},
+                    static_cast<float>(reach.support_radius * reach.support_radius),
+                    sum.overwrite(where).data()};
+        sweep.grid.start = cell_starts.read(where).data();
+        sweep.grid.points = cell_points.read(where).data();
+        for (int axis = 0; axis < 3; ++axis) {
+            sweep.quantum[axis] = static_cast<float>(fixed.quantum()[axis]);
+        }
+        riprap::parallel::cuda::for_each(where, {0, static_cast<std::int64_t>(n)}, sweep);
+        return copy_of(sum.read(Residence::host));
+    };
+    const std::vector<float> sums = sum_up(Residence::host), sums_there = sum_up(Residence::device);
 
-    const DeviceArray<std::int32_t> starts_there(grid.starts());
-    const DeviceArray<std::uint32_t> points_there(grid.points());
-    const DeviceArray<Vec3> position_there{std::span<const Vec3>(water.position)};
-    const DeviceArray<std::int32_t> places_there{std::span<const std::int32_t>(places)};
-    const DeviceArray<float> fields_there{std::span<const float>(fields)};
-    DeviceArray<float> sums_there(sums.size());
-    Sweep there = sweep;
-    there.grid.start = starts_there.data();
-    there.grid.points = points_there.data();
-    there.target_position = position_there.data();
-    there.target_place = there.candidate_place = places_there.data();
-    there.target_fields = there.candidate_fields = fields_there.data();
-    there.sums = sums_there.data();
-    riprap::parallel::cuda::for_each(static_cast<std::int64_t>(n), there);
-
-    bool ok = same_bits("accelerations of 13 824 particles of water", sums, sums_there.download());
-    const double difference = difference_from_plain(water, reach, sums_there.download());
+    bool ok = same_bits("accelerations of 13 824 particles of water", sums, sums_there);
+    const double difference = difference_from_plain(water, reach, sums_there);
     std::printf("%-58s %.1e of the largest\n", "their difference from the plain double sweep", difference);
     return ok && difference < 1e-6;
 }

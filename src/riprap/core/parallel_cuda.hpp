@@ -21,7 +21,8 @@
 #include <utility>
 #include <vector>
 
-#include "riprap/core/parallel.hpp"
+#include "riprap/core/field.hpp"
+#include "riprap/core/range.hpp"
 
 namespace riprap::parallel::cuda {
 
@@ -102,6 +103,23 @@ class DeviceArray {
     std::size_t size_{0};
 };
 
+/// Memory of the device in use, for Field.
+class Memory final : public DeviceMemory {
+ public:
+    void* allocate(std::size_t bytes) override {
+        void* memory = nullptr;
+        check(cudaMalloc(&memory, bytes), "allocate device memory");
+        return memory;
+    }
+    void release(void* memory) noexcept override { cudaFree(memory); }
+    void upload(void* device, const void* host, std::size_t bytes) override {
+        check(cudaMemcpy(device, host, bytes, cudaMemcpyHostToDevice), "copy to the device");
+    }
+    void download(void* host, const void* device, std::size_t bytes) override {
+        check(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost), "copy from the device");
+    }
+};
+
 namespace detail {
 
 inline constexpr int threads_per_block = 128;
@@ -141,6 +159,14 @@ __global__ void reduce_kernel(std::int64_t n, std::int64_t block, T identity, Ma
     }
 }
 
+/// A functor whose entries begin elsewhere than at zero.
+template <class F>
+struct Shifted {
+    F f;
+    std::int64_t begin;
+    RIPRAP_HD void operator()(std::int64_t i) const { f(begin + i); }
+};
+
 /// Runs a CUB algorithm twice: once to learn its scratch size, once for real.
 template <class Algorithm>
 void run_with_scratch(const char* what, const Algorithm& algorithm) {
@@ -162,6 +188,16 @@ void for_each(std::int64_t n, const F& f) {
     const auto grid = static_cast<unsigned>(std::min<std::int64_t>(blocks, 1 << 20));
     detail::for_each_kernel<<<grid, detail::threads_per_block>>>(n, f);
     check(cudaGetLastError(), "start a loop on the device");
+}
+
+/// f(i) for every i of a range, on the host or on the device: the same functor, bound to spans of Fields there.
+template <class F>
+void for_each(Residence where, const Range& owned, const F& f) {
+    if (where == Residence::host) {
+        parallel::for_each(owned, f);
+        return;
+    }
+    for_each(owned.size(), detail::Shifted<F>{f, owned.begin});
 }
 
 /// Same bits as parallel::reduce with the same functors.

@@ -34,7 +34,7 @@ void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& setti
     force.resize(count);
     work.force.resize(count);
     work.before.resize(count);
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         double rate = 0;  // of all together: their shares could sum to more than the velocity
         Vec3 pull{};
@@ -58,7 +58,7 @@ double absorbed_energy(const ParticleState& state, double dt, const SpongeWork& 
         const auto i = static_cast<std::size_t>(entry);
         return -0.5 * dot(work.force[i], work.before[i] + state.velocity[i]);
     };
-    return dt * parallel::reduce(state.size(), 0.0, one, [](double a, double b) { return a + b; });
+    return dt * parallel::reduce(state.owned(), 0.0, one, [](double a, double b) { return a + b; });
 }
 
 }  // namespace riprap::fluid

@@ -9,7 +9,7 @@ namespace riprap::fluid {
 
 void drift(const ParticleSettings& settings, ParticleState& state, double dt) {
     const Domain& domain = settings.domain;
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         Vec3& x = state.position[i];
         x += dt * state.velocity[i];

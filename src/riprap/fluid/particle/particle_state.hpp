@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "riprap/core/fields.hpp"
+#include "riprap/core/range.hpp"
 
 namespace riprap::fluid {
 
@@ -21,6 +22,8 @@ struct ParticleState {
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
 
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
+    /// Returns the particles whose motion this machine decides: all; others would follow as ghosts.
+    parallel::Range owned() const { return {0, size()}; }
 
     void add(const Vec3& x, const Vec3& v, double rho, std::int32_t particle) {
         position.push_back(x);

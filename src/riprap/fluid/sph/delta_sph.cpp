@@ -50,7 +50,7 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
         state.dilution[i] = dilution_by_shift(shift, sums.concentration_gradient[i], water.correction_share[i]);
         return Shifting{settings.particle_mass * dot(gravity, shift), norm_squared(shift)};
     };
-    return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
+    return parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
         return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
     });
 }
@@ -159,7 +159,7 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
         const double per_density = settings.particle_mass * pressure_at(mean) / (mean * mean);
         return Losses{-per_density * (spread + torn), per_density * (before - diluted)};
     };
-    const Losses losses = parallel::reduce(state.size(), Losses{}, advance_one, [](Losses a, const Losses& b) {
+    const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](Losses a, const Losses& b) {
         return Losses{a.diffusion + b.diffusion, a.shifting + b.shifting};
     });
     report.dissipated_diffusion = losses.diffusion;

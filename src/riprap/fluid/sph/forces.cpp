@@ -9,7 +9,7 @@ void find_pressure(const SphSettings& settings, const ParticleState& state, Wate
     water.pressure.resize(state.density.size());
     water.volume.resize(state.density.size());
     const PressureLaw pressure_at(settings);
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         water.pressure[i] = pressure_at(state.density[i]);
         water.volume[i] = settings.particle_mass / state.density[i];

@@ -42,8 +42,8 @@ std::int64_t first_unsound(const ParticleState& state, const IsSound& is_sound) 
         return is_sound(static_cast<std::size_t>(i)) ? entry_none
                                                      : static_cast<std::int64_t>(state.id[static_cast<std::size_t>(i)]);
     };
-    const std::int64_t first =
-        parallel::reduce(state.size(), entry_none, look, [](std::int64_t a, std::int64_t b) { return std::min(a, b); });
+    const std::int64_t first = parallel::reduce(state.owned(), entry_none, look,
+                                                [](std::int64_t a, std::int64_t b) { return std::min(a, b); });
     return first == none ? -1 : first;
 }
 
@@ -88,7 +88,7 @@ void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gr
         return sums;
     };
     const Sums sums =
-        parallel::reduce(state.size(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+        parallel::reduce(state.owned(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
     report.kinetic = sums.kinetic;
     report.potential = sums.potential;
     report.internal = sums.internal;

@@ -37,7 +37,7 @@ FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const Particle
         return Fastest{norm_squared(state.velocity[i]), state.density[i]};
     };
     const Fastest fastest =
-        parallel::reduce(state.size(), Fastest{0, settings.rest_density}, one, [](const Fastest& a, const Fastest& b) {
+        parallel::reduce(state.owned(), Fastest{0, settings.rest_density}, one, [](const Fastest& a, const Fastest& b) {
             return Fastest{std::max(a.speed_squared, b.speed_squared), std::max(a.density, b.density)};
         });
     const double h = settings.smoothing_length(), none = std::numeric_limits<double>::infinity();

@@ -45,7 +45,7 @@ void find_transposed_stress(const SphSettings& settings, const ParticleState& st
     add_pair_sums(settings, VelocityGradientAtWalls{kernel_of(settings)}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position, {u(0), u(1), u(2), field(walls.volume), field(s.walls.grip)}},
                   {g(0), g(1), g(2), g(3), g(4), g(5), g(6), g(7), g(8)}, s.lists.fluid_walls);
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const std::array<double, tensor_numbers> gradient = s.water.transposed_stress[i];
         for (std::size_t a = 0; a < 3; ++a) {

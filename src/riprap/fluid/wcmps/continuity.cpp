@@ -67,7 +67,7 @@ void find_pressure(const WcmpsSettings& settings, const ParticleState& state, Wc
     for (std::vector<double>* values : {&water.concentration, &water.pressure, &water.pressure_over_concentration}) {
         values->resize(state.density.size());
     }
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         water.concentration[i] = state.density[i] / settings.rest_density;
         water.pressure[i] = pressure_of(settings, water.concentration[i]);
@@ -117,7 +117,7 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         return -per_concentration * (spread + after - flown);
     };
     report.dissipated_diffusion =
-        parallel::reduce(state.size(), 0.0, advance_one, [](double a, double b) { return a + b; });
+        parallel::reduce(state.owned(), 0.0, advance_one, [](double a, double b) { return a + b; });
 }
 
 }  // namespace riprap::fluid::wcmps

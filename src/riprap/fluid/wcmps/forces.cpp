@@ -162,7 +162,7 @@ void add_walls(const WcmpsSettings& settings, const ParticleState& state, const 
                    sink(s.forces.in_front), at(hold, 0), at(hold, 1), at(hold, 2), sink(s.forces.wall_hold_power)},
                   s.lists.fluid_walls);
     const double factor = force_factor(settings), gradient = settings.lattice().first_order();
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.forces.force[i] *= factor;
         s.forces.heat[i] = factor * (0.5 * s.forces.heat[i] + s.forces.wall_heat[i]);

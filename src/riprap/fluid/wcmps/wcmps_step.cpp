@@ -66,7 +66,7 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
         return sums;
     };
     const Sums sums =
-        parallel::reduce(state.size(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+        parallel::reduce(state.owned(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
     report.kinetic = sums.kinetic;
     report.potential = sums.potential;
     report.internal = sums.internal;
@@ -95,7 +95,7 @@ FluidTimeStep choose_fluid_time_step(const WcmpsSettings& settings, const Partic
         double speed_squared{0}, density{0};
     };
     const Fastest fastest = parallel::reduce(
-        state.size(), Fastest{0, settings.rest_density},
+        state.owned(), Fastest{0, settings.rest_density},
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
             return Fastest{norm_squared(state.velocity[i]), state.density[i]};
