@@ -8,7 +8,7 @@
 
 namespace riprap {
 
-/// What the command that was named does; returns the exit code.
+/// Work of the command that was named; returns the exit code.
 using Action = std::function<int()>;
 
 /// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.

@@ -20,7 +20,7 @@ namespace riprap {
 
 namespace {
 
-/// What the file is called says what is written into it; other names would lie.
+/// Checks that the name of a file says what is written into it; other names would lie.
 void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
     if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
         return;

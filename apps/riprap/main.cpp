@@ -59,7 +59,7 @@ int report_case_error(const riprap::CaseError& error) {
     return static_cast<int>(riprap::ExitCode::bad_case);
 }
 
-/// What the command line comes to, every refusal told on standard error.
+/// Runs the command line; tells every refusal on standard error.
 int guarded_command_line(int argument_count, char** arguments) {
     using riprap::ExitCode;
     try {

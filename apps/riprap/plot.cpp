@@ -37,7 +37,7 @@ bool has_values(const Source& source) {
 
 std::array<const io::CsvTable*, 2> tables_of(const view::RecordedRun& run) { return {&run.probes, &run.ledger}; }
 
-/// What a user may have meant, or all that there is.
+/// Returns names that a user may have meant, or all that there are.
 std::string remedy(const view::RecordedRun& run, const std::string& wanted) {
     std::vector<std::string> names;
     std::string list;

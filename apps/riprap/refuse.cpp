@@ -19,7 +19,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }
 
-/// What is wrong with the first word that no command and no option bears; empty where all are known.
+/// Returns the refusal of the first unknown word; empty where all are known.
 std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
     if (words.empty() || words.front().empty()) {
         return {};

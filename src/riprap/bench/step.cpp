@@ -80,7 +80,7 @@ Timing time_steps(Run& run) {
     return timing;
 }
 
-/// How many times as long a step of `longer` takes as one of `shorter`, in turn on one thread.
+/// Ratio of the time of a step of `longer` to one of `shorter`, in turn on one thread.
 Timing times_as_long(Run& longer, Run& shorter) {
     const ThreadScope scope(1);
     return compare_calls([&] { longer.steps_in_a_row(batch); }, [&] { shorter.steps_in_a_row(batch); },

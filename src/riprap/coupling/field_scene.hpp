@@ -52,8 +52,8 @@ struct CalmBox {
     double rate{0};  ///< at its end; 0: that of a long wave [1/s]
 };
 
-/// What a case says of where a fluid without particles is: given to the `prepare` of its settings, once, while the case
-/// is read.
+/// Place of a fluid without particles as the case gives it: handed to the `prepare` of its settings, once, while the
+/// case is read.
 struct FieldScene {
     fluid::Domain domain;
     std::vector<FillRegion> regions;

@@ -22,7 +22,7 @@ struct FillRegion {
     Vec3 velocity{};                                        ///< [m/s]
 };
 
-/// What a region got.
+/// Result of filling a region.
 struct FillReport {
     std::int64_t count{0};    ///< particles
     double volume{0};         ///< that they stand for [m^3]; in 2D [m^2]
@@ -30,7 +30,7 @@ struct FillReport {
     double surface{0};        ///< height of its free surface along `up` [m]
 };
 
-/// How many particles there may be.
+/// Largest number of particles.
 struct FillLimit {
     std::int64_t most;     ///< in any case
     std::int64_t fitting;  ///< in the memory at hand; may be more

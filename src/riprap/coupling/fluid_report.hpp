@@ -9,7 +9,7 @@
 
 namespace riprap::coupling {
 
-/// What a fluid brings in one span of a step.
+/// Report of a fluid on one span of a step.
 struct FluidStep {
     fluid::FluidReport fluid;
     std::vector<double> own;  ///< amounts of the accounts that the fluid names itself, in their order [J]

@@ -12,14 +12,14 @@
 
 namespace riprap::coupling {
 
-/// What every fluid reads of the scene: Model.
+/// Parts of the Model that every fluid reads.
 struct FluidScene {
     const geometry::ShapeSet& shapes;
     const body::BodySet& bodies;
     const body::Gravity& gravity;
 };
 
-/// What the coupling of a fluid and bodies remembers: State. One entry per body, none without a fluid.
+/// State of the coupling of a fluid and bodies. One entry per body, none without a fluid.
 struct CouplingState {
     double previous_dt{0};                       ///< of the fluid; 0 at the start [s]
     std::vector<Vec3> acceleration;              ///< mean over the last step: the first guess of the next [m/s^2]
@@ -46,7 +46,7 @@ struct CouplingState {
     }
 };
 
-/// What a fluid may change: State. Fluids without particles leave the first two alone.
+/// Parts of the State that a fluid may change. Fluids without particles leave the first two alone.
 struct FluidState {
     fluid::ParticleState& particles;
     fluid::OpenState& open;

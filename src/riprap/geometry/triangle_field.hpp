@@ -9,7 +9,7 @@
 
 namespace riprap::geometry {
 
-/// How a place stands to a surface.
+/// Position of a place relative to a surface.
 struct SurfaceDistance {
     double distance;        ///< to the nearest point of the surface, negative inside of the solid [m]
     Vec3 normal;            ///< unit vector out of the solid there [-]

@@ -43,7 +43,7 @@ std::string most_energetic(const sim::Model& model, const sim::State& state) {
                                   model.bodies.name(BodyId{most}), largest, sim::unit_in("J", model.bodies.is_planar));
 }
 
-/// What falling a tenth of their inscribed radii gives to all free bodies [J].
+/// Energy of all free bodies after a fall by a tenth of their inscribed radii [J].
 double short_fall(const sim::Model& model, const sim::State& state) {
     const double gravity = norm(model.gravity.at(state.time));
     double energy = 0;
@@ -57,7 +57,7 @@ double short_fall(const sim::Model& model, const sim::State& state) {
     return energy;
 }
 
-/// What lifts all water by one spacing: when it is let go, its lattice settles by hundredths of that [J].
+/// Energy that lifts all water by one spacing: when it is let go, its lattice settles by hundredths of that [J].
 double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
     return ledger.fluid.mass * norm(model.gravity.value) * sim::grain(model);
 }

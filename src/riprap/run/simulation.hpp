@@ -82,14 +82,14 @@ class Simulation {
     void note(RunRecord& record) const;
     void restore(sim::State state, const RunRecord& record);
 
-    /// What is to be told of all steps together at the end of the run.
+    /// Returns the verdict on all steps together at the end of the run.
     std::vector<std::string> totals() const;
     /// All of a Summary that does not depend on files, clocks and restarts.
     Summary summary() const;
 
  private:
     void forget_scratch();
-    /// What is wrong with the scene after a step whose energy was measured; empty where nothing is.
+    /// Returns the fault of the scene after a step whose energy was measured; empty where there is none.
     std::string judge_step(const sim::StepReport& report) const;
     void keep_standing();
     /// Goes back to a State and on from there with half the step, where that is left to try.

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the study asks for; the same text means that it may be continued.
+/// Text of what the study asks for; the same text means that it may be continued.
 std::string plan_of(const SweepOptions& options) {
     Json runs = Json::array();
     for (const SweepPoint& point : options.points) {

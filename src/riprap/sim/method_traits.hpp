@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the methods of a case say of themselves beyond what a step needs. A method that does not say it has the default.
+// Properties that methods state of themselves beyond what a step needs. A method that does not say it has the default.
 
 #include <limits>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the solid method of a case shows of its bodies beyond poses and velocities (core/shown.hpp).
+// Fields that the solid method of a case shows of its bodies beyond poses and velocities (core/shown.hpp).
 
 #include <cstddef>
 #include <span>

@@ -14,7 +14,7 @@ struct MethodKeys;  // core/key.hpp
 
 namespace riprap::solid {
 
-/// How two polyhedra meet.
+/// Physics of a pair of polyhedra.
 enum class PairContact : std::uint8_t {
     distance_potential,    ///< contact::DistancePotentialPhysics
     common_plane_soft,     ///< contact::CommonPlanePhysics, springs by area

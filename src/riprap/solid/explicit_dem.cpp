@@ -54,7 +54,7 @@ void drift(const body::BodySet& bodies, body::BodyState& state, double end_time,
 
 namespace {
 
-/// What a kick adds up over bodies, of one body or of eight: the sums of KickReport in its order.
+/// Terms that a kick adds up over bodies, of one body or of eight: the sums of KickReport in its order.
 template <class T>
 struct KickTerms {
     T kinetic{}, potential{}, damping_loss{}, external_work{}, work_driven{}, released_energy{}, mass{};

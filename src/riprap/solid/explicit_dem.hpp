@@ -14,7 +14,7 @@ void drift(const body::BodySet& bodies, body::BodyState& state, double end_time,
 /// The same of one body.
 void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t index, double end_time, double dt);
 
-/// What the kick does and loses, summed over bodies in fixed blocks. "At the kick" means with the velocity
+/// Works, losses and impulses of a kick, summed over bodies in fixed blocks. "At the kick" means with the velocity
 /// v_n + a dt/2 at the mid-step pose: the state of the equivalent velocity-Verlet sequence.
 struct KickReport {
     double kinetic{0};                 ///< of free bodies, at the kick [J]

@@ -15,7 +15,7 @@
 
 namespace riprap::solid {
 
-/// What every solid method reads of the scene: Model.
+/// Parts of the Model that every solid method reads.
 struct SolidScene {
     const geometry::ShapeSet& shapes;
     const material::MaterialSet& materials;
@@ -32,7 +32,7 @@ struct SceneProblem {
     std::string message, allowed;
 };
 
-/// What every solid method may change: State. Methods with fields of their own get them besides.
+/// Parts of the State that every solid method may change. Methods with fields of their own get them besides.
 struct SolidState {
     body::BodyState& bodies;
     contact::ContactHistory& contacts;  ///< of methods whose contacts are between parts
@@ -47,7 +47,7 @@ enum class Measure {
     flow,    ///< all but the elastic energy and the residual
 };
 
-/// What a solid method brings in one piece of a step.
+/// Report of a solid method on one piece of a step.
 struct SolidReport {
     KickReport kick;      ///< energies, momenta and work of the bodies
     double kick_time{0};  ///< at which the energies hold [s]

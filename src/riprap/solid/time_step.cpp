@@ -76,7 +76,7 @@ LargestDamping largest_damping(const material::MaterialSet& materials) {
     return largest;
 }
 
-/// What the dashpots leave of the limit 2/omega: sqrt(1 + z^2) - z for a dashpot that uses the velocity before the
+/// Share of the limit 2/omega that dashpots leave: sqrt(1 + z^2) - z for a dashpot that uses the velocity before the
 /// kick, z the modal damping ratio. N equal contacts that work on one mode give z = sqrt(N) xi: two for a body between
 /// two neighbours, all its faces where contacts are damped tangentially as well.
 double damped_share(const LargestDamping& damping, int face_count) {

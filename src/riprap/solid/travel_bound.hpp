@@ -17,7 +17,7 @@ inline constexpr double most_approach = 0.2;
 /// The thinnest of what may be met: smallest inscribed radius of the parts [m]; infinite for half-spaces alone.
 double smallest_radius(const body::BodySet& bodies, const geometry::ShapeSet& shapes);
 
-/// How fast two bodies approach each other at most: the sum of the two largest speeds of a point of a body,
+/// Largest speed at which two bodies approach each other: the sum of the two largest speeds of a point of a body,
 /// |v| + |omega| R, R its circumradius [m/s]. Half-spaces count with the speed of their reference point.
 double fastest_approach(const body::BodySet& bodies, const geometry::ShapeSet& shapes, const body::BodyState& state);
 

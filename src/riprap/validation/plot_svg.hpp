@@ -10,7 +10,7 @@ namespace riprap::validation {
 /// Colours that curves get in turn.
 constexpr std::size_t color_count = 8;
 
-/// How a curve is drawn: theory as a line, ours as markers on it; `points` draws every point, for scenes.
+/// Style of a curve: theory as a line, ours as markers on it; `points` draws every point, for scenes.
 enum class CurveStyle { line, dashed, markers, points };
 
 /// y over x, both in the unit of its axis. Points that are not finite break the line.

@@ -13,7 +13,7 @@
 
 namespace riprap::validation {
 
-/// What a case is given besides its report.
+/// Input of a case besides its report.
 struct CaseSetting {
     std::filesystem::path folder;   ///< validation/<suite>/<case> with the case's files
     std::filesystem::path results;  ///< where plots go; empty = none are written

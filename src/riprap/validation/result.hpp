@@ -9,7 +9,7 @@
 
 namespace riprap::validation {
 
-/// How a value of ours stands to its reference.
+/// Standing of a value of ours to its reference.
 enum class Verdict {
     reproduced,       ///< inside the acceptance band
     close,            ///< outside it, inside a stated wider band; the note says why
@@ -27,7 +27,7 @@ enum class Kind {
 };
 std::string_view to_string(Kind kind);
 
-/// What the paper says: a number in the unit of the quantity, words where it gives words, or nothing.
+/// Reference of the paper: a number in the unit of the quantity, words where it gives words, or nothing.
 using Published = std::variant<std::monostate, double, std::string>;
 
 /// One line of the table that `riprap validate` prints.

@@ -10,7 +10,7 @@
 
 namespace riprap::validation {
 
-/// How a scene is looked at: against `depth`, with `right` and `up` in the picture. Unit vectors, right-handed.
+/// View of a scene: against `depth`, with `right` and `up` in the picture. Unit vectors, right-handed.
 struct View {
     Vec3 right{1, 0, 0};
     Vec3 up{0, 0, 1};

@@ -28,7 +28,7 @@ bool is_selected(const ValidationCase& one, const ValidateOptions& options) {
     return suite_wanted && (options.is_full || !one.is_long);
 }
 
-/// What to say of a name that nothing bears: the nearest one, and the cases of its suite, or all where it has none.
+/// Returns the advice on an unknown name: the nearest one, and the cases of its suite, or all where it has none.
 std::string refusal_of(const std::string& text, std::span<const ValidationCase> cases) {
     std::vector<std::string> names;
     for (const ValidationCase& one : cases) {

@@ -11,7 +11,7 @@
 
 namespace riprap::validation {
 
-/// What `riprap validate [SUITE[/CASE]]... [--full] [--json]` asks for.
+/// Options of `riprap validate [SUITE[/CASE]]... [--full] [--json]`.
 struct ValidateOptions {
     std::vector<std::string> selection;         ///< "zhao", "zhao/incline"; empty = every suite
     bool is_full{false};                        ///< also long cases, and every case in its long version

@@ -21,7 +21,8 @@ struct ZeroCrossingWave {
 /// @param time, elevation  equally long, time increasing [s], [m]
 std::vector<ZeroCrossingWave> zero_crossing_waves(std::span<const double> time, std::span<const double> elevation);
 
-/// What a record of the surface is by its waves and by its variance. What needs a wave is not a number without one.
+/// Statistics of a record of the surface, by its waves and by its variance. Values that need a wave are not a number
+/// without one.
 struct WaveStatistics {
     double mean_level;          ///< over time [m]
     std::int64_t count;         ///< of zero-crossing waves

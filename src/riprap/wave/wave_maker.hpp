@@ -8,7 +8,7 @@
 
 namespace riprap::wave {
 
-/// How a paddle moves water.
+/// Kind of a paddle.
 enum class Paddle {
     piston,  ///< a plate that stays upright
     flap,    ///< a plate hinged at the bed; its stroke is that of the point at still water

@@ -126,7 +126,7 @@ inline TangentialResponse<T> advance_spring(TangentialSpring<T>& spring, const V
     return response;
 }
 
-/// What a friction of spheres sees of one contact, or of eight.
+/// Input of a friction of spheres: one contact, or eight.
 template <class T>
 struct SlidingContact {
     Vec3T<T> normal, old_normal;  ///< from A to B, now and at the last step [-]

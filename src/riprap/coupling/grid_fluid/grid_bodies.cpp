@@ -13,7 +13,7 @@ namespace {
 
 using fluid::grid::at;
 
-/// What a half-space fills of the domain and a cell around it; empty where that is nothing.
+/// Returns the part of a half-space in the domain and a cell around it; empty where there is none.
 geometry::Polyhedron fill_half_space(const GridFluidSettings& settings, const Vec3& normal, double offset) {
     const fluid::grid::Mesh& mesh = settings.grid.mesh;
     Vec3 low{}, high{};

@@ -23,7 +23,7 @@
 
 namespace riprap::coupling {
 
-/// What a case says of a fluid on a grid: Settings of GridFluid.
+/// Settings of GridFluid.
 struct GridFluidSettings {
     static constexpr std::string_view method_name = "grid";
     static MethodKeys<GridFluidSettings> keys();

@@ -14,7 +14,7 @@ namespace {
 using fluid::grid::at;
 using fluid::grid::Mesh;
 
-/// What gauges look at: the water, and the share of cells that solids leave to it.
+/// Input of gauges: the water, and the share of cells that solids leave to it.
 struct Reader {
     const GridFluidSettings& settings;
     const fluid::grid::GridState& water;

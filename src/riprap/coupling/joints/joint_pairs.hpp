@@ -38,7 +38,7 @@ inline std::int32_t partner_of(const JointMember& member) { return member.is_loo
 /// Share of what is open at a wall that moving water fills with particles, at least.
 inline constexpr double well_filled = 0.85;
 
-/// What joins two members i and j, with faces as they are or brought together.
+/// Link between two members i and j, with faces as they are or brought together.
 struct JointLink {
     Vec3 apart;    ///< x_i - x_j, or the same + s n_ij, see JointPressure [m]
     double slope;  ///< (dW/dr)/r there; 0 = not in reach
@@ -50,7 +50,7 @@ struct JointGap {
     double width;  ///< negative where they overlap [m]
 };
 
-/// What links are found with, made once for many.
+/// Kernel and limits of the search for links, made once for many.
 class JointKernel {
  public:
     explicit JointKernel(const fluid::ParticleSettings& settings);
@@ -83,7 +83,7 @@ class JointKernel {
 /// on when it was listed.
 class JointPairs {
  public:
-    /// How far members are looked for about loose bodies; periods of the domain must be at least twice that [m].
+    /// Reach of the search for members about loose bodies; periods of the domain must be at least twice that [m].
     /// @param has_driven  some body is driven: what it shuts off is looked for too
     static double reach(const fluid::ParticleSettings& settings, bool has_driven);
 

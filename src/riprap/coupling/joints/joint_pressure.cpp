@@ -28,7 +28,8 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
 /// u of a member in a joint: what the water found there leaves to do. Particles that press harder than the joint count
 /// for as much more of the room as they do: squeezed between two faces they hold a pressure that a film would let go.
 double left_to_do(const JointWater& at_member, double water, double joint) {
-    return joint > 0 ? std::max(0.0, 1 - (1 - at_member.dry_share) * std::max(1.0, water / joint)) : at_member.dry_share;
+    return joint > 0 ? std::max(0.0, 1 - (1 - at_member.dry_share) * std::max(1.0, water / joint))
+                     : at_member.dry_share;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ class JointPressure {
     double pressure_of(std::size_t member, std::int32_t other) const;
 
     JointPairs pairs_;
-    std::vector<JointWater> found_;    ///< of each member
+    std::vector<JointWater> found_;         ///< of each member
     std::vector<std::int32_t> side_begin_;  ///< of each member in sides_, one more at the end
     std::vector<Side> sides_;
     std::vector<RimPiece> pieces_;             ///< of each side

@@ -20,7 +20,7 @@ constexpr double most_felt = 1.2;
 /// Spacings that a joint opens until water that stands closely before it is no longer crowded but on its way in.
 constexpr double mouth = 0.25;
 
-/// What a member meets.
+/// Solids about a member.
 struct Surroundings {
     Vec3 slope;                                           ///< G_others [1/m]
     Vec3 of_gap{};                                        ///< what water between faces adds when it fills that [1/m]
@@ -54,7 +54,7 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
     return found;
 }
 
-/// How much of what is open particles fill. @param open of solids, @param water the same sum over the water
+/// Share of the open surroundings that particles fill. @param open of solids, @param water the same sum over the water
 double covered(const Vec3& open, const Vec3& water) {
     const double square = dot(open, open);
     return square > 0 ? std::max(0.0, -dot(open, water) / square) : 0;

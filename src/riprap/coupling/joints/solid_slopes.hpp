@@ -12,9 +12,9 @@
 
 namespace riprap::coupling {
 
-/// How a solid ends at each of its samples i: sum_j V_j grad W_ij over the samples of the same solid, which points into
-/// it and is near nothing deep inside [1/m]. In the frame of the body; bodies that never move count as one solid, in
-/// world axes.
+/// Returns the slope of the solid at each of its samples i: sum_j V_j grad W_ij over the samples of the same solid,
+/// which points into it and is near nothing deep inside [1/m]. In the frame of the body; bodies that never move count
+/// as one solid, in world axes.
 /// @param motion    where the bodies are, of which only those of still ones are looked at
 /// @param is_still  per body: never moves
 /// @param reach     of the kernel [m]

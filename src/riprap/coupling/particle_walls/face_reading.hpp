@@ -27,7 +27,8 @@ struct LoadedFaces {
     std::span<const std::vector<PenaltyWalls::Push>> pushes;  ///< of faces on particles, besides
 };
 
-/// What a transducer reads: the force of the water on the face about it over the area of the face there [Pa],
+/// Returns the reading of a transducer: the force of the water on the face about it over the area of the face there
+/// [Pa],
 ///
 ///     p = -sum_s (f_s . n) w(x_s) / sum_s A_s w(x_s),     w(x) = B(a) B(b), in two dimensions B(a),
 ///

@@ -12,8 +12,8 @@
 
 namespace riprap::coupling {
 
-/// How a piston takes up waves that come back while it makes its own [SchafferKlopman2000]. The surface in front of it,
-/// less what its own motion makes there, is a wave that arrives with amplitude a; a correction of its velocity
+/// Absorption of waves that come back to a piston while it makes its own [SchafferKlopman2000]. The surface in front of
+/// it, less what its own motion makes there, is a wave that arrives with amplitude a; a correction of its velocity
 ///
 ///     u = -G (eta - eta_own),   eta_own = H/2 cos(wt + phase - k x) r + C_e(x) X     (regular waves)
 ///                               eta_own = H sech^2(K (c (t - t_0) - x))              (solitary wave)

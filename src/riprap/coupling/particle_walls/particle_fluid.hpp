@@ -13,13 +13,13 @@
 
 namespace riprap::coupling {
 
-/// How solids hold water back.
+/// Treatment of walls.
 enum class WallTreatment : std::uint8_t {
     boundary_particles,  ///< samples inside the kernel sums
     penalty,             ///< faces that push particles away
 };
 
-/// What the case says of water made of particles, whatever scheme moves them.
+/// Settings of water made of particles, whatever scheme moves them.
 struct ParticleFluid {
     fluid::SchemeSettings scheme;
     WallTreatment wall{WallTreatment::boundary_particles};

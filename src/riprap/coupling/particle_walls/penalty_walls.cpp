@@ -38,7 +38,7 @@ void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     });
 }
 
-/// How a part stands to a particle.
+/// Position of a part relative to a particle.
 struct Touch {
     Vec3 place;       ///< of the particle's image [m]
     Vec3 normal;      ///< n
@@ -63,7 +63,7 @@ std::optional<Touch> touch_at(const PlacedPart& part, const Vec3& x, double with
     return Touch{x, rotate(part.pose.orientation, near.normal), near.distance, 0.5 * within, part.body};
 }
 
-/// That of the image of a particle which is deepest.
+/// Returns the deepest of the images of a particle.
 std::optional<Touch> deepest_touch(const PlacedPart& part, const Vec3& x, double within,
                                    const fluid::PeriodicImages& images) {
     const Vec3 nearest = std::isfinite(part.reach) ? images.nearest(x, part.pose.position) : x;

@@ -18,7 +18,7 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this are equal
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// How deep a place is in a body, and the outward normal of the face that says so; negative outside.
+/// Depth of a place in a body, negative outside, and the outward normal of the nearest face.
 struct Depth {
     double value;
     Vec3 normal;  ///< in the axes that the place is given in
@@ -154,7 +154,8 @@ class Seams {
         return inside > 0 ? owned / inside : 1;
     }
 
-    /// What the owner has of a point in its cell: all where it is deepest, an even part where others are as deep.
+    /// Returns the share of the owner in a point of its cell: all where it is deepest, an even part where others are as
+    /// deep.
     double part_of_point(double own, const Vec3& y, std::span<const Rival> rivals) const {
         double most_tied = own, most_other = -infinity;
         int equals = 0;

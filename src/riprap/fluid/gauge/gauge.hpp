@@ -13,7 +13,7 @@
 
 namespace riprap::fluid {
 
-/// What an instrument in the water reads.
+/// Quantity that an instrument in the water reads.
 enum class GaugeKind : std::uint8_t {
     pressure,  ///< at a point in the water [Pa]
     velocity,  ///< at a point [m/s], 3 numbers
@@ -43,7 +43,7 @@ struct Gauge {
 /// @param position, orientation  of all bodies
 Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation);
 
-/// How a kind is written in a case, its unit and how many numbers it gives.
+/// Word of a kind in a case, its unit and the number of its components.
 struct GaugeInfo {
     GaugeKind kind;
     std::string_view name, unit;

@@ -24,7 +24,7 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
 /// (docs/theory/grid.md) [s].
 double stable_step(const GridSettings& settings, GridState& state, GridScratch& scratch);
 
-/// How a step went.
+/// Report of a step.
 struct GridReport {
     int pressure_iterations{0};   ///< of the last pass [-]
     double pressure_residual{0};  ///< relative [-]

@@ -76,7 +76,7 @@ double wall_distance(const GridSettings& settings, const std::array<int, 3>& pla
     return nearest;
 }
 
-/// What makes and takes turbulence in a cell.
+/// Production and destruction of turbulence in a cell.
 struct Sources {
     double production;          ///< nu_t S^2 [m^2/s^3]
     double buoyancy;            ///< (nu_t/sigma_t) g.grad rho/rho, a sink where water lies below air [m^2/s^3]

@@ -22,7 +22,7 @@ std::int64_t layer_count(const ParticleSettings& settings) {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-/// How far the first layer of an inflow is from its start at one spacing before the plane, at `time` [m].
+/// Distance of the first layer of an inflow from its start at one spacing before the plane, at `time` [m].
 double phase_of(const Inflow& inflow, std::int64_t layers, double spacing, double time) {
     return inflow.distance_at(time) + 0.5 * spacing - static_cast<double>(layers) * spacing;
 }

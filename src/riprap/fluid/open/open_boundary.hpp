@@ -47,7 +47,7 @@ struct Inflow {
     double distance_at(double time) const;
 };
 
-/// What water finds at an outflow.
+/// Condition at an outflow.
 enum class OutflowKind : std::uint8_t {
     free,   ///< nothing: it is gone. For water that falls or runs faster than its waves
     speed,  ///< it is drawn off at a given speed
@@ -94,7 +94,7 @@ struct OpenState {
     }
 };
 
-/// What passed the openings in one step, as water: positive into the domain.
+/// Water that passed the openings in one step: positive into the domain.
 struct Passage {
     std::int64_t entered{0}, left{0};  ///< particles
     double energy{0};                  ///< kinetic, potential and internal [J]

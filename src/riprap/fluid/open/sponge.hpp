@@ -28,7 +28,7 @@ struct Sponge {
 /// r with which a wave at sqrt(g d), the fastest there is, comes back with a hundredth of its height: 3 ln(100) c/L.
 double sponge_rate(double gravity, double depth, double length);
 
-/// What sponges did over the last step: Scratch.
+/// Work and impulse of sponges over the last step: Scratch.
 struct SpongeWork {
     std::vector<Vec3> force, before;  ///< per particle: force [N], velocity before the kick [m/s]
 };

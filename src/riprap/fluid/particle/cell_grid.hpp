@@ -16,7 +16,7 @@ namespace riprap::fluid {
 /// @throws CaseError  where a period is shorter than two reaches, so that a particle could meet another twice
 void check_periods(const Domain& domain, double reach);
 
-/// What a loop over neighbours needs of a CellGrid: plain pointers, for host and device.
+/// View of a CellGrid for loops over neighbours: plain pointers, for host and device.
 struct CellGridView {
     struct Axis {
         double low{0}, period{0};  ///< [m]; period 0: not periodic

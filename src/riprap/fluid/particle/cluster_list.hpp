@@ -53,7 +53,7 @@ class ClusterList {
         std::int32_t patch;
         std::int32_t place;  ///< in Patch::blocks
     };
-    /// Those from `first_patch` up to `end_patch` that name a block.
+    /// Patches from `first_patch` up to `end_patch` that name a block.
     std::span<const Mention> mentions_in(std::int64_t candidate_block, std::int64_t first_patch,
                                          std::int64_t end_patch) const;
 

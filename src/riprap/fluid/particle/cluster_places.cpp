@@ -30,7 +30,7 @@ struct FourPlaces {
         for (std::size_t k = 0; k < 3; ++k) {
             DoubleFour x;
             std::memcpy(&x, reinterpret_cast<const char*>(four) + k * sizeof x, sizeof x);
-            // What is added puts the unit into the last place of the mantissa, so that its low bits are the whole
+            // The addend puts the unit into the last place of the mantissa, so that its low bits are the whole
             // number in two's complement, modulo 2^32. Places beyond 2^51 small lengths, and not finite ones, are
             // anywhere.
             const DoubleFour rounded = (x - origin[k]) * per_quantum[k] + 0x1.8p52;

@@ -12,7 +12,7 @@ namespace riprap::fluid {
 /// the finds are written one behind the other, and the misses overwritten.
 class ListSearch {
  public:
-    /// What is near what, and how far that is.
+    /// Neighbours and their distances.
     struct Question {
         const ClusterPlaces& targets;
         const ClusterPlaces& candidates;

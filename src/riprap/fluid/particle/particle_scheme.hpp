@@ -50,7 +50,7 @@ struct FluidReport {
     std::string problem;                ///< why, with particle, place and time
 };
 
-/// What particles of one method do in a step, between the walls that somebody else moves. The driver calls the verbs in
+/// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in
 /// this order in every step; what an object keeps between steps decides no bit.
 ///
 ///     update_density   walls at t_n

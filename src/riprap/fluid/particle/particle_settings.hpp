@@ -13,7 +13,7 @@ enum class StateEquation : std::uint8_t {
     linear_without_tension,  ///< nothing is stored and nothing pulls below the density at rest
 };
 
-/// What the case says of any particle fluid: Model. Walls, openings, gauges and frames read this much; a scheme adds
+/// Settings of any particle fluid: Model. Walls, openings, gauges and frames read this much; a scheme adds
 /// its own.
 struct ParticleSettings {
     double spacing{0};            ///< dp: distance of particles at the start [m]

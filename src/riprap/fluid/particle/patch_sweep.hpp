@@ -33,7 +33,7 @@ inline void add_sums_of_targets(const std::array<LanePart, Sums>& sum, float* bu
     }
 }
 
-/// How a sweep uses its pair physics: what candidates do to targets,
+/// Use of the pair physics by a sweep: what candidates do to targets,
 template <class Pair>
 struct OneWay {
     static constexpr std::size_t back_sums = 0;

@@ -60,7 +60,7 @@ struct SweepSide {
     std::array<FieldView, static_cast<std::size_t>(FieldCount)> fields;
 };
 
-/// How far pairs act, and in what space.
+/// Reach of pairs and their space.
 struct SweepReach {
     double support_radius;  ///< 2 h [m]: no pair acts at or beyond it
     Domain domain;          ///< for its dimension and its periods; particles may be outside

@@ -77,9 +77,9 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
     });
 }
 
-/// How many patches are swept before what they do to candidates is added up: even shares of all, with enough for every
-/// thread that none waits long for another. Their buffers, some 0.3 MB each, are then a small part of what millions of
-/// particles take.
+/// Number of patches that are swept before their sums at candidates are added up: even shares of all, with enough for
+/// every thread that none waits long for another. Their buffers, some 0.3 MB each, are then a small part of what
+/// millions of particles take.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
     const std::int64_t most = std::max(128, 32 * parallel::thread_count());
     const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);

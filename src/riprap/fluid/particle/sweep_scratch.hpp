@@ -23,7 +23,7 @@ class BufferPool {
     std::vector<std::unique_ptr<Buffer>> free_;
 };
 
-/// What a sweep needs only while it runs, so that sweeps which follow each other may share it.
+/// Buffers that a sweep needs only while it runs: sweeps that follow each other may share them.
 struct SweepBuffers {
     std::vector<float> fields;                   ///< of the candidates: [cluster][field][member]
     std::vector<std::vector<float>> patch_sums;  ///< of some patches' candidates: [place][sum][member]

@@ -7,7 +7,8 @@
 
 namespace riprap::fluid {
 
-/// What neighbours in the fluid do to the density of particle i, and how they stand about it, with F = (dW/dr)/r,
+/// Sums over neighbours in the fluid that change the density of particle i, and moments of their places, with F =
+/// (dW/dr)/r,
 /// d = x_i - x_j, v = v_i - v_j:
 ///
 ///     sums[0]     = -sum V_j F (p_j - p_i + rho_0 g.d)   diffusion of the part of the pressure that is not hydrostatic
@@ -66,8 +67,8 @@ struct Continuity {
     }
 };
 
-/// What walls do to it: M, G and the gradient of concentration as above, with the wall's own velocity and volume. No
-/// diffusion into walls.
+/// Sums over walls likewise: M, G and the gradient of concentration as above, with the wall's own velocity and volume.
+/// No diffusion into walls.
 struct ContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 4;  ///< v, V

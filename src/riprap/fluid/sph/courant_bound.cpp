@@ -13,7 +13,7 @@
 namespace riprap::fluid {
 namespace {
 
-/// What a wave feels on the lattice: h g and h^2 L.
+/// Symbols of gradient and Laplacian on the lattice: h g and h^2 L.
 struct Symbols {
     double gradient, diffusion;
 };

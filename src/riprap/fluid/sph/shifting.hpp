@@ -9,7 +9,7 @@ namespace riprap::fluid {
 /// -sum V_j F r^2 [-] [Lee2008].
 double bareness_of_particle(int dimension, double divergence);
 
-/// How far to move a particle so that its neighbours surround it evenly [m] [Lind2012]:
+/// Returns the shift of a particle towards even surroundings [m] [Lind2012]:
 ///
 ///     delta x = -A h^2 |S| dt grad C,    at most a tenth of the spacing and what takes 0.2 % of an uncorrected
 ///     density,
@@ -37,8 +37,8 @@ Vec3 shift_of_particle(const SphSettings& settings, const Vec3& gradient, const 
 /// exact, flow crowds particles without raising density, and shifting has nothing to take.
 double dilution_by_shift(const Vec3& shift, const Vec3& gradient, double corrected);
 
-/// What is left of a density when that share is taken: what lies above the density at rest and no more. Water in
-/// tension would be stretched further, and shifting would do work on it (docs/theory/sph.md, 7).
+/// Returns the density that is left when that share is taken: no more than what lies above the density at rest. Water
+/// in tension would be stretched further, and shifting would do work on it (docs/theory/sph.md, 7).
 double density_after_shift(double density, double dilution, double rest_density);
 
 }  // namespace riprap::fluid

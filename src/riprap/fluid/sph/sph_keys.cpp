@@ -17,8 +17,8 @@ KeyList<S> scheme_keys() {
                "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. "
                "(2003), density by summation, for comparison: it needs an artificial_alpha of 0.1 or more."),
         choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
-               "How pressure follows from density."),
-        number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Of the Tait equation.")};
+               "Equation of state."),
+        number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Exponent of the Tait equation.")};
 }
 
 KeyList<S> particle_order_keys() {

@@ -16,7 +16,7 @@ namespace riprap::fluid {
 
 enum class SphScheme : std::uint8_t { delta_sph, muller };
 
-/// What the case says of SPH: Model. One set of defaults serves every case.
+/// Settings of SPH: Model. One set of defaults serves every case.
 struct SphSettings : ParticleSettings {
     static constexpr std::string_view method_name = "sph";
     static MethodKeys<SphSettings> keys();

@@ -55,7 +55,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
 /// The water about the walls as begin_forces found it, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, WaterAtWalls& water);
 
-/// What the fluid does to walls that move as they say now: their pressure and their loads.
+/// Finds pressure and loads of walls that move as they say now.
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratch& scratch);
 

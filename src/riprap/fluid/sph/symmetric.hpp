@@ -10,7 +10,7 @@ namespace riprap::fluid {
 
 inline constexpr int symmetric_numbers = 6;
 
-/// How many of them a dimension uses.
+/// Number of components that a dimension uses.
 template <int Dim>
 inline constexpr int symmetric_used = Dim == 2 ? 3 : 6;
 

@@ -19,7 +19,7 @@ inline constexpr double largest_stretch = 0.01;
 /// @param moments         tr M/D, with walls [-]
 bool may_leave_walls(double bareness, double bareness_alone, double moments);
 
-/// What a particle gains in density as water tears there [kg/m^3]:
+/// Returns the gain in density of a particle as water tears there [kg/m^3]:
 ///
 ///     max(0, rho_0 - rho)                 where it may leave a wall,
 ///     max(0, (1 - 0.01/b) rho_0 - rho)    elsewhere, nothing where b = 0.
@@ -35,7 +35,7 @@ bool may_leave_walls(double bareness, double bareness_alone, double moments);
 /// @param rest_density  rho_0 [kg/m^3]
 double density_by_tearing(double bareness, bool leaves_wall, double density, double rest_density);
 
-/// How much a particle is caught alone between two walls:
+/// Returns the share to which a particle is caught alone between two walls:
 ///
 ///     l = max(0, 1 - (tr M_f/D)/c) (tr M/D - 0.65)/0.15,    c = 0.05 + 0.2 (tr M/D - 0.95)/0.05,
 ///
@@ -50,7 +50,7 @@ double density_by_tearing(double bareness, bool leaves_wall, double density, dou
 ///                 spacing from two and three walls that make a corner, where a single drop counts as caught too [-]
 double caught_share(double alone, double moments);
 
-/// What it gains in density as that sound leaves:
+/// Returns the gain in density of a caught particle as that sound leaves:
 ///
 ///     max(0, 2 l - 1) (rho_0 - rho) (1 - exp(-c_0 dt/dp)).                       [kg/m^3]
 ///

@@ -25,12 +25,12 @@ SurfaceClass class_alone(const MpsLattice& lattice, double crowding, double neig
 
 double fastest(const ParticleState& state) {
     const double squared = parallel::reduce(
-        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        state.owned(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
         [](double a, double b) { return std::max(a, b); });
     return std::sqrt(squared);
 }
 
-/// What a class leaves of a shift.
+/// Returns the part of a shift that a class allows.
 Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_normal, const Vec3& shift) {
     if (surface == SurfaceClass::splash) {
         return {};
@@ -53,7 +53,7 @@ void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsSc
     s.surface.classes.resize(count);
     s.surface.is_surface.resize(count);
     s.surface.normal.resize(count);
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.surface.classes[i] =
             class_alone(lattice, s.continuity.crowding[i], s.continuity.neighbours[i], s.forces.in_front[i]);
@@ -72,7 +72,7 @@ void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsSc
         settings, MpsSurface{settings.weight(), square(2.1 * l), square(settings.collision_distance * l)},
         {state.position, {v(0), v(1), v(2), field(s.surface.is_surface), n(0), n(1), n(2)}},
         {sink(s.surface.adjacent), inner(0), inner(1), inner(2), sink(s.surface.approaching)}, s.lists.fluid_fluid);
-    parallel::for_each(state.size(), [&](std::int64_t entry) {
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         if (s.surface.classes[i] == SurfaceClass::internal && s.surface.adjacent[i] > 0.5) {
             s.surface.classes[i] = SurfaceClass::near;
@@ -85,7 +85,7 @@ bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, 
     s.collisions.share.resize(count);
     const double size = 0.5 * (1 + settings.collision_ratio);
     const double most = parallel::reduce(
-        state.size(), 0.0,
+        state.owned(), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
             const bool may =
@@ -126,7 +126,7 @@ Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& 
         state.position[i] += state.shift[i];
         return Shifting{settings.particle_mass * dot(gravity, state.shift[i]), norm_squared(move)};
     };
-    return parallel::reduce(state.size(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
+    return parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
         return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
     });
 }

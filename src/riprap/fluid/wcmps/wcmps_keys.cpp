@@ -16,7 +16,8 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
             KeyList<S>{
                 number(&S::smoothing_ratio, "smoothing_ratio", dimension::plain, between(1, 2),
                        "Half the support radius over spacing; 1.55 is the support of 3.1 spacings of the source."),
-                number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Of the Tait equation."),
+                number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10),
+                       "Exponent of the Tait equation."),
                 number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
                        "Of the fluid."),
                 number(&S::density_diffusion, "density_diffusion", dimension::plain, between(0, 1),

@@ -21,7 +21,7 @@ namespace {
 
 Vec2 to_point(const Value& pair) { return {pair.items[0].as_number(), pair.items[1].as_number()}; }
 
-/// What a section is cut of.
+/// Content of a section.
 struct Section {
     Polygon outline;  ///< empty where it is among the lines
     std::vector<PlanarJoint> lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tables of [fluid] say to fluids that are fields.
+// Reads the tables of [fluid] for fluids that are fields.
 #include <fmt/format.h>
 
 #include "riprap/scene/build/fluid_tables.hpp"

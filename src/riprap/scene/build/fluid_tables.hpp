@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the tables of [fluid] say: for the sources of this folder only.
+// Readers of the tables of [fluid]: for the sources of this folder only.
 
 #include <optional>
 #include <vector>

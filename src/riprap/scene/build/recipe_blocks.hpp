@@ -6,7 +6,7 @@
 
 namespace riprap::scene {
 
-// What packs, rock masses and sections share: many blocks from one table.
+// Many blocks from one table, shared by packs, rock masses and sections.
 
 /// The seed of the table, or one from that of the case and `name`.
 std::uint64_t seed_for(const CaseBuild& build, const Value& table, const std::string& name);

@@ -80,7 +80,7 @@ void compare_method(const Comparison& compare, const geometry::DdaAnalysis& anal
         compare.build.model.solid);
 }
 
-/// What the file says and Riprap takes no account of.
+/// Contents of the file that are ignored.
 void note_unused(CaseBuild& build, const std::string& file, const geometry::DdaAnalysis& analysis) {
     const auto note = [&](const std::string& text) { build.notes.push_back(fmt::format("{}: {}", file, text)); };
     if (analysis.materials.size() > 1 || analysis.joints.size() > 1) {

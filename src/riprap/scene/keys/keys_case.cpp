@@ -30,9 +30,9 @@ const Table& spread_table() {
         "the case, the number of the member and the key alone. Runs of one member keep what the case says.",
         {{"key", {text()}, "Which: the path as for --set, such as \"body.gate.motion.linear.velocity.2\".", {}, true},
          {"low", {number(dimension::plain)}, "Least value of a uniform distribution, in SI.", {}},
-         {"high", {number(dimension::plain)}, "Its largest value.", {}},
+         {"high", {number(dimension::plain)}, "Largest value.", {}},
          {"mean", {number(dimension::plain)}, "Mean of a normal distribution, in SI.", {}},
-         {"deviation", {number(dimension::plain, non_negative())}, "Its standard deviation.", {}}},
+         {"deviation", {number(dimension::plain, non_negative())}, "Standard deviation.", {}}},
         {{GroupRule::exactly_one, {"low", "mean"}},
          {GroupRule::all_or_none, {"low", "high"}},
          {GroupRule::all_or_none, {"mean", "deviation"}}}};
@@ -67,7 +67,10 @@ const Table& bolt_table() {
           {},
           true},
          {"stiffness", {number(dimension::stiffness, positive())}, "E A / l of the bolt.", {}, true},
-         {"pretension", {number(dimension::force, non_negative())}, "Its force at the start.", Value::of(0.0)}}};
+         {"pretension",
+          {number(dimension::force, non_negative())},
+          "Pretension: force at the start.",
+          Value::of(0.0)}}};
     return table;
 }
 
@@ -96,8 +99,8 @@ Table rows_of_case() {
           Value::of("auto")},
          {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
          {"material", {named_tables(material_table, limits::materials)}, "Materials by name.", {}, true},
-         {"contact", {form::table(contact_table)}, "How two materials meet.", Value::table()},
-         {"solid", {form::table(solid_table)}, "How solids move.", Value::table()},
+         {"contact", {form::table(contact_table)}, "Contact of two materials.", Value::table()},
+         {"solid", {form::table(solid_table)}, "Method and settings of the solids.", Value::table()},
          {"fluid", {form::table(fluid_table)}, "Water, when there is any.", {}},
          {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
          {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
@@ -109,7 +112,7 @@ Table rows_of_case() {
           {table_list(spread_table)},
           "Numbers that differ between the members of an ensemble.",
           Value::array()},
-         {"output", {form::table(output_table)}, "What is written, and how often.", Value::table()},
+         {"output", {form::table(output_table)}, "Files to write, and their intervals.", Value::table()},
          {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};
 }
 
@@ -135,8 +138,8 @@ const Table& gravity_rotation_table() {
         "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
         {{"axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule.", {}, true},
          {"rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity.", {}, true},
-         {"start", {number(dimension::time, non_negative())}, "When the turn starts.", Value::of(0.0)},
-         {"stop", {number(dimension::time, non_negative())}, "When the turn stops; never when not given.", {}}}};
+         {"start", {number(dimension::time, non_negative())}, "Start of the turn.", Value::of(0.0)},
+         {"stop", {number(dimension::time, non_negative())}, "End of the turn; none when not given.", {}}}};
     return table;
 }
 
@@ -152,7 +155,7 @@ const Table& contact_pair_table() {
           "Friction angle; the coefficient is its tangent.",
           {}},
          {"cohesion", {number(dimension::pressure, non_negative())}, "Shear strength per contact area.", {}},
-         {"tensile_strength", {number(dimension::pressure, non_negative())}, "As of a material.", {}},
+         {"tensile_strength", {number(dimension::pressure, non_negative())}, "Tensile strength, as of a material.", {}},
          {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
          {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
          {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
@@ -213,9 +216,9 @@ const Table& material_table() {
           Value::of(0.0)},
          {"tensile_strength",
           {number(dimension::pressure, non_negative())},
-          "Of the DDA methods alone: with cohesion it bonds faces that touch at the start. A bond that is torn or "
-          "sheared "
-          "is gone for good. Two materials mix it as cohesion.",
+          "Tensile strength, of the DDA methods alone: with cohesion it bonds faces that touch at the start. A bond "
+          "that "
+          "is torn or sheared is gone for good. Two materials mix it as cohesion.",
           Value::of(0.0)},
          {"damping_ratio",
           {number(dimension::plain, between(0, 1))},

@@ -43,14 +43,14 @@ const Table& fluid_region_table() {
         "neither box nor shape is given. All regions share one lattice; where they overlap the first one counts.",
         {{"box", {form::table(fluid_box_table)}, "The region as a box.", {}},
          {"shape", {form::table(shape_table)}, "The region as a shape; not a half-space.", {}},
-         {"position", {vector(dimension::length)}, "Of the origin of the shape.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "How the shape is turned.", {}},
+         {"position", {vector(dimension::length)}, "Position of the origin of the shape.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "Orientation of the shape.", {}},
          {"level",
           {number(dimension::length)},
           "Height of the surface at the start, against gravity from the origin: z where gravity points down z. At most "
           "the top of the region, which it is when not given.",
           {}},
-         {"velocity", {vector(dimension::velocity)}, "At the start.", Value::of(Vec3{})}},
+         {"velocity", {vector(dimension::velocity)}, "Velocity at the start.", Value::of(Vec3{})}},
         {{GroupRule::at_most_one, {"box", "shape"}}}};
     return table;
 }
@@ -72,7 +72,7 @@ const Table& fluid_sponge_table() {
           "At its end; it grows as the square. \"auto\": that which sends a long wave back with a hundredth of its "
           "height.",
           Value::of("auto")},
-         {"velocity", {vector(dimension::velocity)}, "That of a current that stays.", Value::of(Vec3{})}}};
+         {"velocity", {vector(dimension::velocity)}, "Velocity of a steady current.", Value::of(Vec3{})}}};
     return table;
 }
 
@@ -101,7 +101,7 @@ const Table& fluid_wave_table() {
           "Time over which regular waves and seas grow; two periods when not given.",
           {}},
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of a sea.", Value::of(3.3)},
-         {"seed", {integer(0, 1e15)}, "Of the phases of a sea.", Value::of(std::int64_t{1})}}};
+         {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
     return table;
 }
 
@@ -113,8 +113,8 @@ const Table& fluid_porous_table() {
         "overlap (docs/theory/grid.md).",
         {{"box", {form::table(fluid_box_table)}, "The zone as a box.", {}},
          {"shape", {form::table(shape_table)}, "The zone as a shape; not a half-space.", {}},
-         {"position", {vector(dimension::length)}, "Of the origin of the shape.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "How the shape is turned.", {}},
+         {"position", {vector(dimension::length)}, "Position of the origin of the shape.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "Orientation of the shape.", {}},
          {"porosity",
           {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
           "Share of pores.",
@@ -178,7 +178,8 @@ std::vector<Key> scene_rows() {
     std::vector<Key> rows{
         {"sound_speed",
          {choice({"auto"}), number(dimension::velocity, positive())},
-         "Of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that the case "
+         "Sound speed of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that "
+         "the case "
          "gives water and moving bodies, H the depth of the water at the start. Density then varies by about 1 %.",
          Value::of("auto")},
         {"expected_speed",
@@ -186,7 +187,7 @@ std::vector<Key> scene_rows() {
          "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam break, "
          "2 sqrt(g H).",
          Value::of("auto")},
-        {"domain", {form::table(fluid_domain_table)}, "Where water may be.", {}, true},
+        {"domain", {form::table(fluid_domain_table)}, "Box that water may be in.", {}, true},
         {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
         {"levels",
          {list(list(number(dimension::plain), 2, 2), 0, 10'000)},
@@ -195,9 +196,9 @@ std::vector<Key> scene_rows() {
          Value::array()},
         {"wave", {table_list(fluid_wave_table)}, "Sides that waves come in through or go out.", Value::array()},
         {"porous", {table_list(fluid_porous_table)}, "Stones that water flows through.", Value::array()},
-        {"sponge", {table_list(fluid_sponge_table)}, "Where waves die.", Value::array()},
-        {"inflow", {table_list(fluid_inflow_table)}, "Where water enters.", Value::array()},
-        {"outflow", {table_list(fluid_outflow_table)}, "Where water leaves.", Value::array()}};
+        {"sponge", {table_list(fluid_sponge_table)}, "Zones that damp waves.", Value::array()},
+        {"inflow", {table_list(fluid_inflow_table)}, "Inflow boundaries.", Value::array()},
+        {"outflow", {table_list(fluid_outflow_table)}, "Outflow boundaries.", Value::array()}};
     const std::vector<Key> bound = rows_of(fluid_model_keys());
     rows.insert(rows.end(), bound.begin(), bound.end());
     return rows;
@@ -210,7 +211,7 @@ KeyList<coupling::ParticleFluid> fluid_model_keys() {
     return {key::choice(&S::wall, "wall",
                         {{"boundary_particles", coupling::WallTreatment::boundary_particles},
                          {"penalty", coupling::WallTreatment::penalty}},
-                        "How solids hold water back: particles in layers under their faces that take part in all sums, "
+                        "Treatment of walls: particles in layers under their faces that take part in all sums, "
                         "or faces that push particles away (for comparison)."),
             key::boolean(&S::has_joint_pressure, "joint_pressure",
                          "Water presses apart faces that are too close for particles to come between: uplift of blocks "
@@ -224,7 +225,7 @@ const Table& fluid_table() {
                       "[fluid]",
                       "Water. The defaults serve every case; spacing, domain and regions say what is special.",
                       {}},
-                     "How water moves.", FluidMethods::all(), scene_rows());
+                     "Method of the water.", FluidMethods::all(), scene_rows());
     return table;
 }
 

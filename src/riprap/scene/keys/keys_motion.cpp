@@ -85,7 +85,7 @@ const Table& wave_maker_table() {
          {"height", {number(dimension::length, positive())}, "Wave height, crest to trough.", {}},
          {"depth", {number(dimension::length, positive())}, "Depth of still water.", {}, true},
          {"period", {number(dimension::time, positive())}, "Wave period; not for a solitary wave.", {}},
-         {"direction", {form::direction()}, "Where the waves go.", Value::of(Vec3{1, 0, 0})},
+         {"direction", {form::direction()}, "Direction of the waves.", Value::of(Vec3{1, 0, 0})},
          {"hinge", {vector(dimension::length)}, "A point of a flap's hinge, at the bed.", {}},
          {"absorb",
           {vector(dimension::length)},

@@ -117,7 +117,7 @@ const Table& expect_table() {
         "[[expect]]",
         "An answer that the run must reach. The accepted band is value +- tolerance, value (1 +- relative_tolerance), "
         "or low to high.",
-        {{"name", {text()}, "What is expected, in words.", {}, true},
+        {{"name", {text()}, "Name of the expected answer.", {}, true},
          {"quantity",
           {text()},
           "The name of a probe, or a quantity of the scene or of a body, with its component: \"solid.kinetic\", "
@@ -148,7 +148,7 @@ const Table& expect_table() {
          {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
          {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
          {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
-         {"citation", {text()}, "Where the value comes from: a formula, a paper, an experiment.", {}, true}},
+         {"citation", {text()}, "Source of the value: a formula, a paper, an experiment.", {}, true}},
         {{GroupRule::exactly_one, {"value", "low"}},
          {GroupRule::all_or_none, {"low", "high"}},
          {GroupRule::all_or_none, {"when", "reaches"}},

@@ -18,7 +18,7 @@ const Table& trace_set_table() {
         "section.joint_set",
         "[[section.joint_set]]",
         "Parallel joints through the section.",
-        {{"angle", {number(dimension::angle)}, "Of the joints against +x, counter-clockwise.", {}, true},
+        {{"angle", {number(dimension::angle)}, "Angle of the joints against +x, counter-clockwise.", {}, true},
          {"spacing", {number(dimension::length, positive())}, "Distance between joints, across them.", {}, true},
          {"spacing_scatter",
           {number(dimension::plain, {.low = 0, .high = 1, .is_high_open = true})},

@@ -43,7 +43,7 @@ const Table& random_hull_table() {
                              "Convex hull of random points on a sphere: an irregular stone.",
                              {{"corners", {integer(4, 200)}, "Number of points.", Value::of(12)},
                               {"circumradius", {length}, "Radius of the sphere.", {}, true},
-                              {"seed", {integer(0, 9e15)}, "Which stone.", Value::of(1)}}};
+                              {"seed", {integer(0, 9e15)}, "Seed of the stone.", Value::of(1)}}};
     return table;
 }
 
@@ -53,7 +53,7 @@ const Table& armour_table() {
         "shape = { armour = { ... } }",
         "A concrete unit of a breakwater, by its class, as convex parts about its centre of mass. In planar scenes its "
         "section: a square, three legs, a cross with noses, an H, an H with a third fluke.",
-        {{"unit", {choice(armour_units())}, "Its class.", {}, true},
+        {{"unit", {choice(armour_units())}, "Class of the unit.", {}, true},
          {"nominal_diameter",
           {length},
           "D_n: edge of the cube of the same volume; in planar scenes side of the square of the same area.",
@@ -164,7 +164,7 @@ const Table& prism_table() {
         "shape = { prism = { ... } }",
         "A right prism along z, about its centre: a regular polygon, or any convex one.",
         {{"sides", {integer(3, 64)}, "Corners of a regular polygon.", {}},
-         {"circumradius", {length}, "Of the regular polygon.", {}},
+         {"circumradius", {length}, "Circumradius of the regular polygon.", {}},
          {"points",
           {list(list(number(dimension::length), 2, 2), 3, 256)},
           "Corners x, y of a convex polygon, in order.",

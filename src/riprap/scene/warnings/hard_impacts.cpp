@@ -63,7 +63,7 @@ double stiffness_of(const sim::Model& model, BodyId body) {
     return model.materials[model.bodies.material[at(body.value)]].normal_stiffness;
 }
 
-/// What a body would do to what it meets first in a direction, where that is more than the contact holds.
+/// Impact of a body on the first obstacle in a direction, where it is more than the contact holds.
 std::optional<HardImpact> impact_along(const sim::Model& model, const sim::State& state, std::int32_t body,
                                        const Vec3& direction) {
     const Meeting met = first_met(model, state, BodyId{body}, direction);

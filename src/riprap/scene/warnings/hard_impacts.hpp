@@ -26,7 +26,7 @@ struct HardImpact {
 /// predicted. Looks at no more than 20 million pairs of bodies and parts.
 std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::State& state);
 
-/// What a body meets first on its way.
+/// First obstacle on the way of a body.
 struct Meeting {
     BodyId other;                                              ///< invalid where there is nothing
     std::int32_t part{-1};                                     ///< of it

@@ -76,7 +76,7 @@ struct BlockSystem {
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 };
 
-/// How the blocks move: State. Matrices are kept as three rows each.
+/// Places, motion and stress of the blocks: State. Matrices are kept as three rows each.
 struct BlockState {
     std::vector<Vec3> position;           ///< of the centroid [m]
     std::vector<Vec3> velocity;           ///< of the centroid [m/s]

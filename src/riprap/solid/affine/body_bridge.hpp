@@ -11,7 +11,7 @@
 
 namespace riprap::solid::affine {
 
-/// What a DDA wants to know of rock beside the materials of the scene; one value for all blocks.
+/// Properties of rock that a DDA needs besides the materials of the scene; one value for all blocks.
 struct Elasticity {
     double youngs_modulus{5e9};     ///< E [Pa]
     double poisson_ratio{0.25};     ///< nu [-]

@@ -5,7 +5,7 @@
 
 namespace riprap::solid::affine {
 
-/// How a piece of a step ended.
+/// Outcome of a piece of a step.
 struct Outcome {
     std::string problem{};  ///< empty = done
     double shorten{0};      ///< share of the step to try instead; 0 = no shorter step helps

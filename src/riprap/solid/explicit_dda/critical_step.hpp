@@ -9,7 +9,7 @@ namespace riprap::solid::explicit_dda {
 /// least eigenvalue of its second moments; for a cube of side L exactly 12 E/((1 - 2 nu) rho L^2).
 double strain_frequency_squared(const affine::Material& material, double volume, const Mat3& inertia);
 
-/// How easily a force at r from the centroid moves a block there, 1/m + r S^-1 r [1/kg]: a bound for any direction; a
+/// Mobility of a block under a force at r from the centroid, 1/m + r S^-1 r [1/kg]: a bound for any direction; a
 /// corner of a cube has 10/m.
 double mobility(double mass, const Mat3& inverse_inertia, const Vec3& arm);
 

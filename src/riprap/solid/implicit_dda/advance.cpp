@@ -26,7 +26,7 @@ double smallest_block(const BlockSystem& system) {
     return std::isfinite(size) ? size : 1;
 }
 
-/// How far corners can come towards each other in a step [m].
+/// Largest approach of two corners in a step [m].
 double way_of_step(const BlockSystem& system, const affine::BlockState& state, double dt) {
     const double speed = parallel::reduce(
         system.size(), 0.0,

@@ -15,7 +15,7 @@ std::uint64_t key_of(std::int32_t corner, std::int32_t edge) {
     return (static_cast<std::uint64_t>(corner) << 32) | static_cast<std::uint32_t>(edge);
 }
 
-/// What one search looks at.
+/// Input of one search.
 struct Scene {
     const Model& model;
     const State& state;
@@ -69,7 +69,7 @@ GapAndFoot gap_and_foot(const Scene& scene, std::int32_t corner, std::int32_t ed
     return {cross(line, to) / length, dot(line, to) / (length * length), length};
 }
 
-/// How far the foot lies beyond the ends of the edge [m].
+/// Distance of the foot beyond the ends of the edge [m].
 double beyond_ends(const GapAndFoot& g) { return g.length * std::max({0.0, -g.foot, g.foot - 1}); }
 
 /// A foot may lie outside of its edge by this share of its length.

@@ -22,7 +22,7 @@ struct Material {
     double poisson_ratio{0.25};   ///< nu [-]
 };
 
-/// What two materials do where they touch. Stiffnesses belong to one contact point.
+/// Springs and strength of a contact of two materials. Stiffnesses belong to one contact point.
 struct Joint {
     double normal_stiffness{1e9};  ///< p [N/m]
     double shear_stiffness{4e8};   ///< p_s [N/m]; Shi's choice is p/2.5

@@ -8,7 +8,7 @@ namespace riprap::solid::planar_dda {
 /// Sets the trial of every contact to what the state remembers.
 void begin_trials(Scratch& scratch);
 
-/// What one iteration changed.
+/// Changes of one iteration.
 struct Changes {
     int opened_or_closed{0};
     int returned{0};  ///< of these, contacts that had opened or closed before in this step

@@ -40,7 +40,7 @@ MethodKeys<PlanarDdaSettings> PlanarDdaSettings::keys() {
         .help = "implicit discontinuous deformation analysis in the plane, deformable polygons",
         .keys = within(&S::elasticity, elastic_keys) +
                 KeyList<S>{choice(&S::plane, "plane", {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
-                                  "Of stress and strain across the plane, the one that is none."),
+                                  "Plane stress or plane strain."),
                            number(&S::step, "step", dimension::time, positive(),
                                   "Time step; shorter where contacts do not settle."),
                            number(&S::max_displacement, "displacement_limit", dimension::plain, above(0, 1),
@@ -180,7 +180,7 @@ BlockMotion motion_of(const planar_dda::Model& model, const planar_dda::State& s
             momentum[2]};
 }
 
-/// What blocks bring along that are held no longer.
+/// Energy and momentum of blocks that are newly released.
 void book_released(const planar_dda::Model& model, const PlanarDda::Fields& fields, const Vec3& gravity,
                    KickReport& kick) {
     for (std::int32_t b = 0; b < model.block_count(); ++b) {

@@ -10,7 +10,7 @@
 
 namespace riprap::solid::planar_dda {
 
-/// What acts during one step.
+/// Loads of one step.
 struct Step {
     double dt{0};                        ///< [s]
     Vec2 gravity{};                      ///< body force per mass [m/s^2]

@@ -104,7 +104,7 @@ void use_face_normals(const SphereModel& model, const body::BodyState& state, co
     m.old_normal = m.normal;
 }
 
-/// What one group of up to eight contacts needs and changes.
+/// Input and output of one group of up to eight contacts.
 struct Group {
     RowIndex a, b, row;
     std::int64_t first, count;

@@ -20,7 +20,7 @@ struct Springs {
     friend bool operator==(const Springs&, const Springs&) = default;
 };
 
-/// What the method remembers besides bodies: State.
+/// State of the method besides bodies.
 struct SphereState {
     Springs contacts;             ///< of spheres with spheres
     Springs walls;                ///< of spheres with parts and triangles

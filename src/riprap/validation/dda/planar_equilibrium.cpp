@@ -84,7 +84,8 @@ void planar_shaken_block(const CaseSetting&, CaseReport& report) {
 
 namespace {
 
-/// How far a leaning stack of `count` bricks sinks in `seconds` when its overhang is `share` of the harmonic one.
+/// Returns the sinking of a leaning stack of `count` bricks in `seconds` when its overhang is `share` of the harmonic
+/// one.
 double stack_motion(int count, double share, double seconds) {
     PlanarTrial trial(rock, stiff_joint(0.7));
     trial.settings = solid::planar_dda::settings_for(2);

@@ -148,7 +148,7 @@ double spread(const std::vector<double>& values) {
     return std::sqrt(square);
 }
 
-/// What became of a pile.
+/// State of a pile at the end.
 struct Outcome {
     double rest_drift{0}, spread_x{0}, spread_y{0}, spread_turn{0};
     double caisson{0};     ///< largest way of the caisson [m]

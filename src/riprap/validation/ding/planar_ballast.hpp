@@ -23,7 +23,7 @@ struct BallastBed {
 /// Stones of one packing. Sizes, shapes and places follow from the seed alone.
 BallastBed make_bed(double length, double thickness, std::uint64_t seed);
 
-/// What one block of ice does to a bed.
+/// Effect of one block of ice on a bed.
 struct Strike {
     double impact_time{0};    ///< of the first touch [s]
     int flying{0};            ///< stones whose centre rose by more than 47 mm, a mean size
@@ -38,7 +38,7 @@ struct Strike {
     double ledger{0};
 };
 
-/// How the ice comes.
+/// Approach of the ice.
 struct Shot {
     geometry::Vec2 velocity{};
     double height{0.6};   ///< of its lowest point above the mean surface; more where a stone stands there [m]

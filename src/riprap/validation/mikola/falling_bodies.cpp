@@ -14,7 +14,7 @@ namespace {
 
 constexpr double gravity = 9.81, water = 1000;
 
-/// What a body falling through water did: how far and how fast, at every time.
+/// Motion of a body that falls through water: depth and speed at every time.
 struct Fall {
     std::vector<double> time, way, speed;  ///< [s], downwards [m], [m/s]
 

@@ -15,7 +15,7 @@ namespace {
 /// larger than the weight of a particle as the water has spacings of depth: 25 here [-].
 constexpr double float_sums = 25.0 / (1 << 24);
 
-/// What the momentum ledgers cannot account for, over what gravity and walls have passed through the water so far: its
+/// Residual of the momentum ledgers, over what gravity and walls have passed through the water so far: its
 /// weight times the time.
 double momentum_share(const Trial& trial, const sim::Ledger& ledger) {
     const double passed = ledger.fluid.mass * norm(trial.model().gravity.value) * trial.time();

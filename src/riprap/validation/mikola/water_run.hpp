@@ -9,7 +9,7 @@
 
 namespace riprap::validation::mikola {
 
-/// What the gauges of a case read, and how the ledgers of the run closed.
+/// Readings of the gauges of a case, and residuals of the ledgers of its run.
 struct WaterRecords {
     std::vector<double> time;                ///< [s]
     std::vector<std::vector<double>> gauge;  ///< per gauge of the case, in its order, per time [its unit]

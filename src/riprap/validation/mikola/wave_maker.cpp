@@ -18,7 +18,7 @@ constexpr double gravity = 9.81, depth = 2, period = 4, height = 0.4, ramp = per
 constexpr double slope = 0.04;                                                        ///< of the beach [-]
 constexpr double beach_length = depth / slope, omega = 2 * M_PI / period;
 
-/// How much of the flume is there. The short one lasts until steady waves passed its last gauge for two periods.
+/// Length of the flume. The short one lasts until steady waves passed its last gauge for two periods.
 struct Flume {
     double toe, end, spacing;     ///< [m], [s], [m]
     std::array<double, 3> gauge;  ///< [m]

@@ -14,7 +14,7 @@ constexpr double gravity = 9.81, degree = M_PI / 180, dip = 35 * degree, frictio
 constexpr double length = 2, width = 1,
                  height = 0.4;  ///< of the block, along the dip, along the strike, off the plane [m]
 
-/// What holds and what drives the block, as shares of its weight.
+/// Holding and driving forces of the block, as shares of its weight.
 struct Loads {
     double cohesion, uplift, thrust;  ///< c A/W, U/W normal to the plane, V/W in the tension crack, horizontal
 };

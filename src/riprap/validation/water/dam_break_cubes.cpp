@@ -12,7 +12,7 @@ namespace riprap::validation::water {
 
 namespace {
 
-/// What --full changes in both cases: 24 spacings per depth, the whole reservoir.
+/// Changes by --full in both cases: 24 spacings per depth, the whole reservoir.
 std::vector<std::string> full_version(const CaseSetting& setting) {
     if (!setting.is_full) {
         return {};

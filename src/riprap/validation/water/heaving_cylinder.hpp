@@ -8,7 +8,8 @@
 
 namespace riprap::validation::water {
 
-/// What the water adds to m y'' + C y = 0 while the cylinder heaves at the frequency omega, per metre of its length.
+/// Terms that the water adds to m y'' + C y = 0 while the cylinder heaves at the frequency omega, per metre of its
+/// length.
 struct HeaveLoads {
     double added_mass;            ///< A(omega) over rho a^2 [-]
     double damping;               ///< B(omega) over rho a^2 omega [-]
@@ -30,7 +31,7 @@ struct HeaveLoads {
 /// @param ka  K a, above 0 and below 30: beyond, too few digits of Ei(K z) exp(-K z) are left
 HeaveLoads heave_loads(double ka);
 
-/// How it comes to rest after it was held off its place and let go [MaskellUrsell1970]: in units of a, rho and g, with
+/// Decay of a cylinder that was held off its place and let go [MaskellUrsell1970]: in units of a, rho and g, with
 /// W = omega sqrt(a/g), s = i W, M = pi/2 (half of the water's density) and C = 2,
 ///
 ///     y(t)/y(0) = (2/pi) integral over W > 0 of Re((s (M + A(W)) + B(W)) / (s^2 (M + A(W)) + s B(W) + C)) cos(W t).

@@ -17,7 +17,7 @@ namespace {
 /// Pressure on an end wall, 0.17 m above its foot, from 3 s on: t [s], p [kPa].
 constexpr std::array<double, 9> measured_time{3.051, 3.422, 3.794, 4.166, 4.567, 4.925, 5.311, 5.683, 6.055};
 constexpr std::array<double, 9> measured_pressure{3.170, 3.378, 3.561, 3.578, 3.370, 3.075, 2.910, 2.823, 3.057};
-/// What the dry gauge high on the other wall reads [kPa]: the zero of these instruments. Still water over the lower
+/// Reading of the dry gauge high on the other wall [kPa]: the zero of these instruments. Still water over the lower
 /// gauge is 0.295 m deep, 2.894 kPa, and its record swings about 3.2 kPa.
 constexpr double zero_reading = 0.245;
 

@@ -145,8 +145,8 @@ void judge_slide(const Slide& slide, double friction, double stiffness, CaseRepo
     report.judge({name + "friction work", "J", {}, slide.expected_work, {}}, slide.friction_work, Relative{5e-3});
 }
 
-/// How far a block 0.5 m high slides down in the 2 s after it has stopped, which theory does not let it [m]; see
-/// validation/zhao/incline/README.md.
+/// Returns how far a block 0.5 m high slides down in the 2 s after it has stopped, which theory does not let it [m];
+/// see validation/zhao/incline/README.md.
 double creep_of_tall_block(const CaseSetting& setting) {
     const double height = 0.5, depth = 2500 * height * across / (1.5e8 * (2 / height + 1 / 0.5));
     Trial trial = trial_of(

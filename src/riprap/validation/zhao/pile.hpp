@@ -34,7 +34,7 @@ struct PileRun {
 /// @param width  of the square box, whose corner on the floor is the origin [m]
 PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, const std::string& name);
 
-/// What a pile at rest has to show, whatever it is made of.
+/// Judges a pile at rest, whatever it is made of.
 /// @param demanded  the potential that a normal force [N] demands of the softest lasting support [-]
 /// @param why       that support in words
 void judge_pile(const PileRun& run, const std::function<double(double)>& demanded, const std::string& why,

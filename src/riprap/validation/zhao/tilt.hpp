@@ -8,7 +8,7 @@
 
 namespace riprap::validation::zhao {
 
-/// How a slope that tilts comes down.
+/// Failure of a slope that tilts.
 struct Failure {
     double angle{std::nan("")};  ///< when the block that falls first has moved by failure_slip [deg]
     bool collapsed{false};       ///< and gone on to collapse_slip, accelerating

@@ -16,7 +16,7 @@ constexpr double drop = 2.592;        // of the lower edge onto the ridge [m]
 constexpr double gravity = 10;        // [m/s^2]
 constexpr double impact_speed = 7.2;  // sqrt(2 g drop) [m/s]
 
-/// What one fall tells.
+/// Result of one fall.
 struct Fall {
     double touch_time{std::nan("")};       ///< first contact [s]
     double leave_time{std::nan("")};       ///< end of contact [s]

@@ -52,7 +52,7 @@ struct LaminarSps {
     };
     Pair pair(const ParticleSettings& /*s*/, const WendlandC2& /*kernel*/) const { return {}; }
 
-    /// That of [Muller2003], its sign corrected: force = -V (mu_i + mu_j)/2 L v.
+    /// Viscosity of [Muller2003], its sign corrected: force = -V (mu_i + mu_j)/2 L v.
     struct MullerPair {
         LaplacianKernel kernel;
 
