@@ -25,7 +25,7 @@ namespace riprap::coupling {
 /// (JointWater::dry_share), so that the face feels p whatever particles that are half in hold.
 ///
 /// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
-/// (linear between its ends) or a disk (Poisson's formula) of even at_member:
+/// (linear between its ends) or a disk (Poisson's formula) of even opening:
 ///
 ///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r (c_r + e_r (1 - c_r))),
 ///     w_r = s_r V_r/(|x_i - x_r|^2 + dp^2/4)^((D-1)/2).
