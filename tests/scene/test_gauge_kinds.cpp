@@ -46,7 +46,7 @@ TEST(GaugeKinds, of_every_fluid_are_refused_exactly_where_it_does_not_read_them)
         } else {
             EXPECT_THAT(test::problems_of(basin("hydrostatic", kind)), refusal) << kind;
         }
-        for (const std::string& method : {"sph", "wcmps", "mps", "grid"}) {
+        for (const std::string method : {"sph", "wcmps", "mps", "grid"}) {
             EXPECT_THAT(test::problems_of(basin(method, kind, "domain = { low = [0.0, 0.0], high = [1.0, 1.0] }\n")),
                         Not(refusal))
                 << method << " " << kind;
