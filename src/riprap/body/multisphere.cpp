@@ -158,6 +158,24 @@ geometry::Outcome<Multisphere> box_shell(const Vec3& size, int count) {
     return box_shell(size, std::min({size.x, size.y, size.z}) / (2 * count));
 }
 
+geometry::Outcome<Multisphere> rectangle_shell(const Vec3& size, double radius) {
+    auto box = box_shell({size.x, size.y, 2 * radius}, radius);
+    if (!box) {
+        return box;
+    }
+    Multisphere shape = std::move(box).value();
+    std::erase_if(shape.spheres, [&](ShapeSphere& s) {
+        const auto side = [&](int axis) {
+            const bool is_outermost = std::abs(s.centre[axis]) + radius >= 0.5 * size[axis] * (1 - 1e-9);
+            return !is_outermost ? 0 : s.centre[axis] > 0 ? 1 : -1;
+        };
+        const int x = side(0), y = side(1);
+        s.face_normal = x == 0 || y == 0 ? Vec3{static_cast<double>(x), static_cast<double>(y), 0} : Vec3{};
+        return x == 0 && y == 0;
+    });
+    return shape;
+}
+
 geometry::Outcome<Multisphere> ring(double outer_radius, double sphere_radius, int count, double length) {
     if (count < 3 || !(sphere_radius > 0) || !(outer_radius > sphere_radius) || !(length > 0)) {
         return geometry::GeometryProblem{"a ring of " + std::to_string(count) + " spheres of radius " +

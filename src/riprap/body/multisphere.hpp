@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "riprap/core/ids.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/geometry/outcome.hpp"
 #include "riprap/geometry/polyhedron.hpp"
@@ -16,6 +17,12 @@ struct ShapeSphere {
     double radius{0};    ///< [m]
     Vec3 face_normal{};  ///< outward normal of the face or round side that the sphere lies in; 0 in edges and corners
                          ///< [-]
+};
+
+/// Spheres that a case gives a body to be met by.
+struct GivenSpheres {
+    BodyId body;
+    std::vector<ShapeSphere> spheres;  ///< in the body frame, about its centre of mass
 };
 
 /// Spheres that stand for a body in contact, and the volume integrals of the true shape where it is known.
@@ -36,6 +43,10 @@ geometry::Outcome<Multisphere> box_shell(const Vec3& size, double radius);
 
 /// Shell of a box with n x n x n spheres a side of the whole grid, less its inside: radius = shortest edge/(2 n).
 geometry::Outcome<Multisphere> box_shell(const Vec3& size, int count);
+
+/// Shell of a rectangle in a planar scene: discs along its edges, flush with them, as box_shell places them.
+/// @param size  edge lengths along x and y [m]; z is not looked at
+geometry::Outcome<Multisphere> rectangle_shell(const Vec3& size, double radius);
 
 /// Ring of `count` spheres in the x-y plane whose outermost points lie on the circle of `outer_radius`; stands for a
 /// cylinder of that radius and of `length` along z.

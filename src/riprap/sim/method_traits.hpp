@@ -3,6 +3,7 @@
 
 // Properties that methods state of themselves beyond what a step needs. A method that does not say it has the default.
 
+#include <algorithm>
 #include <limits>
 #include <string_view>
 #include <type_traits>
@@ -52,12 +53,18 @@ inline bool meets_by_shapes(const Model& model) {
 /// Smallest radius of what a solid method lets stand for the shapes of bodies, its `smallest_stand_in(bodies, shapes,
 /// settings)`; infinity by default [m].
 inline double smallest_stand_in(const Model& model) {
-    return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
+    double least = Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
         if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, settings); }) {
             return Solid::smallest_stand_in(model.bodies, model.shapes, settings);
         }
         return std::numeric_limits<double>::infinity();
     });
+    for (const body::GivenSpheres& given : model.spheres) {
+        for (const body::ShapeSphere& sphere : given.spheres) {
+            least = std::min(least, sphere.radius);
+        }
+    }
+    return least;
 }
 
 /// Does every contact tell how deep it is (ContactRow::potential), one a pair of parts? A solid method says so by

@@ -11,6 +11,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/gravity.hpp"
+#include "riprap/body/multisphere.hpp"
 #include "riprap/body/point_loads.hpp"
 #include "riprap/body/supports.hpp"
 #include "riprap/coupling/face_gauge.hpp"
@@ -82,6 +83,7 @@ struct Model {
     std::vector<body::PointLoad> loads;
     std::vector<body::FixedPoint> fixed_points;
     std::vector<body::Bolt> bolts;
+    std::vector<body::GivenSpheres> spheres;  ///< of bodies that have a list of their own
     Solids::Settings solid;
     Fluids::Settings fluid;
     TimeSettings time;

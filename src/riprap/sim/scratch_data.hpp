@@ -33,8 +33,8 @@ struct ScratchData {
 /// Calls work(solids, fluid) with the methods of the case, bound to Model, State and Scratch.
 template <class Work>
 void with_methods(const Model& model, State& state, ScratchData& scratch, const Work& work) {
-    const solid::SolidScene solid_scene{model.shapes, model.materials,    model.bodies, model.gravity,
-                                        model.loads,  model.fixed_points, model.bolts};
+    const solid::SolidScene solid_scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
+                                        model.fixed_points, model.bolts,     model.spheres, model.time.end};
     const solid::SolidState solid_state{state.bodies, state.contacts, state.previous_dt};
     const coupling::FluidScene fluid_scene{model.shapes, model.bodies, model.gravity};
     const coupling::FluidState fluid_state{state.fluid, state.open, state.coupling, state.bodies};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "riprap/body/gravity.hpp"
+#include "riprap/body/multisphere.hpp"
 #include "riprap/body/point_loads.hpp"
 #include "riprap/body/supports.hpp"
 #include "riprap/contact/contact_set.hpp"
@@ -24,6 +25,8 @@ struct SolidScene {
     std::span<const body::PointLoad> point_loads;
     std::span<const body::FixedPoint> fixed_points{};
     std::span<const body::Bolt> bolts{};
+    std::span<const body::GivenSpheres> spheres{};
+    double end{0};  ///< of the run [s]
 };
 
 /// Why a method cannot move a scene.

@@ -74,27 +74,6 @@ void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParti
 /// The water about the walls as begin_forces and load_walls found it, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water);
 
-/// Semi-implicit MPS as a scheme of a particle fluid.
-class MpsFluid final : public ParticleScheme {
- public:
-    explicit MpsFluid(const MpsSettings& settings) : settings_(&settings) {}
-    FluidTimeStep limit(const ParticleState& state) const override;
-    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, FluidReport&) override {}
-    void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
-    void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
-    void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
-    void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              std::span<const Vec3> extra_force, FluidReport& report) override;
-    std::size_t bytes() const override { return scratch_.bytes(); }
-
- private:
-    const MpsSettings* settings_;
-    MpsScratch scratch_;
-    TimeSpan span_{0, 0};  ///< of the step begun
-    MpsReport solved_;     ///< by the loads of it
-};
-
 /// Makes the scheme of these settings, which have to outlive it.
 std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings);
 

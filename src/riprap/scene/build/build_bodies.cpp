@@ -92,9 +92,14 @@ void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std
     }
 }
 
-/// @param scale  of its shape against what the case gives
-void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& body, double scale = 1) {
+/// @param spheres  that stand for it; null where the method samples it
+/// @param scale    of its shape against what the case gives
+void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& body, const BodySpheres* spheres,
+                    double scale = 1) {
     const BodyId id = body::add_body(build.model.bodies, build.state.bodies, build.model.shapes, body);
+    if (spheres != nullptr) {
+        give_spheres(build, *spheres, body, id, scale);
+    }
     check_magnitudes(build, table, id, body.name);
     if (const Value* loads = table.find("load")) {
         add_loads(build, *loads, id, body.pose, scale);
@@ -102,7 +107,8 @@ void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& b
 }
 
 /// Copies of `body` on a lattice.
-void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const Value& repeat) {
+void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const BodySpheres* spheres,
+                const Value& repeat) {
     const Lattice lattice(repeat);
     const Quat slope = orientation_of(repeat.find("orientation"));
     const bool is_turned = get_boolean(repeat, "random_orientation");
@@ -137,7 +143,7 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
             }
             copy.parts = *parts;
         }
-        add_with_loads(build, table, copy, scale);
+        add_with_loads(build, table, copy, spheres, scale);
     }
 }
 
@@ -184,11 +190,15 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
     build.absorption_places.push_back(get(*maker, "absorb").place);
 }
 
-/// The density that gives a body of these parts its mass.
-double density_of(CaseBuild& build, const Value& table, const Value& mass, const std::vector<body::Part>& parts) {
+/// The density that gives a body of these parts, or of the union of these spheres, its mass.
+double density_of(CaseBuild& build, const Value& table, const Value& mass, const std::vector<body::Part>& parts,
+                  const std::optional<BodySpheres>& spheres) {
     double volume = 0;
     for (const body::Part& part : parts) {
         volume += build.model.shapes.volume(part.shape);
+    }
+    if (spheres && spheres->whole) {
+        volume = spheres->whole->volume;
     }
     if (table.find("density") != nullptr || !(volume > 0)) {
         build.problem(mass.place,
@@ -229,15 +239,23 @@ void build_body(CaseBuild& build, const Value& table) {
         return;
     }
     body.parts = *parts;
+    std::optional<BodySpheres> spheres;
+    if (table.find("spheres") != nullptr) {
+        spheres = read_spheres(build, table, body);
+        if (!spheres) {
+            return;
+        }
+    }
     const auto first = static_cast<std::size_t>(build.model.bodies.size());
     body.density = get_number_or(table, "density", build.model.materials[body.material].density);
     if (const Value* mass = table.find("mass")) {
-        body.density = density_of(build, table, *mass, body.parts);
+        body.density = density_of(build, table, *mass, body.parts, spheres);
     }
+    const BodySpheres* given = spheres ? &*spheres : nullptr;
     if (repeat != nullptr) {
-        add_copies(build, table, body, *repeat);
+        add_copies(build, table, body, given, *repeat);
     } else {
-        add_with_loads(build, table, body);
+        add_with_loads(build, table, body, given);
     }
     const auto count = static_cast<std::size_t>(build.model.bodies.size());
     note_paddle(build, table, first, count);

@@ -104,6 +104,18 @@ class Lattice {
 /// Reads fixed points and bolts; after all bodies.
 void build_supports(CaseBuild& build);
 
+/// Spheres that a case gives a body, in the frame of its shape.
+struct BodySpheres {
+    std::vector<body::ShapeSphere> spheres;
+    std::optional<geometry::MassProperties> whole{};  ///< of their union, where mass and inertia are those of it
+};
+
+/// Reads the spheres of a body whose parts are known; nothing, with a problem, where they are refused.
+std::optional<BodySpheres> read_spheres(CaseBuild& build, const Value& body_table, const body::NewBody& body);
+/// Gives them to the body made of it, and their mass where they say so.
+/// @param scale  of its shape against what the case gives
+void give_spheres(CaseBuild& build, const BodySpheres& spheres, const body::NewBody& body, BodyId id, double scale);
+
 /// Refuses bodies that start inside each other.
 void check_overlaps(CaseBuild& build);
 

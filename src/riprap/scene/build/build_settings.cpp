@@ -293,15 +293,21 @@ void build_settings(CaseBuild& build) {
 
 void check_solid_method(CaseBuild& build) {
     const sim::Model& model = build.model;
-    const solid::SolidScene scene{model.shapes, model.materials,    model.bodies, model.gravity,
-                                  model.loads,  model.fixed_points, model.bolts};
+    const solid::SolidScene scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
+                                  model.fixed_points, model.bolts,     model.spheres, model.time.end};
     const auto problems = sim::Solids::visit(
         model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
+            std::vector<solid::SceneProblem> found;
             if constexpr (requires { Solid::problems_of(scene, settings, build.state.bodies); }) {
-                return Solid::problems_of(scene, settings, build.state.bodies);
-            } else {
-                return {};
+                found = Solid::problems_of(scene, settings, build.state.bodies);
             }
+            if constexpr (!requires { Solid::takes_spheres; }) {
+                for (const body::GivenSpheres& given : model.spheres) {
+                    found.push_back({given.body, "this method meets bodies by their shapes, not by spheres",
+                                     "leave out 'spheres', or solid.method = \"sphere_dem\""});
+                }
+            }
+            return found;
         });
     const Value& solid = get(build.root, "solid");
     const Value* method = solid.find("method");

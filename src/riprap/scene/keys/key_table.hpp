@@ -117,6 +117,7 @@ const Table& material_table();
 const Table& contact_table();
 const Table& solid_table();
 const Table& body_table();
+const Table& spheres_table();
 const Table& shape_table();
 const Table& orientation_table();
 const Table& motion_table();

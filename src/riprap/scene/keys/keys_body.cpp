@@ -2,6 +2,7 @@
 // Rows of the key table: bodies, loads on them and their repetition.
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
@@ -70,6 +71,44 @@ const Table& repeat_table() {
     return table;
 }
 
+const Table& spheres_table() {
+    static const Table table{
+        "body.spheres",
+        "spheres = { ... }",
+        "Spheres by which solid.method \"sphere_dem\" lets the body be met, instead of samples of its surface by "
+        "solid.sphere_radius. Water, what is shown and, unless mass_of says otherwise, mass and inertia are those of "
+        "its "
+        "shape. Exactly one of file, shell, fill and ring.",
+        {{"file",
+          {path()},
+          "Lines x y z radius in the frame of the shape, separated by blanks or commas; # begins a comment.",
+          {}},
+         {"units", {form::choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")},
+         {"shell",
+          {integer(1, 200)},
+          "Of a box: so many spheres along its shortest edge, all but those inside, flush with its faces.",
+          {}},
+         {"fill",
+          {number(dimension::length, positive())},
+          "Spacing of a cubic lattice of spheres inside the shape, those that can touch nothing left out: for surfaces "
+          "from a file.",
+          {}},
+         {"ring",
+          {integer(3, 10'000)},
+          "Of a disc in a planar scene: so many spheres around it, whose outermost points lie on its circle.",
+          {}},
+         {"ring_radius",
+          {number(dimension::length, positive())},
+          "Radius of the spheres of a ring; when not given, neighbours touch.",
+          {}},
+         {"mass_of",
+          {choice({"shape", "spheres"})},
+          "Volume, centre of mass and inertia are those of the shape, or of the union of the spheres.",
+          Value::of("shape")}},
+        {{GroupRule::exactly_one, {"file", "shell", "fill", "ring"}}}};
+    return table;
+}
+
 const Table& body_table() {
     static const Table table{
         "body",
@@ -91,6 +130,7 @@ const Table& body_table() {
           "Of one body, its density following from the volume of its shape; per metre of width in a planar scene. Not "
           "with density.",
           {}},
+         {"spheres", {form::table(spheres_table)}, "Spheres that stand for it; of sphere_dem alone.", {}},
          {"fixed", {boolean()}, "Does not move.", Value::of(false)},
          {"release_time",
           {number(dimension::time, non_negative())},

@@ -65,17 +65,7 @@ std::vector<body::ShapeSphere> sample_part(const geometry::Polyhedron& shape, do
         const auto filled = body::fill_surface(shape, 2 * r);
         return filled ? filled.value().spheres : std::vector<body::ShapeSphere>{};
     }
-    std::vector<body::ShapeSphere> samples = body::box_shell(size, r).value().spheres;
-    if (is_planar) {
-        std::erase_if(samples, [&](const body::ShapeSphere& s) {
-            return std::abs(s.centre.x) + r < 0.5 * size.x * (1 - 1e-9) &&
-                   std::abs(s.centre.y) + r < 0.5 * size.y * (1 - 1e-9);
-        });
-    }
-    for (body::ShapeSphere& s : samples) {
-        s.face_normal = {};  // of use with `faces` alone, which case files do not offer
-    }
-    return samples;
+    return (is_planar ? body::rectangle_shell(size, r) : body::box_shell(size, r)).value().spheres;
 }
 
 /// Radius of the sphere or disc of a body's volume.
@@ -100,16 +90,27 @@ double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& 
     return least / 3;
 }
 
-SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
-                        const material::MaterialSet& materials, const SphereDemSettings& settings) {
+SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings) {
+    const body::BodySet& bodies = scene.bodies;
+    const geometry::ShapeSet& shapes = scene.shapes;
+    std::vector<const body::GivenSpheres*> given(at(bodies.size()), nullptr);
+    for (const body::GivenSpheres& of_body : scene.spheres) {
+        given[at(of_body.body.value)] = &of_body;
+    }
     SphereSet spheres;
     const double radius = radius_of_samples(bodies, shapes, settings);
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (given[at(b)] != nullptr) {
+            for (const body::ShapeSphere& s : given[at(b)]->spheres) {
+                spheres.add(BodyId{b}, s.radius, s.centre, s.face_normal);
+            }
+            continue;
+        }
         if (!may_move(bodies, at(b))) {
             continue;
         }
         if (settings.sampling == SphereSampling::one || is_round(bodies, shapes, at(b))) {
-            spheres.add(BodyId{b}, radius_of_volume(bodies, materials, at(b)));
+            spheres.add(BodyId{b}, radius_of_volume(bodies, scene.materials, at(b)));
             continue;
         }
         if (settings.sampling == SphereSampling::balls) {
@@ -120,7 +121,7 @@ SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& s
             for (const body::ShapeSphere& s : sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar)) {
                 Vec3 centre = to_world(part.local, s.centre);
                 centre.z = bodies.is_planar ? 0 : centre.z;
-                spheres.add(BodyId{b}, s.radius, centre);
+                spheres.add(BodyId{b}, s.radius, centre, rotate(part.local.orientation, s.face_normal));
             }
         }
     }
@@ -137,6 +138,9 @@ contact::ContactTable pair_table(const material::MaterialSet& materials, const S
         own.poisson_ratio = material.poisson_ratio.value_or(settings.poisson_ratio);
         own.restitution = material.restitution.value_or(settings.restitution);
         own.rolling_friction = settings.rolling_friction;
+        own.contact_ratio = settings.contact_ratio.value_or(own.contact_ratio);
+        own.normal_stiffness = settings.spring_stiffness;
+        own.shear_ratio = settings.shear_ratio;
         all.push_back(own);
     }
     contact::ContactTable table(all, settings.laws.normal, mixing, settings.laws.allows_pull);
@@ -150,7 +154,8 @@ contact::ContactTable pair_table(const material::MaterialSet& materials, const S
                 pair = contact::ContactTable(two, settings.laws.normal, mixing, settings.laws.allows_pull)
                            .pair(MaterialId{0}, MaterialId{1});
             }
-            pair.static_friction = pair.kinetic_friction = given.friction;
+            pair.static_friction = given.friction;
+            pair.kinetic_friction = settings.kinetic_share * given.friction;
             table.set_pair(MaterialId{a}, MaterialId{b}, pair);
         }
     }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/material/material_set.hpp"
+#include "riprap/solid/solid_scene.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 
 namespace riprap::solid::sphere_dem {
 
 /// Spheres for every body that can move freely; other bodies keep their faces. Boxes are sampled flush with their
 /// faces, other convex parts on a lattice inside them, which leaves up to a radius of their edges out. Planar bodies
-/// are sampled around their section.
-SphereSet sample_bodies(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
-                        const material::MaterialSet& materials, const SphereDemSettings& settings);
+/// are sampled around their section. Bodies that the scene gives spheres have those, whether they move or not.
+SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings);
 
 /// Returns the radius of the samples: that of the settings, or a third of the least inscribed radius [m].
 double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& shapes,

@@ -32,11 +32,28 @@ double SphereDem::smallest_stand_in(const body::BodySet& bodies, const geometry:
                                                         : std::numeric_limits<double>::infinity();
 }
 
+std::vector<SceneProblem> SphereDem::problems_of(const SolidScene& scene, const Settings& settings,
+                                                 const body::BodyState& state) {
+    constexpr double most = 1e9;  // steps: days of one sphere
+    const sphere_dem::SphereSet spheres = sphere_dem::sample_bodies(scene, settings);
+    const sphere_dem::TriangleSet none;
+    const contact::ContactTable table = sphere_dem::pair_table(scene.materials, settings);
+    const sphere_dem::SphereStep step = sphere_dem::step_limit(
+        {scene.bodies, scene.shapes, spheres, none, table, settings.laws}, state, norm(scene.gravity.value));
+    if (!(scene.end > most * step.limit)) {
+        return {};
+    }
+    return {{step.body,
+             fmt::format("steps of {:.3g} s, for the {}: {:.2g} of them to the end", step.limit, step.reason,
+                         scene.end / step.limit),
+             fmt::format("at most {:.2g}: a lower youngs_modulus, larger spheres or an earlier end", most)}};
+}
+
 SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                      Scratch& scratch)
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
     if (!scratch.is_built) {
-        scratch.spheres = sphere_dem::sample_bodies(scene.bodies, scene.shapes, scene.materials, settings);
+        scratch.spheres = sphere_dem::sample_bodies(scene, settings);
         for (const body::Ground& ground : body::find_grounds(scene.bodies, scene.shapes)) {
             const geometry::TriangleMesh& mesh = ground.field.mesh();
             std::vector<std::int32_t> corners;

@@ -48,6 +48,11 @@ class SphereDem {
     static double smallest_stand_in(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                                     const Settings& settings);
 
+    static constexpr bool takes_spheres = true;  ///< of bodies that a case gives lists
+    /// Refuses moduli that make the run take more steps than anybody waits for.
+    static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
+                                                 const body::BodyState& state);
+
     SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);
 

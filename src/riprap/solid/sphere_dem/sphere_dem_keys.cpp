@@ -15,6 +15,9 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
                                    {{"hertz", NormalLaw::hertz}, {"linear", NormalLaw::linear}},
                                    "Normal spring of a contact: Hertz, or linear.")};
     const KeyList<S> others{
+        choice(&S::normals, "normals",
+               {{"centres", contact::SphereNormals::centres}, {"faces", contact::SphereNormals::faces}},
+               "Contact normals of multispheres: along the centres, or of the face that a sphere lies in."),
         choice(&S::rolling, "rolling",
                {{"none", RollingLaw::none}, {"constant", RollingLaw::constant}, {"spring", RollingLaw::spring}},
                "Resistance against rolling: none, a constant couple, or an elastic-plastic spring."),
@@ -51,7 +54,14 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
         number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies."),
         number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
         number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
-               "Largest rolling couple over radius and normal force.")};
+               "Largest rolling couple over radius and normal force."),
+        number_or_auto(&S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
+                       "Damping of Hertz' contacts in place of the restitution. \"auto\": the one that gives it."),
+        number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
+        number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
+               "Normal stiffness of a contact under normal_law = \"linear\"."),
+        number(&S::shear_ratio, "shear_ratio", dimension::plain, positive(),
+               "Tangential over normal stiffness under normal_law = \"linear\".")};
     return {.help = "explicit discrete elements, bodies of spheres", .keys = own + within(&S::laws, law_keys())};
 }
 

@@ -32,6 +32,10 @@ struct SphereDemSettings {
     double poisson_ratio{0.3};            ///< [-]
     double restitution{0.5};              ///< [-]
     double rolling_friction{0};           ///< [-]
+    std::optional<double> contact_ratio;  ///< of Hertz' dashpot [-]; empty = from the restitution
+    double kinetic_share{1};              ///< kinetic over static friction [-]
+    double spring_stiffness{1e5};         ///< of the linear normal spring [N/m]
+    double shear_ratio{2.0 / 7};          ///< tangential over normal stiffness of linear springs [-]
 };
 
 }  // namespace riprap::solid
