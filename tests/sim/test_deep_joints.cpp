@@ -16,7 +16,8 @@ constexpr double edge = 0.4;  // of a square, 8 spacings [m]
 /// Mean uplift beyond buoyancy over the force of the water on the base [-]. The square is held.
 /// @param heights  depth of the water, in heights of the square
 /// @param gap      under it, in spacings
-double excess(double heights, double gap) {
+/// @param ratio    smoothing length over spacing
+double excess(double heights, double gap, double ratio = 1.5) {
     const double depth = heights * edge;
     Basin pool;
     pool.sound_speed = 10 * std::sqrt(9.81 * depth);
@@ -25,6 +26,14 @@ double excess(double heights, double gap) {
     pool.model.bodies.release_time[0] = 1000;
     pool.add_walls(1.6);
     pool.fill({0, 0, 0}, {1.6, depth + 4 * dp, 0}, {dp, dp, 0}, depth, {0, -9.81, 0});
+    coupling::ParticleFluid& water = *pool.model.particles();
+    water.settings().smoothing_ratio = ratio;
+    coupling::SampleSettings sampling;
+    sampling.spacing = dp;
+    sampling.reach = water.settings().support_radius();
+    sampling.domain = water.settings().domain;
+    sampling.limit = 1'000'000;
+    water.samples = sample_shapes(pool.model.shapes, pool.model.bodies, pool.state.bodies, sampling);
     Scratch scratch;
     constexpr int warm = 500, count = 300;
     double mean = 0;
@@ -51,6 +60,14 @@ TEST(DeepJoints, while_a_joint_opens_to_two_spacings_uplift_is_within_three_perc
     for (const double heights : is_full ? std::vector<double>{5, 20, 50} : std::vector<double>{5}) {
         for (const double gap : {0.1, 0.25, 0.4, 0.5, 0.6, 0.7, 0.9, 1.25, 1.5}) {
             EXPECT_NEAR(excess(heights, gap), 0, 0.03) << heights << " heights, a gap of " << gap;
+        }
+    }
+}
+
+TEST(DeepJoints, hold_at_the_ends_of_the_smoothing_ratios_that_are_taken) {
+    for (const double ratio : {1.4, 1.6}) {
+        for (const double gap : {0.25, 0.5, 0.7, 1.0}) {
+            EXPECT_NEAR(excess(5, gap, ratio), 0, 0.03) << "h/dp = " << ratio << ", a gap of " << gap;
         }
     }
 }
