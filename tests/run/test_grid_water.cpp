@@ -37,6 +37,10 @@ box = {{ low = [0.0, 0.0], high = [1.0, 0.4] }}
                        density, height, more);
 }
 
+std::string with_key(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
 struct Walk {
     explicit Walk(const std::string& text) : simulation(scene::read_case_text(text, "case.toml", ".")) {}
     void go(std::int64_t last) {
@@ -132,6 +136,74 @@ TEST(GridWater, a_piston_that_falls_on_a_cushion_of_air_has_the_water_below_to_m
     // columns: 0.2 m in the shaft and, by (0.3/0.5)^2 for their width, 0.2 m beside it, at least: 60 + 36 kg/m over 36
     EXPECT_LT(acceleration, 9.81 * 36 / (36 + 96));
     EXPECT_GT(acceleration, 9.81 * 36 / (36 + 3 * 96));
+}
+
+/// A channel 4 m long with water 0.5 m deep, and something more.
+std::string channel(const std::string& more) {
+    return R"(
+dimension = 2
+gravity = [0.0, -9.81]
+end = 10.0
+[material.wood]
+density = 600.0
+normal_stiffness = 1.0e6
+[fluid]
+method = "grid"
+spacing = 0.1
+domain = { low = [0.0, 0.0], high = [4.0, 1.0] }
+[[fluid.region]]
+level = 0.53
+)" + more;
+}
+
+TEST(GridWater, beside_still_water_of_the_same_level_stays_still_to_round_off) {
+    Walk walk(
+        channel("[[fluid.outflow]]\nname = \"sea\"\nlow = [4.0, 0.0]\nhigh = [4.0, 1.0]\ntowards = \"x\"\n"
+                "level = 0.53\n"));
+    walk.go(20);
+    EXPECT_LT(walk.value("max_water_speed"), 1e-9);
+}
+
+TEST(GridWater, that_comes_in_through_an_opening_is_what_its_speed_brings) {
+    Walk walk(
+        channel("[[fluid.inflow]]\nname = \"spring\"\nlow = [0.0, 0.1]\nhigh = [0.0, 0.35]\ntowards = \"x\"\n"
+                "speed = 0.4\n[[fluid.outflow]]\nname = \"drain\"\nlow = [4.0, 0.0]\nhigh = [4.0, 0.15]\n"
+                "towards = \"x\"\nspeed = 0.2\n"));
+    walk.go(25);
+    const double time = walk.simulation.state().time;
+    EXPECT_NEAR(walk.value("water_mass"), 1000 * (4 * 0.53 + (0.25 * 0.4 - 0.15 * 0.2) * time), 0.01);
+}
+
+TEST(GridWater, takes_openings_on_sides_of_the_domain_alone_and_whole_sides_where_no_speed_is_given) {
+    const auto refused = [](const std::string& more, const std::string& why) {
+        try {
+            Walk walk(channel(more));
+            ADD_FAILURE() << "accepted";
+        } catch (const CaseError& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+        }
+    };
+    refused("[[fluid.inflow]]\nname = \"a\"\nlow = [1.0, 0.1]\nhigh = [1.0, 0.35]\ntowards = \"x\"\nspeed = 0.4\n",
+            "an opening at x = 1 m, where the domain ends at 0 m");
+    refused("[[fluid.outflow]]\nname = \"a\"\nlow = [4.0, 0.2]\nhigh = [4.0, 1.0]\ntowards = \"x\"\n",
+            "a part of its side");
+}
+
+TEST(GridWater, that_does_not_feel_bodies_lifts_one_with_what_it_displaced_at_the_start) {
+    Walk walk(with_key(floating_box(0.2, 50), "method = \"grid\"", "method = \"grid\"\ncoupling = \"one_way\""));
+    walk.go(8);
+    const double upwards = (1000.0 / 50 - 1) * 9.81;  // no added mass
+    EXPECT_NEAR(walk.value("box.velocity.y"), upwards * walk.simulation.state().time,
+                1e-6 * upwards * walk.simulation.state().time);
+    EXPECT_LT(walk.value("max_water_speed"), 1e-9);
+    EXPECT_LT(std::abs(walk.value("coupling_gap")), 1e-9 * walk.simulation.report().ledger.turnover);
+}
+
+TEST(GridWater, pressure_iterations_of_a_step_are_a_quantity) {
+    Walk walk(floating_box(0.45, 500));
+    walk.go(3);
+    EXPECT_GE(walk.value("solver_iterations"), walk.value("water_passes"));
+    EXPECT_LT(walk.value("solver_residual"), 1e-4);
 }
 
 class GridBits : public ::testing::Test {

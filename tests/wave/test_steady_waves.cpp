@@ -6,6 +6,7 @@
 #include "riprap/wave/boussinesq_wave.hpp"
 #include "riprap/wave/irregular_wave.hpp"
 #include "riprap/wave/linear_wave.hpp"
+#include "riprap/wave/second_order_wave.hpp"
 #include "riprap/wave/steady_wave.hpp"
 
 namespace riprap::wave {
@@ -79,6 +80,34 @@ TEST(SteadyWave, a_solitary_wave_of_six_tenths_of_the_depth_carries_its_volume_a
 TEST(SteadyWave, a_wave_that_cannot_be_is_refused_with_the_number_that_can) {
     EXPECT_THROW(solitary_wave(8, 10, g), NoSuchWave);
     EXPECT_THROW(regular_wave(0.4, 1.0, 0.5, g), NoSuchWave);
+}
+
+TEST(SecondOrderWave, differs_from_the_wave_of_all_orders_by_the_cube_of_its_height) {
+    double before = 0;
+    for (const double height : {0.04, 0.02}) {
+        const SecondOrderWave wave = second_order_wave(height, 1.5, 0.5, g);
+        const SteadyWave all = regular_wave(height, 1.5, 0.5, g);
+        double error = 0;
+        for (double phase = 0; phase < 6.2; phase += 0.1) {
+            error = std::max(error, std::abs(wave.elevation(phase) - all.elevation(phase / all.wave_number)));
+        }
+        EXPECT_LT(error, 0.01 * height);
+        if (before > 0) {
+            EXPECT_NEAR(before / error, 8, 1.5);
+        }
+        before = error;
+    }
+}
+
+TEST(SecondOrderWave, keeps_its_volume_from_bed_to_surface_to_its_order_and_is_refused_beyond_its_range) {
+    const SecondOrderWave wave = second_order_wave(0.02, 1.5, 0.5, g);
+    const double c = wave.first.celerity();
+    const auto flow = [&](double phase) {
+        return flow_through([&](double z) { return wave.velocity(phase, z).along; }, 0.5 + wave.elevation(phase));
+    };
+    // q(crest) - q(trough) = c (eta(crest) - eta(trough)) of a wave of permanent form
+    EXPECT_NEAR((flow(0) - flow(M_PI)) / (c * (wave.elevation(0) - wave.elevation(M_PI))), 1, 2e-3);
+    EXPECT_THROW(second_order_wave(0.2, 4.0, 0.5, g), NoSuchWave);
 }
 
 TEST(BoussinesqWave, under_the_crest_it_moves_more_water_than_its_volume_needs) {

@@ -20,11 +20,12 @@ struct LevelAt {
 /// Waves that a case lets in through a side of the domain, and out.
 struct WavesAtSide {
     enum class Kind : std::uint8_t {
-        none,        ///< lets waves out alone
-        regular,     ///< steady waves of finite height, by the stream function
-        solitary,    ///< one solitary wave, by the stream function
-        boussinesq,  ///< one solitary wave by the second-order formulas of [Ding2021, eqs. 6.2, 6.3]
-        irregular,   ///< a sea of a JONSWAP spectrum
+        none,          ///< lets waves out alone
+        regular,       ///< steady waves of finite height, by the stream function
+        second_order,  ///< the same by Stokes' second order
+        solitary,      ///< one solitary wave, by the stream function
+        boussinesq,    ///< one solitary wave by the second-order formulas of [Ding2021, eqs. 6.2, 6.3]
+        irregular,     ///< a sea of a JONSWAP spectrum
     };
     int side{0};  ///< twice the axis, plus 1 for the high side
     Kind kind{Kind::none};
@@ -36,6 +37,22 @@ struct WavesAtSide {
     double gamma{3.3};      ///< peak enhancement of a sea [-]
     std::uint64_t seed{1};  ///< of the phases of a sea
     bool absorbs{false};    ///< lets out what arrives
+};
+
+/// A part of a side of the domain through which water enters or leaves.
+struct OpenSide {
+    enum class Kind : std::uint8_t {
+        inflow,  ///< water enters at a given speed
+        drawn,   ///< what is there is drawn off at a given speed
+        level,   ///< still water stands beyond
+        free,    ///< nothing is beyond: water falls
+    };
+    int side{0};  ///< twice the axis, plus 1 for the high side
+    Kind kind{Kind::inflow};
+    Vec3 low{}, high{};   ///< corners of the opening [m]
+    double speed{0};      ///< [m/s]
+    double ramp{0};       ///< in which it grows [s]
+    double level{1e300};  ///< up to which water enters, or stands beyond [m]
 };
 
 /// Stones that water flows through.
@@ -61,6 +78,7 @@ struct FieldScene {
     Vec3 up{0, 0, 1};             ///< against gravity [-]
     body::Gravity gravity{};
     std::vector<WavesAtSide> waves;
+    std::vector<OpenSide> openings;
     std::vector<Stones> stones;
     std::vector<CalmBox> calm;
     std::vector<std::uint8_t> is_dry;  ///< per body: not there for the water; bodies beyond the end are wet

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/linear/multigrid.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "riprap/core/bytes.hpp"
 
 namespace riprap::linear {
 
@@ -63,79 +66,125 @@ std::array<bool, 3> Multigrid::axes_to_coarsen(const Level& level) {
     return which;
 }
 
+namespace {
+
+/// Weight of the coarse neighbour in a fine cell, of conductances c: `own` leads to the other fine cell of the own
+/// coarse one, `out` to the neighbour, `beyond` on to its other fine cell.
+inline float weight_of(float own, float out, float beyond, bool neighbour_has_pair) {
+    const float far = neighbour_has_pair ? (beyond > 0 ? 0.5F / beyond : 1e30F) : 0.0F;
+    return own > 0 && out > 0 ? 1 / (1 + 2 * own * (1 / out + far)) : 0.0F;
+}
+
+/// Weights across a row's own axis: cells are the lower and the upper one of their coarse cell in turn.
+void weights_along(const float* c, int n, float* weight) {
+#pragma GCC ivdep
+    for (int i = 0; i + 1 < n; i += 2) {
+        weight[i] = weight_of(c[i + 1], c[i], c[i - 1], true);
+        weight[i + 1] = weight_of(c[i + 1], c[i + 2], c[i + 3], i + 3 < n);
+    }
+    weight[0] = weight[n - 1] = 0;  // nothing beyond the ends, or no partner in the own coarse cell
+}
+
+/// Weights across another axis, of a row at place p of n.
+void weights_beside(const float* c, std::int64_t s, int p, int n, int count, float* weight) {
+    const bool is_lower = p % 2 == 0;
+    const bool has_both = (is_lower ? p + 1 < n && p > 0 : p + 1 < n), has_pair = is_lower || p + 2 < n;
+    const float* const own = is_lower ? c + s : c;
+    const float* const out = is_lower ? c : c + s;
+    const float* const beyond = is_lower ? c - s : has_pair ? c + 2 * s : c;
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const float found = weight_of(own[i], out[i], beyond[i], has_pair);
+        weight[i] = has_both ? found : 0.0F;
+    }
+}
+
+/// Adds the conductances of a row of fine faces to the coarse faces that they lie on.
+void add_row(const float* fine, int n, bool along, bool is_coarsened, int faces, float* coarse) {
+    if (!is_coarsened) {
+        for (int i = 0; i < faces; ++i) {
+            coarse[i] += fine[i];
+        }
+    } else if (along) {
+        for (int i = 0; i + 1 < faces; ++i) {
+            coarse[i] += fine[2 * i];
+        }
+        coarse[faces - 1] += fine[n];
+    } else {
+        for (int i = 0; i < n / 2; ++i) {
+            coarse[i] += fine[2 * i] + fine[2 * i + 1];
+        }
+        if (n % 2 == 1) {
+            coarse[n / 2] += fine[n - 1];
+        }
+    }
+}
+
+/// Distance between coarse centres across face p of n fine ones, over that of the fine cells: 2, less beside a last
+/// cell without a partner.
+float distance_across(int p, int n) { return p >= n ? (n % 2 == 0 ? 2.0F : 1.0F) : p + 1 == n && p > 0 ? 1.5F : 2.0F; }
+
+}  // namespace
+
 void Multigrid::find_weights(Level& fine) {
     for (int a = 0; a < fine.box.axes; ++a) {
         if (!fine.coarsened[at(a)]) {
             continue;
         }
         const std::int64_t s = fine.box.stride[at(a)];
-        const int n = fine.box.cells[at(a)];
-        const auto& c = fine.face[at(a)];
+        const int n = fine.box.cells[at(a)], count = fine.box.cells[0];
         for_rows(fine.box, [&](std::int64_t start, std::int64_t row) {
-            const std::array<int, 3> place{0, static_cast<int>(row % fine.box.cells[1]),
-                                           static_cast<int>(row / fine.box.cells[1])};
-            for (int x = 0; x < fine.box.cells[0]; ++x) {
-                const int p = a == 0 ? x : place[at(a)];
-                const std::int64_t i = start + x;
-                const bool is_lower = p % 2 == 0;
-                const bool has_partner = !is_lower || p + 1 < n;
-                const float own = c[at(is_lower ? i + s : i)], out = c[at(is_lower ? i : i + s)];
-                const bool has_neighbour = is_lower ? p > 0 : p + 1 < n;
-                // the neighbour's own interior face, beyond the shared one
-                const bool neighbour_has_pair = is_lower || p + 2 < n;
-                const float beyond = c[at(is_lower ? i - s : i + 2 * s)];
-                float weight = 0;
-                if (has_partner && has_neighbour && out > 0 && own > 0) {
-                    const float far = neighbour_has_pair ? (beyond > 0 ? 0.5F / beyond : 1e30F) : 0.0F;
-                    const float to_neighbour = 1 / (1 / out + far), to_own = 2 * own;
-                    weight = to_neighbour / (to_own + to_neighbour);
-                }
-                fine.weight[at(a)][at(i)] = weight;
+            const float* const c = fine.face[at(a)].data() + start;
+            float* const weight = fine.weight[at(a)].data() + start;
+            if (a == 0) {
+                weights_along(c, n, weight);
+            } else {
+                const auto p = static_cast<int>(a == 1 ? row % fine.box.cells[1] : row / fine.box.cells[1]);
+                weights_beside(c, s, p, n, count, weight);
             }
         });
     }
 }
 
-double Multigrid::coarse_conductance(const Level& fine, int axis, const std::array<int, 3>& place) {
-    const CellBox& box = fine.box;
-    const auto& c = fine.face[at(axis)];
-    std::array<int, 3> first{}, last{};  // fine faces beside each other on the coarse face
-    for (std::size_t t = 0; t < 3; ++t) {
-        const bool is_wide = t != at(axis) && fine.coarsened[t];
-        first[t] = fine.coarsened[t] ? std::min(2 * place[t], box.cells[t]) : place[t];
-        last[t] = t == at(axis) ? first[t] : std::min(first[t] + (is_wide ? 1 : 0), box.cells[t] - 1);
-    }
-    double sum = 0;
-    for (int k = first[2]; k <= last[2]; ++k) {
-        for (int j = first[1]; j <= last[1]; ++j) {
-            for (int i = first[0]; i <= last[0]; ++i) {
-                sum += c[at(box.index(i, j, k))];
-            }
-        }
-    }
-    if (!fine.coarsened[at(axis)]) {
-        return sum;
-    }
-    // distance between centres over that of the fine cells: 2, less beside a last cell without a partner
-    const int p = first[at(axis)], n = box.cells[at(axis)];
-    const double distance = p == n ? (n % 2 == 0 ? 2 : 1) : p + 1 == n && p > 0 ? 1.5 : 2;
-    return sum / distance;
-}
-
 void Multigrid::coarsen(const Level& fine, Level& coarse) {
-    const CellBox& box = coarse.box;
+    const CellBox &box = coarse.box, &below = fine.box;
     for (int a = 0; a < box.axes; ++a) {
         std::array<int, 3> faces = box.cells;
         faces[at(a)] += 1;
+        const auto find_row = [&](std::int64_t row) {
+            const std::array<int, 3> place{0, static_cast<int>(row % faces[1]), static_cast<int>(row / faces[1])};
+            float* const to = coarse.face[at(a)].data() + box.index(0, place[1], place[2]);
+            std::fill_n(to, faces[0], 0.0F);
+            std::array<int, 3> first{}, last{};  // fine rows beside each other on the coarse faces
+            for (std::size_t t = 1; t < 3; ++t) {
+                const bool is_wide = t != at(a) && fine.coarsened[t];
+                first[t] = fine.coarsened[t] ? std::min(2 * place[t], below.cells[t]) : place[t];
+                last[t] = is_wide ? std::min(first[t] + 1, below.cells[t] - 1) : first[t];
+            }
+            for (int k = first[2]; k <= last[2]; ++k) {
+                for (int j = first[1]; j <= last[1]; ++j) {
+                    add_row(fine.face[at(a)].data() + below.index(0, j, k), below.cells[0], a == 0, fine.coarsened[0],
+                            faces[0], to);
+                }
+            }
+            if (!fine.coarsened[at(a)]) {
+                return;
+            }
+            const int n = below.cells[at(a)];
+            const float across = a == 0 ? 2.0F : distance_across(first[at(a)], n);
+            for (int i = 0; i < faces[0]; ++i) {
+                to[i] *= 1 / across;
+            }
+            if (a == 0) {
+                for (int i = std::max(0, faces[0] - 2); i < faces[0]; ++i) {
+                    to[i] *= 2 / distance_across(std::min(2 * i, n), n);
+                }
+            }
+        };
         parallel::for_ranges(static_cast<std::int64_t>(faces[1]) * faces[2], box.row_grain(),
                              [&](std::int64_t begin, std::int64_t end) {
                                  for (std::int64_t row = begin; row < end; ++row) {
-                                     const int j = static_cast<int>(row % faces[1]);
-                                     const int k = static_cast<int>(row / faces[1]);
-                                     for (int i = 0; i < faces[0]; ++i) {
-                                         coarse.face[at(a)][at(box.index(i, j, k))] =
-                                             static_cast<float>(coarse_conductance(fine, a, {i, j, k}));
-                                     }
+                                     find_row(row);
                                  }
                              });
     }
@@ -188,5 +237,18 @@ void Multigrid::build(const FaceConductance& fine) {
         ++level_count_;
     }
 }
+
+std::size_t Multigrid::bytes() const {
+    std::size_t sum = 0;
+    for (const Level& level : levels_) {
+        sum += bytes_of(level.inverse, level.x, level.b, level.r);
+        for (std::size_t a = 0; a < 3; ++a) {
+            sum += bytes_of(level.face[a], level.weight[a]);
+        }
+    }
+    return sum;
+}
+
+std::size_t PoissonSolver::bytes() const { return multigrid_.bytes() + bytes_of(r_, z_, d_, q_); }
 
 }  // namespace riprap::linear

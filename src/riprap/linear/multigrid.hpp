@@ -52,6 +52,7 @@ class Multigrid {
     /// z = M r.
     void apply(const std::vector<double>& r, std::vector<double>& z);
     int level_count() const { return static_cast<int>(level_count_); }
+    std::size_t bytes() const;
 
  private:
     struct Level {
@@ -66,7 +67,6 @@ class Multigrid {
     static void find_inverse(Level& level);
     static std::array<bool, 3> axes_to_coarsen(const Level& level);
     static void find_weights(Level& fine);
-    static double coarse_conductance(const Level& fine, int axis, const std::array<int, 3>& place);
     static void coarsen(const Level& fine, Level& coarse);
     static void smooth(Level& level, int colour);
     static void start_smooth(Level& level);
@@ -90,6 +90,7 @@ class PoissonSolver {
     /// vanish to round-off, and p is fixed by the guess up to a constant.
     PoissonReport solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
                         double tolerance, int max_iterations);
+    std::size_t bytes() const;
 
  private:
     Multigrid multigrid_;

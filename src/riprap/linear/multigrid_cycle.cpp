@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/linear/multigrid.hpp"
@@ -98,49 +99,81 @@ void Multigrid::find_residual(Level& level) {
     });
 }
 
+namespace {
+
+/// Sums over the fine rows of one coarse row: what stays in the own coarse cell or comes from beside the row, and what
+/// cells hand over along it.
+struct RowSums {
+    float *own, *along;
+};
+
+}  // namespace
+
 void Multigrid::restrict_to(const Level& fine, Level& coarse) {
     const CellBox& fb = fine.box;
     const CellBox& cb = coarse.box;
-    // first the share that stays with the own coarse cell, then what the neighbours' nearest cells hand over
-    const auto own_share = [&](std::int64_t i) {
-        float share = 1;
+    const int n = fb.cells[0];
+    const auto add_row = [&](const RowSums& sums, std::int64_t start) {
+        const float* const r = fine.r.data() + start;
+        std::array<const float*, 3> w{};
         for (int a = 0; a < fb.axes; ++a) {
-            share -= fine.coarsened[at(a)] ? fine.weight[at(a)][at(i)] : 0.0F;
+            w[at(a)] = fine.coarsened[at(a)] ? fine.weight[at(a)].data() + start : nullptr;
         }
-        return share * fine.r[at(i)];
+        for (int i = 0; i < n; ++i) {
+            float share = 1;
+            share -= w[0] != nullptr ? w[0][i] : 0.0F;
+            share -= w[1] != nullptr ? w[1][i] : 0.0F;
+            share -= w[2] != nullptr ? w[2][i] : 0.0F;
+            sums.own[i] += share * r[i];
+            sums.along[i] += w[0] != nullptr ? w[0][i] * r[i] : 0.0F;
+        }
     };
-    for_rows(cb, [&](std::int64_t start, std::int64_t row) {
-        std::array<int, 3> place{0, static_cast<int>(row % cb.cells[1]), static_cast<int>(row / cb.cells[1])};
-        for (int ci = 0; ci < cb.cells[0]; ++ci) {
-            place[0] = ci;
+    const auto add_beside = [&](const RowSums& sums, int a, std::int64_t start) {  // a row of the next coarse cells
+        const float *r = fine.r.data() + start, *w = fine.weight[at(a)].data() + start;
+        for (int i = 0; i < n; ++i) {
+            sums.own[i] += w[i] * r[i];
+        }
+    };
+    parallel::for_ranges(cb.row_count(), cb.row_grain(), [&](std::int64_t begin, std::int64_t end) {
+        std::vector<float> buffer(2 * at(n) + 4);
+        const RowSums sums{buffer.data() + 1, buffer.data() + n + 3};
+        for (std::int64_t row = begin; row < end; ++row) {
+            const std::array<int, 3> place{0, static_cast<int>(row % cb.cells[1]), static_cast<int>(row / cb.cells[1])};
+            std::fill(buffer.begin(), buffer.end(), 0.0F);
             std::array<int, 3> first{}, last{};
-            for (std::size_t t = 0; t < 3; ++t) {
+            for (std::size_t t = 1; t < 3; ++t) {
                 first[t] = fine.coarsened[t] ? 2 * place[t] : place[t];
                 last[t] = fine.coarsened[t] ? std::min(first[t] + 1, fb.cells[t] - 1) : first[t];
             }
-            float sum = 0;
             for (int k = first[2]; k <= last[2]; ++k) {
                 for (int j = first[1]; j <= last[1]; ++j) {
-                    for (int i = first[0]; i <= last[0]; ++i) {
-                        const std::int64_t f = fb.index(i, j, k);
-                        sum += own_share(f);
-                        for (int a = 0; a < fb.axes; ++a) {
-                            if (!fine.coarsened[at(a)]) {
-                                continue;
-                            }
-                            const int p = a == 0 ? i : a == 1 ? j : k;
-                            const std::int64_t s = fb.stride[at(a)];
-                            if (p == first[at(a)] && p > 0) {
-                                sum += fine.weight[at(a)][at(f - s)] * fine.r[at(f - s)];
-                            }
-                            if (p == last[at(a)] && p + 1 < fb.cells[at(a)]) {
-                                sum += fine.weight[at(a)][at(f + s)] * fine.r[at(f + s)];
-                            }
+                    const std::int64_t start = fb.index(0, j, k);
+                    add_row(sums, start);
+                    for (int a = 1; a < fb.axes; ++a) {
+                        if (!fine.coarsened[at(a)]) {
+                            continue;
+                        }
+                        const int p = a == 1 ? j : k;
+                        if (p == first[at(a)] && p > 0) {
+                            add_beside(sums, a, start - fb.stride[at(a)]);
+                        }
+                        if (p == last[at(a)] && p + 1 < fb.cells[at(a)]) {
+                            add_beside(sums, a, start + fb.stride[at(a)]);
                         }
                     }
                 }
             }
-            coarse.b[at(start + ci)] = sum;
+            float* const b = coarse.b.data() + cb.row_start(row);
+            if (!fine.coarsened[0]) {
+                std::copy_n(sums.own, n, b);
+                continue;
+            }
+            for (int i = 0; i < n / 2; ++i) {  // sums beyond the ends of the row are zero
+                b[i] = sums.own[2 * i] + sums.own[2 * i + 1] + sums.along[2 * i - 1] + sums.along[2 * i + 2];
+            }
+            if (n % 2 == 1) {
+                b[n / 2] = sums.own[n - 1] + sums.along[n - 2];
+            }
         }
     });
 }
@@ -148,23 +181,42 @@ void Multigrid::restrict_to(const Level& fine, Level& coarse) {
 void Multigrid::prolong(const Level& coarse, Level& fine) {
     const CellBox& fb = fine.box;
     const CellBox& cb = coarse.box;
+    const int n = fb.cells[0];
     for_rows(fb, [&](std::int64_t start, std::int64_t row) {
-        std::array<int, 3> place{0, static_cast<int>(row % fb.cells[1]), static_cast<int>(row / fb.cells[1])};
+        const std::array<int, 3> place{0, static_cast<int>(row % fb.cells[1]), static_cast<int>(row / fb.cells[1])};
         const int cj = fine.coarsened[1] ? place[1] / 2 : place[1], ck = fine.coarsened[2] ? place[2] / 2 : place[2];
-        const std::int64_t coarse_start = cb.index(0, cj, ck);
-        for (int i = 0; i < fb.cells[0]; ++i) {
-            place[0] = i;
-            const auto f = at(start + i);
-            const std::int64_t c = coarse_start + (fine.coarsened[0] ? i / 2 : i);
-            const float own = coarse.x[at(c)];
-            float value = own;
-            for (int a = 0; a < fb.axes; ++a) {
-                if (fine.coarsened[at(a)]) {
-                    const std::int64_t s = place[at(a)] % 2 == 0 ? -cb.stride[at(a)] : cb.stride[at(a)];
-                    value += fine.weight[at(a)][f] * (coarse.x[at(c + s)] - own);
-                }
+        const float* const own = coarse.x.data() + cb.index(0, cj, ck);
+        std::array<const float*, 3> beside{own, own, own}, w{};
+        for (int a = 0; a < fb.axes; ++a) {
+            if (fine.coarsened[at(a)]) {
+                w[at(a)] = fine.weight[at(a)].data() + start;
+                const std::int64_t s = place[at(a)] % 2 == 0 ? -cb.stride[at(a)] : cb.stride[at(a)];
+                beside[at(a)] = a == 0 ? own : own + s;
             }
-            fine.x[f] += fine.inverse[f] > 0 ? value : 0.0F;
+        }
+        float* const x = fine.x.data() + start;
+        const float* const inverse = fine.inverse.data() + start;
+        const auto corrected = [&](int i, int c, int next) {
+            float value = own[c];
+            value += w[0] != nullptr ? w[0][i] * (own[next] - own[c]) : 0.0F;
+            value += w[1] != nullptr ? w[1][i] * (beside[1][c] - own[c]) : 0.0F;
+            value += w[2] != nullptr ? w[2][i] * (beside[2][c] - own[c]) : 0.0F;
+            return x[i] + (inverse[i] > 0 ? value : 0.0F);
+        };
+        if (!fine.coarsened[0]) {
+#pragma GCC ivdep
+            for (int i = 0; i < n; ++i) {
+                x[i] = corrected(i, i, i);
+            }
+            return;
+        }
+#pragma GCC ivdep
+        for (int c = 0; c < n / 2; ++c) {
+            x[2 * c] = corrected(2 * c, c, c - 1);
+            x[2 * c + 1] = corrected(2 * c + 1, c, c + 1);
+        }
+        if (n % 2 == 1) {
+            x[n - 1] = corrected(n - 1, n / 2, n / 2 - 1);
         }
     });
 }

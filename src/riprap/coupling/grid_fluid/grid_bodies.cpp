@@ -51,7 +51,7 @@ std::vector<std::vector<geometry::Polyhedron>> body_shapes(const FluidScene& sce
 std::vector<std::uint8_t> still_bodies(const FluidScene& scene, const GridFluidSettings& settings) {
     std::vector<std::uint8_t> still(at(scene.bodies.size()));
     for (std::size_t b = 0; b < still.size(); ++b) {
-        still[b] = settings.is_dry(b) ||
+        still[b] = settings.is_dry(b) || settings.coupling == GridCoupling::one_way ||
                            (scene.bodies.drive[b] == body::Drive::fixed && std::isinf(scene.bodies.release_time[b]))
                        ? 1
                        : 0;
@@ -106,7 +106,9 @@ void place_bodies(const FluidScene& scene, const GridFluidSettings& settings,
             }
         }
     }
-    set_velocities(motion, ahead, bodies);
+    if (settings.coupling == GridCoupling::two_way) {
+        set_velocities(motion, ahead, bodies);
+    }
 }
 
 CutBodies cut_again(const FluidScene& scene, const GridFluidSettings& settings, const GridFluidFields& fields) {

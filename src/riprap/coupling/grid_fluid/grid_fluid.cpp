@@ -197,15 +197,7 @@ double energy_through_sides(const GridSettings& settings, const GridState& state
 }  // namespace
 
 std::size_t GridFluid::Scratch::bytes() const {
-    std::size_t sum = bytes_of(grid.capacity, grid.capacity_before, grid.start_fraction, grid.water, grid.colour,
-                               grid.mass, grid.mass_before, grid.viscosity, grid.curvature, grid.rhs) +
-                      bytes_of(grid.plane, grid.open.volume, grid.open.displacement, cut.facets, cut.near_faces);
-    for (std::size_t a = 0; a < 3; ++a) {
-        sum += bytes_of(grid.area[a], grid.carrier[a], grid.water_flux[a], grid.flux[a], grid.predicted[a],
-                        grid.mobility[a], grid.wall_drag[a], grid.start_velocity[a], grid.conductance.face[a]) +
-               bytes_of(grid.open.area[a], grid.open.body_velocity[a], grid.open.wall_distance[a], cut.nearest[a]);
-    }
-    return sum;
+    return grid.bytes() + bytes_of(cut.facets, cut.near_faces, cut.nearest[0], cut.nearest[1], cut.nearest[2]);
 }
 
 GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
@@ -258,6 +250,7 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
     const GridSettings& settings = settings_->grid;
     GridState& water = fields_->water;
     GridScratch& s = scratch_->grid;
+    scratch_->iterations = 0;
     scratch_->before = read_energy(settings, water, s);
     scratch_->momentum_before = momentum_of(settings, water, s);
     if (scratch_->cutter->moves()) {
@@ -274,21 +267,27 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
     const auto start = settings.outer_corrections > 1 ? water.velocity : std::array<std::vector<double>, 3>{};
     begin_step(settings, water, s, span.dt);
     for (int pass = 1; pass < settings.outer_corrections; ++pass) {
-        project_velocity(settings, water, s, span.dt);
+        scratch_->iterations += project_velocity(settings, water, s, span.dt).iterations;
         correct_step(settings, water, s, start, volume_before, span.dt);
     }
-    scratch_->feedback = added_mass_shares(*scene_, *settings_, water, scratch_->cut);
+    if (settings_->coupling == GridCoupling::two_way) {
+        scratch_->feedback = added_mass_shares(*scene_, *settings_, water, scratch_->cut);
+    }
     return {};
 }
 
 void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
     const GridSettings& settings = settings_->grid;
     GridScratch& s = scratch_->grid;
-    set_velocities(middle, 0.5 * span.dt, scratch_->bodies);
-    if (s.open.has_bodies) {
+    const bool is_felt = settings_->coupling == GridCoupling::two_way;
+    if (is_felt) {
+        set_velocities(middle, 0.5 * span.dt, scratch_->bodies);
+    }
+    if (s.open.has_bodies && is_felt) {
         find_displacement(scratch_->cut.facets, scratch_->bodies, s.open);
     }
     scratch_->solve = project_velocity(settings, fields_->water, s, span.dt);
+    scratch_->iterations += scratch_->solve.iterations;
     scratch_->loads =
         cut_loads(settings, fields_->water, s, scratch_->bodies, scratch_->cut, fields_->water.time + span.dt);
     const auto count = at(scene_->bodies.size());
@@ -328,13 +327,16 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     fluid.kinetic = 0.5 * (before.kinetic + after.kinetic);
     fluid.potential = 0.5 * (before.potential + after.potential);
     fluid.work_on_solids = span.dt * scratch_->power;
-    fluid.work_external = through;
+    // what bodies get of water that does not feel them comes from outside
+    fluid.work_external = through + (settings_->coupling == GridCoupling::one_way ? fluid.work_on_solids : 0);
     report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids +
-                  through};
+                  fluid.work_external};
     fluid.momentum = momentum;
     fluid.impulse = momentum - scratch_->momentum_before;
     fluid.mass = settings.water.density * water_volume(settings, water, s);
     fluid.max_speed = fastest_water(settings, water, s);
+    fluid.solver_iterations = scratch_->iterations;
+    fluid.solver_residual = scratch_->solve.residual;
     if (!std::isfinite(after.kinetic + fluid.max_speed)) {
         return {fmt::format("the water has no finite speed any more at t = {:.6g} s", span.end()), 0.5};
     }

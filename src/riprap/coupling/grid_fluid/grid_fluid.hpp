@@ -23,6 +23,12 @@
 
 namespace riprap::coupling {
 
+/// Who moves whom.
+enum class GridCoupling : std::uint8_t {
+    two_way,  ///< water and bodies each other
+    one_way,  ///< water the bodies, as if these stood where they started [Ding2021, eqs. 3.26 to 3.29]
+};
+
 /// Settings of GridFluid.
 struct GridFluidSettings {
     static constexpr std::string_view method_name = "grid";
@@ -40,6 +46,7 @@ struct GridFluidSettings {
     fluid::grid::VofScheme vof{fluid::grid::VofScheme::plic};
     double compression{1}, courant{0.45}, tolerance{1e-5};
     int outer_corrections{1};
+    GridCoupling coupling{GridCoupling::two_way};
 
     FieldScene scene;                ///< where the fluid is
     fluid::grid::GridSettings grid;  ///< made of all of the above by `prepare`
@@ -86,6 +93,7 @@ class GridFluid {
         Vec3 momentum_before{};
         double power{0};  ///< of the last loads on all bodies [W]
         linear::PoissonReport solve;
+        std::int64_t iterations{0};  ///< of the pressure in the step, all passes
         std::size_t bytes() const;
     };
     static constexpr bool is_there = true;

@@ -51,11 +51,14 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                     "Strength of the compressive scheme."),
              integer(&S::outer_corrections, "outer_corrections", 1, 4,
                      "Passes over transport, momentum and pressure in a step; 2: second order in time."),
+             choice(&S::coupling, "coupling", {{"two_way", GridCoupling::two_way}, {"one_way", GridCoupling::one_way}},
+                    "Water and bodies move each other; or water flows around bodies that stand where they start, and "
+                    "bodies feel its pressure there."),
              number(&S::courant, "courant", dimension::plain, above(0, 0.5),
                     "Share of a cell that water crosses in a step, summed over axes."),
              number(&S::tolerance, "tolerance", dimension::plain, above(0, 0.01),
                     "Share of the initial residual of the pressure equation that a solve leaves.")},
-        .scene_keys = {"domain", "region", "wave", "porous", "sponge"},
+        .scene_keys = {"domain", "region", "wave", "porous", "sponge", "inflow", "outflow"},
         .check = [](const S& s) {
             std::vector<KeyProblem> problems;
             if (s.growth > 1 && !(s.fine_low.x < s.fine_high.x && s.fine_low.y < s.fine_high.y)) {

@@ -16,6 +16,9 @@ double still_level(const GridFluidSettings& settings);
 /// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings);
 
+/// Sides that water enters and leaves through. Returns those that lie elsewhere, or that waves have already.
+std::vector<KeyProblem> add_openings(GridFluidSettings& settings);
+
 /// Stones and boxes in which water is slowed down. Returns stones that lie outside of the domain.
 std::vector<KeyProblem> add_zones(GridFluidSettings& settings);
 

@@ -114,8 +114,10 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.courant = courant;
     grid.tolerance = tolerance;
     problems = add_waves(*this);
-    for (KeyProblem& problem : add_zones(*this)) {
-        problems.push_back(std::move(problem));
+    for (const auto add : {add_openings, add_zones}) {
+        for (KeyProblem& problem : add(*this)) {
+            problems.push_back(std::move(problem));
+        }
     }
     return problems;
 }

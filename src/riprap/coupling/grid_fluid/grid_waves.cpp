@@ -10,6 +10,7 @@
 #include "riprap/wave/boussinesq_wave.hpp"
 #include "riprap/wave/irregular_wave.hpp"
 #include "riprap/wave/linear_wave.hpp"
+#include "riprap/wave/second_order_wave.hpp"
 
 namespace riprap::coupling {
 
@@ -54,6 +55,14 @@ IncomingWaves waves_by_theory(const WavesAtSide& said, double gravity) {
         case Kind::regular: {
             const wave::SteadyWave wave = wave::regular_wave(said.height, said.period, said.depth, gravity);
             return ramped(fluid::grid::waves_of(wave, said.crest_time < 0 ? 0.25 * said.period : said.crest_time),
+                          said.ramp);
+        }
+        case Kind::second_order: {
+            const wave::SecondOrderWave wave = wave::second_order_wave(said.height, said.period, said.depth, gravity);
+            const double omega = wave.first.angular_frequency,
+                         crest = said.crest_time < 0 ? 0.25 * said.period : said.crest_time;
+            return ramped({[=](double t) { return wave.elevation(omega * (crest - t)); },
+                           [=](double above_bed, double t) { return wave.velocity(omega * (crest - t), above_bed); }},
                           said.ramp);
         }
         case Kind::solitary: {

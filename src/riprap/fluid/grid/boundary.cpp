@@ -33,6 +33,12 @@ double ghost_beside_wall(const GridSettings& settings, SideKind kind, double wal
     }
 }
 
+/// Share of a cell below a level along an axis [-].
+double wet_share(const Mesh& mesh, int axis, int cell, double level) {
+    const int p = std::clamp(cell, 0, mesh.box.cells[at(axis)] - 1);
+    return std::clamp((level - mesh.edge[at(axis)][at(p)]) / mesh.h(axis, p), 0.0, 1.0);
+}
+
 /// Water in the column of cells beside a side less that of what comes in [m].
 double level_excess(const GridSettings& settings, int side, std::array<int, 3> cell, double time,
                     const std::vector<double>& fraction) {
@@ -120,11 +126,16 @@ void fill_fraction_ghosts(const GridSettings& settings, const std::array<std::ve
             if (s.kind == SideKind::inflow && s.inflow) {
                 std::array<int, 3> place{i, j, k};
                 place[at(a)] = is_high ? box.cells[at(a)] - 1 : 0;
-                fraction[at(ghost)] = s.inflow(place_of(mesh, -1, place[0], place[1], place[2]), time).fraction;
+                const Inflow in = s.inflow(place_of(mesh, -1, place[0], place[1], place[2]), time);
+                fraction[at(ghost)] = in.is_closed || in.is_drawn ? fraction[at(inside)] : in.fraction;
             } else if (s.kind == SideKind::open) {
                 const std::int64_t face = is_high ? ghost - layer * first : ghost + (layer + 1) * first;
                 const double u = velocity[at(a)][at(face)];
-                fraction[at(ghost)] = (is_high ? u < 0 : u > 0) ? s.open_fraction : fraction[at(inside)];
+                if (is_high ? u < 0 : u > 0) {
+                    fraction[at(ghost)] = s.still_level
+                                              ? wet_share(mesh, s.up, std::array{i, j, k}[at(s.up)], *s.still_level)
+                                              : s.open_fraction;
+                }
             }
         });
     }
@@ -149,7 +160,8 @@ void fill_velocity_ghosts(const GridSettings& settings, double time, const std::
                 if (s.kind == SideKind::inflow && s.inflow) {
                     std::array<int, 3> place{i, j, k};
                     place[at(a)] = side % 2 == 1 ? box.cells[at(a)] : -1;
-                    u[at(ghost)] = s.inflow(place_of(mesh, c, place[0], place[1], place[2]), time).velocity[c];
+                    const Inflow in = s.inflow(place_of(mesh, c, place[0], place[1], place[2]), time);
+                    u[at(ghost)] = in.is_closed || in.is_drawn ? u[at(inside)] : in.velocity[c];
                 }
             });
             // the face of component c on the high rim of axis c lies one beyond the cells: for_ghosts reaches it only

@@ -3,9 +3,11 @@
 
 #include <cmath>
 
+#include "riprap/core/bytes.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/k_epsilon.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/porous.hpp"
 #include "riprap/fluid/grid/pressure.hpp"
 #include "riprap/fluid/grid/surface.hpp"
@@ -112,14 +114,17 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
     }
     const Mesh& mesh = settings.mesh;
     const auto size = at(mesh.box.size);
-    for (auto* field : {&s.capacity, &s.capacity_before, &s.start_fraction, &s.water, &s.colour, &s.mass,
-                        &s.mass_before, &s.viscosity, &s.curvature, &s.rhs}) {
+    for (auto* field : {&s.capacity, &s.capacity_before, &s.start_fraction, &s.water, &s.mass, &s.mass_before,
+                        &s.viscosity, &s.fluidity, &s.rhs}) {
         field->assign(size, 0.0);
+    }
+    s.colour.assign(size, 0);
+    if (settings.surface_tension > 0) {
+        s.curvature.assign(size, 0.0);
     }
     s.plane.assign(size, {});
     for (int a = 0; a < mesh.box.axes; ++a) {
-        for (auto* fields :
-             {&s.area, &s.carrier, &s.water_flux, &s.flux, &s.predicted, &s.mobility, &s.start_velocity}) {
+        for (auto* fields : {&s.area, &s.carrier, &s.water_flux, &s.flux, &s.predicted}) {
             (*fields)[at(a)].assign(size, 0.0);
         }
     }
@@ -144,6 +149,7 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
     s.open = std::move(shares);
     s.capacity_before = s.capacity;
     find_capacities(settings, s);
+    s.pockets = find_pockets(settings, s);
     if (is_first) {
         s.capacity_before = s.capacity;
         for (int a = 0; a < settings.mesh.box.axes; ++a) {
@@ -210,14 +216,17 @@ void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, 
     move_water(settings, state, s, dt);
     find_masses(settings, state, s);
     find_curvature(settings, state, s);
-    s.start_velocity = state.velocity;
-    to_pore_velocity(settings, s, s.start_velocity);
+    if (s.medium.has_stones || settings.outer_corrections > 1) {
+        s.start_velocity = state.velocity;
+        to_pore_velocity(settings, s, s.start_velocity);
+    }
     if (s.open.has_bodies) {
         find_wall_drag(settings, s);
     }
     fill_velocity_ghosts(settings, state.time + dt, state.fraction,
                          state.velocity);  // what sides give at the end of the step
-    predict_velocity(settings, state, s, s.start_velocity, settings.outer_corrections > 1, dt);
+    predict_velocity(settings, state, s, s.start_velocity[0].empty() ? s.carrier : s.start_velocity,
+                     settings.outer_corrections > 1, dt);
 }
 
 void end_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
@@ -253,7 +262,8 @@ void correct_step(const GridSettings& settings, GridState& state, GridScratch& s
 GridReport advance(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     prepare(settings, state, s);
     const double volume_before = state.water_volume;
-    const auto start = state.velocity;
+    const bool is_once = settings.outer_corrections == 1;
+    const auto start = is_once ? std::array<std::vector<double>, 3>{} : state.velocity;
     begin_step(settings, state, s, dt);
     linear::PoissonReport report = project_velocity(settings, state, s, dt);
     for (int pass = 1; pass < settings.outer_corrections; ++pass) {
@@ -262,6 +272,20 @@ GridReport advance(const GridSettings& settings, GridState& state, GridScratch& 
     }
     end_step(settings, state, s, dt);
     return {report.iterations, report.residual, report.converged};
+}
+
+std::size_t GridScratch::bytes() const {
+    std::size_t sum = solver.bytes() +
+                      bytes_of(capacity, capacity_before, start_fraction, end_fraction, water, colour, plane, mass,
+                               mass_before, viscosity, fluidity, eddy_viscosity, curvature, rhs) +
+                      bytes_of(medium.porosity, medium.linear, medium.quadratic, medium.added_mass, medium.grain_size,
+                               open.volume, open.displacement);
+    for (std::size_t a = 0; a < 3; ++a) {
+        sum += bytes_of(area[a], carrier[a], water_flux[a], flux[a], mass_flux[a], predicted[a], wall_drag[a],
+                        start_velocity[a], conductance.face[a]) +
+               bytes_of(open.area[a], open.body_velocity[a], open.wall_distance[a]);
+    }
+    return sum;
 }
 
 }  // namespace riprap::fluid::grid

@@ -129,14 +129,12 @@ double carried(const GridSettings& settings, const GridState& state, const GridS
         const std::int64_t t = mesh.box.stride[at(a)];
         for (const int side : {0, 1}) {
             const std::int64_t f = side == 0 ? c : c + t, other = side == 0 ? c - t : c + t;
-            const double water = s.water_flux[at(a)][at(f)];
-            const double mass = settings.water.density * water +
-                                (settings.has_surface ? settings.air.density * (s.flux[at(a)][at(f)] - water) : 0);
+            const double mass = s.mass_flux[at(a)][at(f)];
             const double in = side == 0 ? mass : -mass;
             sum += in > 0 ? in * q[at(other)] : in * q[at(c)];
-            const auto conductivity = [&](std::int64_t cell) {
+            const auto conductivity = [&](std::int64_t cell) {  // s.viscosity has all of the eddies
                 const double density = density_of(settings, state.fraction[at(cell)]);
-                return viscosity_of(settings, state.fraction[at(cell)]) + density * s.eddy_viscosity[at(cell)] / sigma;
+                return s.viscosity[at(cell)] + (1 / sigma - 1) * density * s.eddy_viscosity[at(cell)];
             };
             const double area = s.area[at(a)][at(f)], distance = mesh.d(a, place[at(a)] + side);
             const double exchanged = dt * area * 0.5 * (conductivity(c) + conductivity(other)) / distance;

@@ -77,6 +77,20 @@ void for_faces(const CellBox& box, int a, const F& f) {
     for_box(box, {0, 0, 0}, last, f);
 }
 
+/// Calls f(start, count, place) for every row of faces across an axis, those on the rim included.
+template <class F>
+void for_face_rows(const CellBox& box, int a, const F& f) {
+    std::array<int, 3> last = box.cells;
+    last[at(a)] += 1;
+    parallel::for_ranges(static_cast<std::int64_t>(last[1]) * last[2], box.row_grain(),
+                         [&](std::int64_t begin, std::int64_t end) {
+                             for (std::int64_t row = begin; row < end; ++row) {
+                                 const int j = static_cast<int>(row % last[1]), k = static_cast<int>(row / last[1]);
+                                 f(box.index(0, j, k), last[0], std::array<int, 3>{0, j, k});
+                             }
+                         });
+}
+
 /// Folds f(index, i, j, k) over all cells in a fixed order.
 template <class T, class F, class Fold>
 T reduce_cells(const CellBox& box, const T& identity, const F& f, const Fold& fold) {

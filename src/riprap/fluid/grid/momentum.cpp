@@ -6,85 +6,12 @@
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/porous.hpp"
 #include "riprap/fluid/grid/surface.hpp"
+#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/fluid/grid/viscous.hpp"
 
 namespace riprap::fluid::grid {
 
 namespace {
-
-/// Koren's limiter: third order where the flow is smooth, no new extremes [-].
-double koren(double r) { return std::max(0.0, std::min({2 * r, (1 + 2 * r) / 3, 2.0})); }
-
-/// Velocity that a mass takes along through a face between `up` and `down`, `far` beyond `up`; `courant` of the mass in
-/// its velocity cell moves the value half a step upstream in time.
-double carried(double far, double up, double down, double courant) {
-    const double rise = down - up;
-    if (rise == 0) {
-        return up;
-    }
-    return up + 0.5 * (1 - courant) * koren((up - far) / rise) * rise;
-}
-
-struct Transport {
-    const GridSettings& settings;
-    const GridScratch& s;
-    const std::vector<double>& u;  ///< pore velocity of the component
-    int a;
-    bool is_midpoint;
-
-    /// Mass through a face of the mesh in the step [kg].
-    double mass_flux(int b, std::int64_t f) const {
-        const double water = s.water_flux[at(b)][at(f)];
-        return settings.has_surface
-                   ? settings.water.density * water + settings.air.density * (s.flux[at(b)][at(f)] - water)
-                   : settings.water.density * water;
-    }
-    /// Momentum through the lower face, across b, of the velocity cell at face i [kg m/s]; adds its mass to `in`.
-    double momentum_flux(int b, std::int64_t i, double inverse_mass, double& mass) const {
-        const std::int64_t t = settings.mesh.box.stride[at(b)], sa = settings.mesh.box.stride[at(a)];
-        mass = b == a ? 0.5 * (mass_flux(a, i - t) + mass_flux(a, i)) : 0.5 * (mass_flux(b, i - sa) + mass_flux(b, i));
-        if (mass == 0) {
-            return 0;
-        }
-        const double courant = is_midpoint ? 0 : std::min(1.0, std::abs(mass) * inverse_mass);
-        return mass * (mass > 0 ? carried(u[at(i - 2 * t)], u[at(i - t)], u[at(i)], courant)
-                                : carried(u[at(i + t)], u[at(i)], u[at(i - t)], courant));
-    }
-    /// Pore velocity after the transport alone.
-    double advance(std::int64_t i, bool is_on_rim) const {
-        const CellBox& box = settings.mesh.box;
-        const std::int64_t sa = box.stride[at(a)];
-        const double before = 0.5 * (s.mass_before[at(i - sa)] + s.mass_before[at(i)]);
-        const double after = 0.5 * (s.mass[at(i - sa)] + s.mass[at(i)]);
-        const double start = s.start_velocity[at(a)][at(i)];
-        if (!(after > 0)) {
-            return start;
-        }
-        const double inverse = 1 / after;
-        double momentum = before * start, in = 0, out = 0, upwind = before * start;
-        for (int b = 0; b < box.axes; ++b) {
-            const std::int64_t t = box.stride[at(b)];
-            double low_mass = 0, high_mass = 0;
-            const double low = momentum_flux(b, i, inverse, low_mass);
-            const double high = momentum_flux(b, i + t, inverse, high_mass);
-            momentum += low - high;
-            in += std::max(0.0, low_mass) + std::max(0.0, -high_mass);
-            out += std::max(0.0, -low_mass) + std::max(0.0, high_mass);
-            upwind += std::max(0.0, low_mass) * u[at(i - t)] + std::max(0.0, -high_mass) * u[at(i + t)];
-        }
-        // A sliver beside a solid, flushed in the step, takes the mean of what comes in: bounded for any step. So does
-        // a velocity cell on an open side, half of which lies outside.
-        const bool is_flushed = is_on_rim || (s.open.has_bodies && in > 0.45 * std::min(before, after));
-        if (is_flushed) {
-            return upwind / (before + in);
-        }
-        if (s.open.has_bodies && !(before + in - out > 0)) {  // uncovered in this step, and nothing has come in yet
-            return start;
-        }
-        // Where solids move, the mass that stays is that of the fluxes: a uniform flow stays uniform around them.
-        return momentum / (s.open.has_bodies ? before + in - out : after);
-    }
-};
 
 /// Height of the surface at a face, g.x on it, for the jump of the density there [m^2/s^2].
 double surface_potential(const GridSettings& settings, const GridState& state, const GridScratch& s, const Vec3& g,
@@ -148,63 +75,102 @@ void find_masses(const GridSettings& settings, const GridState& state, GridScrat
         s.viscosity[at(c)] =
             viscosity_of(settings, state.fraction[at(c)]) +
             (s.eddy_viscosity.empty() ? 0.0 : density_of(settings, state.fraction[at(c)]) * s.eddy_viscosity[at(c)]);
+        s.fluidity[at(c)] = 1 / s.viscosity[at(c)];
     });
     if (settings.has_surface) {
         reconstruct_surface(settings.mesh, state.fraction, s.plane);
     }
 }
 
+namespace {
+
+/// Forces and resistances on the velocity cells of one component.
+struct Prediction {
+    const GridSettings& settings;
+    const GridState& state;
+    GridScratch& s;
+    const Vec3 g;
+    const int a;
+    const double dt;
+
+    bool is_given(int p) const {
+        return (p == 0 && settings.side[at(low_side(a))].kind != SideKind::open) ||
+               (p == settings.mesh.box.cells[at(a)] && settings.side[at(high_side(a))].kind != SideKind::open);
+    }
+    /// Weight and surface tension, as far as the pressure does not balance them [N/m^3].
+    double body_force(std::int64_t f, const std::array<int, 3>& place, double density) const {
+        const double low = state.fraction[at(f - settings.mesh.box.stride[at(a)])], high = state.fraction[at(f)];
+        if (!settings.has_surface) {
+            return density * g[a];
+        }
+        if (low == high) {
+            return 0;
+        }
+        const double rise = (high - low) / settings.mesh.d(a, place[at(a)]);
+        double force = -surface_potential(settings, state, s, g, a, f, place) *
+                       (settings.water.density - settings.air.density) * rise;
+        if (settings.surface_tension > 0) {
+            const double below = s.curvature[at(f - settings.mesh.box.stride[at(a)])], above = s.curvature[at(f)];
+            const double curvature = below != 0 && above != 0 ? 0.5 * (below + above) : below + above;
+            force += settings.surface_tension * curvature * rise;
+        }
+        return force;
+    }
+    /// @param moved  velocity after the transport alone [m/s]
+    /// @param shear  force of viscosity [N/m^3]
+    void find(std::int64_t f, const std::array<int, 3>& place, double moved, double shear) const {
+        const Mesh& mesh = settings.mesh;
+        const std::int64_t sa = mesh.box.stride[at(a)];
+        const int p = place[at(a)];
+        double& predicted = s.predicted[at(a)][at(f)];
+        double& conductance = s.conductance.face[at(a)][at(f)];
+        if (is_given(p) || s.area[at(a)][at(f)] == 0) {
+            predicted = is_given(p) ? state.velocity[at(a)][at(f)] : s.open.body_velocity[at(a)][at(f)];
+            conductance = 0;
+            return;
+        }
+        const double share_low = 0.5 * mesh.h(a, p - 1) / mesh.d(a, p), share_high = 1 - share_low;
+        const double density = share_low * density_of(settings, state.fraction[at(f - sa)]) +
+                               share_high * density_of(settings, state.fraction[at(f)]);
+        const FaceMedium medium =
+            face_medium(settings, s, f, sa, share_low, density, 0.5 * (s.viscosity[at(f - sa)] + s.viscosity[at(f)]));
+        const double force = shear / medium.porosity + body_force(f, place, density);
+        const double start = s.start_of(a)[at(f)];
+        const double carried = start + (moved - start) / (1 + medium.added_mass);
+        const double inertia = (1 + medium.added_mass) * density;
+        const double speed = medium.quadratic > 0 ? filter_speed(settings, s, a, f) : 0;
+        const double resistance = medium.porosity * (medium.linear + medium.quadratic * speed);
+        const double wall = s.open.has_bodies ? s.wall_drag[at(a)][at(f)] : 0;
+        const double wall_velocity = s.open.has_bodies ? s.open.body_velocity[at(a)][at(f)] : 0;
+        const double factor = medium.porosity / (inertia + dt * (resistance + wall));
+        predicted = factor * (inertia * carried + dt * (force + wall * wall_velocity));
+        // half a cell to a pressure on a side
+        const int n = mesh.box.cells[at(a)];
+        const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
+        conductance = dt * factor * s.area[at(a)][at(f)] / distance;
+    }
+};
+
+}  // namespace
+
 void predict_velocity(const GridSettings& settings, const GridState& state, GridScratch& s,
                       const std::array<std::vector<double>, 3>& advected, bool is_midpoint, double dt) {
-    const Mesh& mesh = settings.mesh;
-    const CellBox& box = mesh.box;
-    const Vec3 g = body_force(settings, state.time + dt);
-    const double jump = settings.water.density - settings.air.density;
+    const CellBox& box = settings.mesh.box;
+    find_mass_fluxes(settings, s);
     for (int a = 0; a < box.axes; ++a) {
-        const std::int64_t sa = box.stride[at(a)];
-        const bool low_open = settings.side[at(low_side(a))].kind == SideKind::open;
-        const bool high_open = settings.side[at(high_side(a))].kind == SideKind::open;
-        const Transport transport{settings, s, advected[at(a)], a, is_midpoint};
-        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-            const std::array<int, 3> place{i, j, k};
-            const int p = place[at(a)];
-            double& predicted = s.predicted[at(a)][at(f)];
-            double& mobility = s.mobility[at(a)][at(f)];
-            const bool is_given = (p == 0 && !low_open) || (p == box.cells[at(a)] && !high_open);
-            if (is_given || s.area[at(a)][at(f)] == 0) {
-                predicted = is_given ? state.velocity[at(a)][at(f)] : s.open.body_velocity[at(a)][at(f)];
-                mobility = 0;
-                return;
-            }
-            const double share_low = 0.5 * mesh.h(a, p - 1) / mesh.d(a, p), share_high = 1 - share_low;
-            const double low_fraction = state.fraction[at(f - sa)], high_fraction = state.fraction[at(f)];
-            const double density =
-                share_low * density_of(settings, low_fraction) + share_high * density_of(settings, high_fraction);
-            const FaceMedium medium = face_medium(settings, s, f, sa, share_low, density,
-                                                  0.5 * (s.viscosity[at(f - sa)] + s.viscosity[at(f)]));
-            double force = viscous_force(settings, s, a, f, place) / medium.porosity;
-            if (!settings.has_surface) {
-                force += density * g[a];
-            } else if (low_fraction != high_fraction) {
-                const double rise = (high_fraction - low_fraction) / mesh.d(a, p);
-                force -= surface_potential(settings, state, s, g, a, f, place) * jump * rise;
-                if (settings.surface_tension > 0) {
-                    const double low = s.curvature[at(f - sa)], high = s.curvature[at(f)];
-                    const double curvature = low != 0 && high != 0 ? 0.5 * (low + high) : low + high;
-                    force += settings.surface_tension * curvature * rise;
+        const Prediction prediction{settings, state, s, body_force(settings, state.time + dt), a, dt};
+        for_face_rows(box, a, [&](std::int64_t row, int faces, const std::array<int, 3>& first) {
+            std::array<double, most_in_row> moved, shear;
+            for (int done = 0; done < faces; done += most_in_row) {
+                const int n = std::min(most_in_row, faces - done);
+                std::array<int, 3> place = first;
+                place[0] += done;
+                carry_row(settings, s, advected[at(a)], a, is_midpoint, row + done, n, place, moved.data());
+                viscous_row(settings, s, a, row + done, n, place, shear.data());
+                for (int i = 0; i < n; ++i, ++place[0]) {
+                    prediction.find(row + done + i, place, moved[at(i)], shear[at(i)]);
                 }
             }
-            const double start = s.start_velocity[at(a)][at(f)];
-            const double moved =
-                start + (transport.advance(f, p == 0 || p == box.cells[at(a)]) - start) / (1 + medium.added_mass);
-            const double inertia = (1 + medium.added_mass) * density;
-            const double speed = medium.quadratic > 0 ? filter_speed(settings, s, a, f) : 0;
-            const double resistance = medium.porosity * (medium.linear + medium.quadratic * speed);
-            const double wall = s.open.has_bodies ? s.wall_drag[at(a)][at(f)] : 0;
-            const double wall_velocity = s.open.has_bodies ? s.open.body_velocity[at(a)][at(f)] : 0;
-            const double factor = medium.porosity / (inertia + dt * (resistance + wall));
-            predicted = factor * (inertia * moved + dt * (force + wall * wall_velocity));
-            mobility = factor;
         });
     }
 }

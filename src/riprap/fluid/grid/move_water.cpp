@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <utility>
 
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/surface.hpp"
@@ -48,9 +49,9 @@ double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, i
 }
 
 /// Fractions at the end of the step of slivers, which the step flushes: (alpha C + inflow of water)/(C + inflow).
-void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s,
-                   std::vector<double>& end_fraction) {
+void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
+    std::vector<double>& end_fraction = s.end_fraction;
     end_fraction = state.fraction;
     for (int sweep = 0; sweep < flush_sweeps; ++sweep) {
         for_cells(box, [&](std::int64_t c, int i, int j, int k) {
@@ -77,6 +78,9 @@ void flush_slivers(const GridSettings& settings, const GridState& state, GridScr
 
 void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
     for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        if (s.flux[at(a)].empty()) {
+            s.flux[at(a)] = std::move(s.mass_flux[at(a)]);
+        }
         for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
             s.flux[at(a)][at(f)] = s.carrier[at(a)][at(f)] * s.area[at(a)][at(f)] * dt;
         });
@@ -107,8 +111,7 @@ double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
 }
 
 /// One direction of the split transport.
-void move_along(const GridSettings& settings, GridState& state, GridScratch& s, int a, double dt,
-                const std::vector<double>& end_fraction) {
+void move_along(const GridSettings& settings, GridState& state, GridScratch& s, int a, double dt) {
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     const std::int64_t stride = box.stride[at(a)];
@@ -131,12 +134,12 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
             flushed = is_sliver(box, s, donor, mesh.volume(d[0], d[1], d[2]));
         }
         s.water_flux[at(a)][at(f)] =
-            volume * (flushed ? end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
+            volume * (flushed ? s.end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
     });
     for_cells(box, [&](std::int64_t c, int, int, int) {
         const double out = s.flux[at(a)][at(c + stride)] - s.flux[at(a)][at(c)];
         const double water_out = s.water_flux[at(a)][at(c + stride)] - s.water_flux[at(a)][at(c)];
-        s.water[at(c)] += s.colour[at(c)] * out - water_out;
+        s.water[at(c)] += (s.colour[at(c)] != 0 ? out : 0) - water_out;
         const double capacity = s.capacity_before[at(c)];
         // between directions a fraction may leave 0..1 only where solids move or leave slivers
         state.fraction[at(c)] = capacity > 0 ? std::clamp(s.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
@@ -158,22 +161,21 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
         move_water_compressive(settings, state, s, dt);
     } else {
         for_cells(box, [&](std::int64_t c, int, int, int) { s.colour[at(c)] = state.fraction[at(c)] > 0.5 ? 1 : 0; });
-        std::vector<double> end_fraction;
         if (s.open.has_bodies) {
-            flush_slivers(settings, state, s, end_fraction);
+            flush_slivers(settings, state, s);
         }
         for_cells(box, [&](std::int64_t c, int, int, int) {
             s.water[at(c)] = state.fraction[at(c)] * s.capacity_before[at(c)];
         });
         for (int turn = 0; turn < box.axes; ++turn) {
             const int a = static_cast<int>((turn + state.step) % box.axes);
-            move_along(settings, state, s, a, dt, end_fraction);
+            move_along(settings, state, s, a, dt);
         }
         for_cells(box, [&](std::int64_t c, int, int, int) {
             const double capacity = s.capacity[at(c)];
             if (capacity > 0) {
                 const double grown = capacity - s.capacity_before[at(c)];
-                state.fraction[at(c)] = (s.water[at(c)] + s.colour[at(c)] * grown) / capacity;
+                state.fraction[at(c)] = (s.water[at(c)] + (s.colour[at(c)] != 0 ? grown : 0)) / capacity;
             }
         });
     }

@@ -31,44 +31,60 @@ inline double volume_below(std::array<double, 3> m, double d) {
         volume = c * c * c / (6 * m[0] * m[1] * m[2]);
     } else if (c < m[1]) {
         volume = (c * (c - m[0]) + m[0] * m[0] / 3) / (2 * m[1] * m[2]);
-    } else if (c < std::min(m12, m[2])) {
-        volume = (c * c * (3 * m12 - c) + m[0] * m[0] * (m[0] - 3 * c) + m[1] * m[1] * (m[1] - 3 * c)) /
-                 (6 * m[0] * m[1] * m[2]);
-    } else if (m12 <= m[2]) {
+    } else if (m12 <= m[2] && c >= m12) {
         volume = (c - 0.5 * m12) / m[2];
-    } else {
-        volume = (c * c * (3 - 2 * c) + m[0] * m[0] * (m[0] - 3 * c) + m[1] * m[1] * (m[1] - 3 * c) +
-                  m[2] * m[2] * (m[2] - 3 * c)) /
-                 (6 * m[0] * m[1] * m[2]);
+    } else {  // over the shortest edge: nothing cancels where that is short
+        const double second = c - m[1], third = std::max(0.0, c - m[2]);
+        volume = (3 * c * (c - m[0]) + m[0] * m[0] - (second * second * second + third * third * third) / m[0]) /
+                 (6 * m[1] * m[2]);
     }
     return d <= 0.5 ? volume : 1 - volume;
 }
 
-/// The plane constant d for which volume_below(m, d) = volume, to round-off, by safeguarded Newton steps on a function
-/// that increases.
-inline double plane_constant(const std::array<double, 3>& m, double volume) {
+/// The plane constant d for which volume_below(m, d) = volume: in closed form where the section is a triangle or, up to
+/// one edge, a trapezium, else by Newton's steps from above, of which each stays above, as the volume is convex up to
+/// one half [Scardovelli2000].
+inline double plane_constant(std::array<double, 3> m, double volume) {
     if (volume <= 0) {
         return 0;
     }
     if (volume >= 1) {
         return 1;
     }
-    double low = 0, high = 1, d = 0.5;
-    constexpr double step = 1e-7;
-    for (int i = 0; i < 60; ++i) {
-        const double error = volume_below(m, d) - volume;
-        (error > 0 ? high : low) = d;
-        if (std::abs(error) < 1e-15) {
-            break;
-        }
-        const double slope = (volume_below(m, d + step) - volume_below(m, d - step)) / (2 * step);
-        const double newton = slope > 1e-8 ? d - error / slope : -1;
-        d = newton > low && newton < high ? newton : 0.5 * (low + high);
-        if (high - low < 1e-16) {
-            break;
+    if (m[0] > m[1]) {
+        std::swap(m[0], m[1]);
+    }
+    if (m[1] > m[2]) {
+        std::swap(m[1], m[2]);
+    }
+    if (m[0] > m[1]) {
+        std::swap(m[0], m[1]);
+    }
+    const double v = std::min(volume, 1 - volume), m12 = m[0] + m[1];
+    const double first = m[1] > 0 ? m[0] * m[0] / (6 * m[1] * m[2]) : 0;  // volume up to the first edge
+    double d = 0.5;
+    if (v < first) {
+        d = std::cbrt(6 * m[0] * m[1] * m[2] * v);
+    } else if (m[1] > 0 && v < first + (m[1] - m[0]) / (2 * m[2])) {
+        d = 0.5 * (m[0] + std::sqrt(m[0] * m[0] + 8 * m[1] * m[2] * (v - first)));
+    } else if (m12 <= m[2] && v >= 0.5 * m12 / m[2]) {
+        d = v * m[2] + 0.5 * m12;
+    } else {
+        d = std::min(0.5, m12);
+        for (int i = 0; i < 40; ++i) {
+            // volume times six products over the shortest edge: nothing cancels where that is short
+            const double second = d - m[1], third = std::max(0.0, d - m[2]);
+            const double error = 3 * d * (d - m[0]) + m[0] * m[0] -
+                                 (second * second * second + third * third * third) / m[0] - 6 * m[1] * m[2] * v;
+            const double slope = 6 * d - 3 * m[0] - 3 * (second * second + third * third) / m[0];
+            const double step = error / slope;
+            d -= step;
+            if (!(std::abs(step) > 1e-15)) {
+                break;
+            }
         }
     }
-    return d;
+    return volume <= 0.5 ? d : 1 - d;
 }
 
 /// A plane of the surface in a cell: water where n.x <= d, x from -1/2 to 1/2 along each axis in cell widths, n

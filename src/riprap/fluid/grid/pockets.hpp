@@ -7,11 +7,6 @@
 
 namespace riprap::fluid::grid {
 
-/// Open cells that solids shut off from the rest, and cells of the rest around them.
-struct Pocket {
-    std::vector<std::int64_t> cells, around;
-};
-
 /// Finds the pockets of a grid that bodies are cut out of: groups of open cells that no open face joins to a side with
 /// a given pressure or to the largest group. Units of a plane scene close pockets that would be open in space.
 std::vector<Pocket> find_pockets(const GridSettings& settings, const GridScratch& scratch);

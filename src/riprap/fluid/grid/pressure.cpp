@@ -24,45 +24,39 @@ double side_pressure(const GridSettings& settings, const GridState& state, int s
         x[b] = b == a ? (side % 2 == 0 ? mesh.edge[at(b)].front() : mesh.edge[at(b)].back())
                       : mesh.centre(b, place[at(b)]);
     }
+    if (const auto& level = settings.side[at(side)].still_level) {  // P of water at rest is one up to its surface
+        x[settings.side[at(side)].up] = *level;
+    }
     const double weight = settings.has_surface ? density_of(settings, state.fraction[at(ghost)]) * dot(g, x) : 0;
     return settings.side[at(side)].pressure - weight;
 }
 
-/// Sets conductances and, on open sides, adds what they bring to the right side.
-void find_conductances(const GridSettings& settings, const GridState& state, GridScratch& s, double dt) {
-    const Mesh& mesh = settings.mesh;
-    const CellBox& box = mesh.box;
+/// Adds what the pressures on open sides bring to the right side.
+void add_open_sides(const GridSettings& settings, const GridState& state, GridScratch& s, double dt) {
+    const CellBox& box = settings.mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
-    for (int a = 0; a < box.axes; ++a) {
-        const int n = box.cells[at(a)];
-        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-            const std::array<int, 3> place{i, j, k};
-            const int p = place[at(a)];
-            const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
-            s.conductance.face[at(a)][at(f)] = dt * s.mobility[at(a)][at(f)] * s.area[at(a)][at(f)] / distance;
-        });
-        for (const int side : {low_side(a), high_side(a)}) {
-            if (settings.side[at(side)].kind != SideKind::open) {
-                continue;
-            }
-            for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
-                const std::array<int, 3> place{i, j, k};
-                for (int b = 0; b < a; ++b) {
-                    if (place[at(b)] < 0 || place[at(b)] >= box.cells[at(b)]) {
-                        return;
-                    }
-                }
-                if (layer == 0) {
-                    const double p = side_pressure(settings, state, side, ghost, place, g);
-                    s.rhs[at(inside)] += s.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
-                }
-            });
+    for (int side = 0; side < 2 * box.axes; ++side) {
+        if (settings.side[at(side)].kind != SideKind::open) {
+            continue;
         }
+        const int a = side / 2;
+        for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
+            const std::array<int, 3> place{i, j, k};
+            for (int b = 0; b < a; ++b) {
+                if (place[at(b)] < 0 || place[at(b)] >= box.cells[at(b)]) {
+                    return;
+                }
+            }
+            if (layer == 0) {
+                const double p = side_pressure(settings, state, side, ghost, place, g);
+                s.rhs[at(inside)] += s.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
+            }
+        });
     }
 }
 
 /// Takes the mean off the right side of a domain that nothing leaves: its sum is what solves cannot take away.
-void balance(const GridSettings& settings, const std::vector<Pocket>& pockets, GridScratch& s) {
+void balance(const GridSettings& settings, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
     for (int side = 0; side < 2 * box.axes; ++side) {
         if (settings.side[at(side)].kind == SideKind::open) {
@@ -73,7 +67,7 @@ void balance(const GridSettings& settings, const std::vector<Pocket>& pockets, G
         box, 0.0, [&](std::int64_t c, int, int, int) { return s.rhs[at(c)]; }, sum_of);
     double volume = reduce_cells(
         box, 0.0, [&](std::int64_t c, int, int, int) { return s.capacity[at(c)]; }, sum_of);
-    for (const Pocket& pocket : pockets) {
+    for (const Pocket& pocket : s.pockets) {
         for (const std::int64_t c : pocket.cells) {
             sum -= s.rhs[at(c)];
             volume -= s.capacity[at(c)];
@@ -95,17 +89,15 @@ double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>&
 }  // namespace
 
 linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
-    const Mesh& mesh = settings.mesh;
-    const CellBox& box = mesh.box;
+    const CellBox& box = settings.mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
     // net_outflow sums in the same order for a fluid at rest as for one that moves: exact zeros stay zero
     for_cells(box, [&](std::int64_t c, int, int, int) {
         s.rhs[at(c)] = s.capacity[at(c)] > 0 ? -net_outflow(box, s.predicted, s, c) : 0;
     });
-    find_conductances(settings, state, s, dt);
-    const std::vector<Pocket> pockets = s.open.has_bodies ? find_pockets(settings, s) : std::vector<Pocket>{};
-    balance(settings, pockets, s);
-    balance_pockets(pockets, s);
+    add_open_sides(settings, state, s, dt);
+    balance(settings, s);
+    balance_pockets(s.pockets, s);
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double open = 0;
         for (int a = 0; a < box.axes; ++a) {
@@ -125,7 +117,7 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     const double tolerance = state.step == 0 ? first_tolerance : settings.tolerance;
     const linear::PoissonReport report =
         s.solver.solve(s.conductance, s.rhs, state.pressure, tolerance, settings.longest_solve);
-    level_pockets(settings, state, s, pockets, state.time + dt);
+    level_pockets(settings, state, s, s.pockets, state.time + dt);
     for (int side = 0; side < 2 * box.axes; ++side) {
         const bool is_open = settings.side[at(side)].kind == SideKind::open;
         for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t inside, int layer, int i, int j, int k) {
@@ -135,14 +127,12 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
         });
     }
     for (int a = 0; a < box.axes; ++a) {
-        const int n = box.cells[at(a)];
         const std::int64_t sa = box.stride[at(a)];
-        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-            const int p = std::array<int, 3>{i, j, k}[at(a)];
-            const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
-            state.velocity[at(a)][at(f)] =
-                s.predicted[at(a)][at(f)] -
-                dt * s.mobility[at(a)][at(f)] * (state.pressure[at(f)] - state.pressure[at(f - sa)]) / distance;
+        for_faces(box, a, [&](std::int64_t f, int, int, int) {
+            const double area = s.area[at(a)][at(f)];
+            const double driven =
+                s.conductance.face[at(a)][at(f)] * (state.pressure[at(f)] - state.pressure[at(f - sa)]);
+            state.velocity[at(a)][at(f)] = s.predicted[at(a)][at(f)] - (area > 0 ? driven / area : 0);
         });
     }
     return report;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "riprap/core/vec3.hpp"
@@ -27,8 +28,10 @@ enum class SideKind : std::uint8_t {
 
 /// Velocity and water fraction of what comes in.
 struct Inflow {
-    Vec3 velocity;       ///< [m/s]
-    double fraction{1};  ///< of water [-]
+    Vec3 velocity;          ///< [m/s]
+    double fraction{1};     ///< of water [-]
+    bool is_closed{false};  ///< a wall without friction here: nothing comes in
+    bool is_drawn{false};   ///< the velocity leads out, and takes what is there
 };
 
 /// Lets long waves out through an inflow side: the normal velocity of wet cells gets sqrt(g/d) times what the surface
@@ -43,7 +46,10 @@ struct Side {
     SideKind kind{SideKind::slip};
     Vec3 velocity{};          ///< of a wall, along itself [m/s]
     double open_fraction{0};  ///< water fraction of what comes in through an open side [-]
-    double pressure{0};       ///< on an open side [Pa]
+    double pressure{0};       ///< on an open side; at its still level where it has one [Pa]
+    /// Level along axis `up` of water at rest beyond an open side [m]; it comes in below the level, air above.
+    std::optional<double> still_level{};
+    int up{1};
     std::function<Inflow(const Vec3& place, double time)> inflow{};
     Absorber absorber{};
 };

@@ -1,62 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/grid/viscous.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace riprap::fluid::grid {
 
 namespace {
 
-/// A face is left out of the fluid's own shear where its centre lies in a solid.
-bool is_in_solid(const GridScratch& s, int a, std::int64_t face) {
-    return s.open.has_bodies && s.open.wall_distance[at(a)][at(face)] <= 0;
-}
-
 /// Nearest that a wall comes to the centre of a face, in cell widths; nearer ones hold the fluid as firmly [-].
 constexpr double least_distance = 0.05;
 
 }  // namespace
 
-double viscous_force(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face,
-                     const std::array<int, 3>& place) {
+namespace {
+
+using RowArray = std::array<double, most_in_row + 1>;
+
+/// Fills in 1/length along one axis for the faces of a row [1/m].
+void find_inverse(const std::vector<double>& lengths, int axis, int place, int n, RowArray& inverse) {
+    const double* const first = lengths.data() + Mesh::ghosts + place;
+    if (axis == 0) {
+        for (int i = 0; i < n; ++i) {
+            inverse[at(i)] = 1 / first[i];
+        }
+    } else {
+        std::fill_n(inverse.begin(), n, 1 / *first);
+    }
+}
+
+/// Shear stress at edges between the faces f - t and f, of a row [Pa].
+struct EdgeStress {
+    const Mesh& mesh;
+    const GridScratch& s;
+    int a, b;
+
+    /// @param upper  place along b of the faces f
+    void find(std::int64_t start, int n, const std::array<int, 3>& place, int upper, double* stress) const {
+        const CellBox& box = mesh.box;
+        const std::int64_t t = box.stride[at(b)], sa = box.stride[at(a)];
+        const double *u = s.carrier[at(a)].data() + start, *v = s.carrier[at(b)].data() + start;
+        const double* const phi = s.fluidity.data() + start;
+        // on a side, what its ghosts hold: no eddies on a wall
+        const bool on_low = b != 0 && upper == 0, on_high = b != 0 && upper == box.cells[at(b)];
+        const double *above = on_low ? phi - t : phi, *below = on_high ? phi : phi - t;
+        RowArray across, along;
+        find_inverse(mesh.distance[at(b)], b, upper, n, across);
+        find_inverse(mesh.distance[at(a)], a, place[at(a)], n, along);
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) {
+            const double mu = 4 / (above[i] + below[i] + above[i - sa] + below[i - sa]);
+            stress[i] = mu * ((u[i] - u[i - t]) * across[at(i)] + (v[i] - v[i - sa]) * along[at(i)]);
+        }
+        if (b == 0) {
+            for (const int side : {0, box.cells[0]}) {
+                const int i = side - upper;
+                if (i >= 0 && i < n) {
+                    const std::int64_t ghost = side == 0 ? i - 1 : i;
+                    stress[i] = 2 / (phi[ghost] + phi[ghost - sa]) *
+                                ((u[i] - u[i - t]) * across[at(i)] + (v[i] - v[i - sa]) * along[at(i)]);
+                }
+            }
+        }
+        if (s.open.has_bodies) {
+            const double* const distance = s.open.wall_distance[at(a)].data() + start;
+            for (int i = 0; i < n; ++i) {
+                stress[i] = distance[i] <= 0 || distance[i - t] <= 0 ? 0 : stress[i];
+            }
+        }
+    }
+};
+
+}  // namespace
+
+void viscous_row(const GridSettings& settings, const GridScratch& s, int a, std::int64_t start, int n,
+                 const std::array<int, 3>& place, double* force) {
     const Mesh& mesh = settings.mesh;
-    const CellBox& box = mesh.box;
-    const std::int64_t sa = box.stride[at(a)];
-    const auto& u = s.carrier[at(a)];
-    const int p = place[at(a)];
-    if (is_in_solid(s, a, face)) {
-        return 0;
-    }
-    double force = 0;
+    const std::int64_t sa = mesh.box.stride[at(a)];
+    const double *u = s.carrier[at(a)].data() + start, *mu = s.viscosity.data() + start;
+    const double* const distance = s.open.has_bodies ? s.open.wall_distance[at(a)].data() + start : nullptr;
     {  // along the axis: 2 mu du/dx at the two centres
-        const double below = is_in_solid(s, a, face - sa)
-                                 ? 0
-                                 : 2 * s.viscosity[at(face - sa)] * (u[at(face)] - u[at(face - sa)]) / mesh.h(a, p - 1);
-        const double above = is_in_solid(s, a, face + sa)
-                                 ? 0
-                                 : 2 * s.viscosity[at(face)] * (u[at(face + sa)] - u[at(face)]) / mesh.h(a, p);
-        force += (above - below) / mesh.d(a, p);
+        RowArray low, high, between;
+        find_inverse(mesh.width[at(a)], a, place[at(a)] - 1, n, low);
+        find_inverse(mesh.width[at(a)], a, place[at(a)], n, high);
+        find_inverse(mesh.distance[at(a)], a, place[at(a)], n, between);
+#pragma GCC ivdep
+        for (int i = 0; i < n; ++i) {
+            double below = 2 * mu[i - sa] * (u[i] - u[i - sa]) * low[at(i)],
+                   above = 2 * mu[i] * (u[i + sa] - u[i]) * high[at(i)];
+            if (distance != nullptr) {
+                below = distance[i - sa] <= 0 ? 0 : below;
+                above = distance[i + sa] <= 0 ? 0 : above;
+            }
+            force[i] = (above - below) * between[at(i)];
+        }
     }
-    for (int b = 0; b < box.axes; ++b) {
+    for (int b = 0; b < mesh.box.axes; ++b) {
         if (b == a) {
             continue;
         }
-        const std::int64_t t = box.stride[at(b)];
-        const auto& v = s.carrier[at(b)];
+        const EdgeStress edges{mesh, s, a, b};
         const int q = place[at(b)];
-        const auto edge_stress = [&](std::int64_t f, int upper) {  // at the edge between f - t and f
-            if (is_in_solid(s, a, f) || is_in_solid(s, a, f - t)) {
-                return 0.0;
-            }
-            // on a side, what its ghosts hold: no eddies on a wall
-            const std::int64_t above = upper == 0 ? f - t : f, below = upper == box.cells[at(b)] ? f : f - t;
-            const double mu = 4 / (1 / s.viscosity[at(above)] + 1 / s.viscosity[at(below)] +
-                                   1 / s.viscosity[at(above - sa)] + 1 / s.viscosity[at(below - sa)]);
-            return mu * ((u[at(f)] - u[at(f - t)]) / mesh.d(b, upper) + (v[at(f)] - v[at(f - sa)]) / mesh.d(a, p));
-        };
-        force += (edge_stress(face + t, q + 1) - edge_stress(face, q)) / mesh.h(b, q);
+        RowArray low, high;
+        edges.find(start, b == 0 ? n + 1 : n, place, q, low.data());
+        const double* upper = low.data() + 1;
+        if (b != 0) {
+            edges.find(start + mesh.box.stride[at(b)], n, place, q + 1, high.data());
+            upper = high.data();
+        }
+        RowArray width;
+        find_inverse(mesh.width[at(b)], b, q, n, width);
+        for (int i = 0; i < n; ++i) {
+            force[i] += (upper[i] - low[at(i)]) * width[at(i)];
+        }
     }
-    return force;
+    for (int i = 0; distance != nullptr && i < n; ++i) {
+        force[i] = distance[i] <= 0 ? 0 : force[i];
+    }
 }
 
 void find_wall_drag(const GridSettings& settings, GridScratch& s) {
@@ -74,6 +134,10 @@ void find_wall_drag(const GridSettings& settings, GridScratch& s) {
             const std::array<int, 3> place{i, j, k};
             const double mu = 0.5 * (s.viscosity[at(f - sa)] + s.viscosity[at(f)]);
             const double here = distance[at(f)];
+            constexpr double far = 1e29;  // of faces that know no solid
+            if (here > far) {
+                return;
+            }
             if (here <= 0) {  // the open part of the face is a layer beside the solid
                 const double h = mesh.smallest_width(), layer = std::max(s.open.area[at(a)][at(f)], least_distance) * h;
                 drag = 2 * mu / (layer * layer);

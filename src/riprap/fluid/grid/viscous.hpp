@@ -6,12 +6,18 @@
 
 namespace riprap::fluid::grid {
 
-/// Force per volume of the stress mu (grad U + grad U^T) on the velocity cell at a face [N/m^3], from
-/// scratch.carrier's ghosts and values and scratch.viscosity. Viscosities at edges are harmonic means: shear along the
+/// Forces per volume of the stress mu (grad U + grad U^T) on a row of velocity cells [N/m^3], from scratch.carrier's
+/// ghosts and values, scratch.viscosity and scratch.fluidity. Viscosities at edges are harmonic means: shear along the
 /// surface is the same on both sides of it, and a velocity cell of air is not dragged by all of the water's viscosity.
 /// The shear of solids is left to find_wall_drag.
-double viscous_force(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face,
-                     const std::array<int, 3>& place);
+/// @param start  flat index of the first face of the row
+/// @param count  faces in the row, most_in_row at most
+/// @param place  of the first face along the axes
+void viscous_row(const GridSettings& settings, const GridScratch& s, int a, std::int64_t start, int count,
+                 const std::array<int, 3>& place, double* force);
+
+/// Longest piece of a row that is worked on at once: its arrays stay in the first cache [-].
+inline constexpr int most_in_row = 256;
 
 /// Shear of solids on each velocity cell per velocity relative to them (scratch.wall_drag): a face whose neighbour lies
 /// in a solid sees the wall at the distance where the signed distance between the two vanishes [kg/(m^3 s)].

@@ -43,7 +43,9 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
         build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
         return false;
     }
-    if ((wave.kind == Kind::regular || wave.kind == Kind::irregular) && wave.period == 0) {
+    const bool has_period =
+        wave.kind == Kind::regular || wave.kind == Kind::second_order || wave.kind == Kind::irregular;
+    if (has_period && wave.period == 0) {
         build.problem(table.place, "a regular wave without 'period'", "the period of the wave");
         return false;
     }
@@ -52,6 +54,45 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
         return false;
     }
     return true;
+}
+
+/// An inflow, or an outflow, on a side of the domain.
+bool read_open_side(CaseBuild& build, const Value& table, bool is_inflow, coupling::OpenSide& opening) {
+    using Kind = coupling::OpenSide::Kind;
+    const std::optional<int> entered = side_of(build, table);
+    if (!entered) {
+        return false;
+    }
+    opening.side = is_inflow ? *entered : *entered ^ 1;
+    opening.low = get_vector(table, "low");
+    opening.high = get_vector(table, "high");
+    for (int axis = 0; axis < (build.is_planar ? 2 : 3); ++axis) {
+        const bool is_flat = axis == opening.side / 2;
+        if (is_flat ? opening.low[axis] != opening.high[axis] : !(opening.low[axis] < opening.high[axis])) {
+            build.problem(
+                table.place,
+                fmt::format("the opening '{}' reaches from {} m to {} m along {}, towards {}", get_text(table, "name"),
+                            opening.low[axis], opening.high[axis], "xyz"[axis], get_text(table, "towards")),
+                "corners that agree along 'towards', and low below high along the others");
+            return false;
+        }
+    }
+    const Value* speed = table.find("speed");
+    const Value* level = table.find("level");
+    opening.speed = speed != nullptr ? speed->as_number() : 0;
+    opening.level = level != nullptr ? level->as_number() : opening.level;
+    opening.ramp = is_inflow ? get_number(table, "ramp") : 0;
+    opening.kind = is_inflow          ? Kind::inflow
+                   : speed != nullptr ? Kind::drawn
+                   : level != nullptr ? Kind::level
+                                      : Kind::free;
+    return true;
+}
+bool read_inflow(CaseBuild& build, const Value& table, coupling::OpenSide& opening) {
+    return read_open_side(build, table, true, opening);
+}
+bool read_outflow(CaseBuild& build, const Value& table, coupling::OpenSide& opening) {
+    return read_open_side(build, table, false, opening);
 }
 
 bool read_stones(CaseBuild& build, const Value& table, coupling::Stones& stones) {
@@ -111,8 +152,11 @@ bool read_list(CaseBuild& build, const Value& table, std::string_view name, std:
 
 bool read_field_tables(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
     const bool has_waves = read_list(build, table, "wave", scene.waves, read_wave);
+    const bool has_inflows = read_list(build, table, "inflow", scene.openings, read_inflow);
+    const bool has_outflows = read_list(build, table, "outflow", scene.openings, read_outflow);
     const bool has_stones = read_list(build, table, "porous", scene.stones, read_stones);
-    return read_list(build, table, "sponge", scene.calm, read_calm) && has_waves && has_stones;
+    return read_list(build, table, "sponge", scene.calm, read_calm) && has_waves && has_stones && has_inflows &&
+           has_outflows;
 }
 
 }  // namespace riprap::scene

@@ -85,7 +85,8 @@ const Table& fluid_wave_table() {
         {{"towards", {way}, "Where the waves go: \"x\" comes in through the low side along x.", {}, true},
          {"wave",
           {choice(side_waves())},
-          "Steady waves of finite height; one solitary wave of any height; one by the second-order formulas of "
+          "Steady waves of finite height, by the stream function or to Stokes' second order; one solitary wave of any "
+          "height; one by the second-order formulas of "
           "[Ding2021]; a sea of a JONSWAP spectrum; none, for a side that only absorbs.",
           Value::of("regular")},
          {"height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0.", {}},

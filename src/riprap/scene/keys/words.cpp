@@ -39,11 +39,9 @@ const Words<WaveKind>& wave_kinds() {
 
 const Words<coupling::WavesAtSide::Kind>& side_waves() {
     using Kind = coupling::WavesAtSide::Kind;
-    static const Words<Kind> words{{"regular", Kind::regular},
-                                   {"solitary", Kind::solitary},
-                                   {"boussinesq", Kind::boussinesq},
-                                   {"irregular", Kind::irregular},
-                                   {"none", Kind::none}};
+    static const Words<Kind> words{{"regular", Kind::regular},     {"second_order", Kind::second_order},
+                                   {"solitary", Kind::solitary},   {"boussinesq", Kind::boussinesq},
+                                   {"irregular", Kind::irregular}, {"none", Kind::none}};
     return words;
 }
 

@@ -28,6 +28,8 @@ void rising_bubble(const CaseSetting& setting, CaseReport& report);
 
 void solitary_wave(const CaseSetting& setting, CaseReport& report);
 void regular_waves(const CaseSetting& setting, CaseReport& report);
+void wave_propagation(const CaseSetting& setting, CaseReport& report);
+void overtopping(const CaseSetting& setting, CaseReport& report);
 void run_up(const CaseSetting& setting, CaseReport& report);
 void oscillating_cylinder(const CaseSetting& setting, CaseReport& report);
 void moving_square(const CaseSetting& setting, CaseReport& report);

@@ -78,7 +78,7 @@ void regular_waves(const CaseSetting& setting, CaseReport& report) {
     }
     GridSettings settings;
     const double end = 4 * length;
-    settings.mesh = Mesh({uniform_edges(0, end, static_cast<int>(end / (4 * h))), y, {0, 0.1}}, 2);
+    settings.mesh = Mesh({uniform_edges(0, end, setting.is_full ? 800 : 400), y, {0, 0.1}}, 2);  // 100 to a length
     settings.side[3].kind = SideKind::open;
     settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, 0.25 * period), true);
     settings.side[1] = absorbing_side(settings.mesh, 1, 1, 0, d);
@@ -107,6 +107,115 @@ void regular_waves(const CaseSetting& setting, CaseReport& report) {
     report.judge({"incident amplitude two lengths from the inlet over H/2", "-", {}, 1.0, {}},
                  2 * parts.incident / height, Relative{0.05});
     report.judge_below({"reflection by the absorbing side, kd = 0.3", "-", {}, 0.0, {}}, parts.reflection, 0.03);
+    trial.report_books(report);
+}
+
+void wave_propagation(const CaseSetting& setting, CaseReport& report) {
+    // Waves of H/d = 0.2 and kd = 1.2 over ten lengths, 10 cells to their height, 20 with --full, equal cells around
+    // the surface and wider ones below; a sponge of two lengths behind.
+    const double d = 0.5, height = 0.1, k = 1.2 / d, period = 2 * M_PI / std::sqrt(9.81 * k * std::tanh(1.2));
+    const int per_height = setting.is_full ? 20 : 10;
+    const wave::SteadyWave wave = wave::regular_wave(height, period, d, 9.81);
+    const double length = wave.length(), h = height / per_height, end = 13.5 * length, calm = 11.5 * length;
+    std::vector<double> y{0};
+    while (y.back() < d - height - 1e-9) {
+        y.push_back(std::min(d - height, y.back() + 4 * h));
+    }
+    while (y.back() < d + 1.2 * height - 1e-9) {
+        y.push_back(y.back() + h);
+    }
+    while (y.back() < d + 2 * height - 1e-9) {
+        y.push_back(y.back() + 2 * h);
+    }
+    GridSettings settings;
+    settings.mesh = Mesh({uniform_edges(0, end, static_cast<int>(end / (3 * h))), y, {0, 0.1}}, 2);
+    settings.side[3].kind = SideKind::open;
+    settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, 0.25 * period), false);
+    settings.sponges.push_back({[=](const Vec3& x) {
+        const double share = std::max(0.0, (x.x - calm) / (end - calm));
+        return 7 * std::sqrt(9.81 * d) / (end - calm) * share * share;
+    }});
+    GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < d; }));
+    trial.add("near", level_at(length, d));
+    trial.add("far", level_at(11 * length, d));
+    const double group = wave::linear_wave(height, period, d, 9.81).group_velocity();
+    const double arrival = 11 * length / group;
+    trial.run(arrival + 7 * period);
+    // mean height of the waves of three periods at either place, once the front has passed
+    const auto height_of = [&](const char* name, double from) {
+        double sum = 0;
+        for (int n = 0; n < 3; ++n) {
+            double low = 1e9, high = -1e9;
+            for (std::size_t i = 0; i < trial.time().size(); ++i) {
+                const double turns = (trial.time()[i] - from) / period - n;
+                if (turns >= 0 && turns < 1) {
+                    low = std::min(low, trial.column(name)[i]);
+                    high = std::max(high, trial.column(name)[i]);
+                }
+            }
+            sum += (high - low) / 3;
+        }
+        return sum;
+    };
+    const double near = height_of("near", length / group + 4 * period), far = height_of("far", arrival + 4 * period);
+    const std::string name = fmt::format("{} cells to the height", per_height);
+    report.judge({name + ": height one length from the inlet over H", "-", {}, 1.0, {}}, near / height, Relative{0.05});
+    report.judge_below({name + ": loss of height over ten lengths", "-", {}, 0.0, {}}, 1 - far / near, 0.02);
+    trial.report_books(report);
+    Plot plot{"Surface one and eleven lengths from the inlet", "", {"t/T", false}, {"elevation/H", false}, {}, false};
+    for (const char* place : {"near", "far"}) {
+        Curve curve{place, {}, {}, CurveStyle::line, place[0] == 'n' ? 0 : 1};
+        for (std::size_t i = 0; i < trial.time().size(); ++i) {
+            curve.x.push_back(trial.time()[i] / period);
+            curve.y.push_back(trial.column(place)[i] / height);
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    write_plot(setting, "wave_propagation", plot);
+}
+
+void overtopping(const CaseSetting& setting, CaseReport& report) {
+    // Steady flow over a broad crest with slopes of 1:2, q = (2/3)^1.5 sqrt(g) H^1.5 with the head H over the crest
+    // [EurOtop2018, ch. 4]; q = 0.1 m^2/s comes in below, what goes over falls out of the domain.
+    const double q = 0.1, crest = 0.3, h = setting.is_full ? 0.00625 : 0.0125;
+    const double factor = std::pow(2.0 / 3, 1.5) * std::sqrt(9.81), head = std::pow(q / factor, 2.0 / 3);
+    GridSettings settings =
+        make_tank({}, {3.2, 0.6, 0.1}, {static_cast<int>(3.2 / (2 * h)), static_cast<int>(std::lround(0.6 / h)), 1});
+    settings.side[1].kind = settings.side[3].kind = SideKind::open;
+    settings.side[0].kind = SideKind::inflow;
+    settings.side[0].inflow = [=](const Vec3& x, double) {
+        return x.y < 0.25 ? Inflow{{q / 0.25, 0, 0}, 1} : Inflow{{}, 0, true};
+    };
+    coupling::GridBody dike;
+    dike.parts.push_back({{{1, 0, -1},
+                           {3, 0, -1},
+                           {2.4, crest, -1},
+                           {1.6, crest, -1},
+                           {1, 0, 1},
+                           {3, 0, 1},
+                           {2.4, crest, 1},
+                           {1.6, crest, 1}},
+                          {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+                          {}});
+    GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < crest + head && x.x < 1.8; }));
+    set_open_shares(settings, trial.state(), trial.scratch(), coupling::cut_bodies(settings.mesh, {dike}).open);
+    trial.add("level", [](const GridTrial& t) { return read_level(t.settings(), t.state(), {0.6, 0, 0}, 1); });
+    trial.add("flow", [](const GridTrial& t) {
+        const Mesh& mesh = t.settings().mesh;
+        const int i = mesh.cell_at(0, 2.0);
+        double sum = 0;
+        for (int j = 0; j < mesh.box.cells[1]; ++j) {
+            sum += t.scratch().water_flux[0][at(mesh.box.index(i, j, 0))];
+        }
+        return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
+    });
+    const double end = 15;
+    trial.run(end);
+    const double level = mean_over(trial.time(), trial.column("level"), end - 5, end);
+    const double over = mean_over(trial.time(), trial.column("flow"), end - 5, end);
+    const double energy = level - crest + std::pow(q / level, 2) / (2 * 9.81);
+    report.judge({"head over the crest at a flow of 0.1 m^2/s", "m", {}, head, {}}, energy, Relative{0.05});
+    report.judge({"flow over the crest", "m^2/s", {}, q, "what comes in"}, over, Relative{0.02});
     trial.report_books(report);
 }
 
