@@ -150,6 +150,39 @@ std::string two_cubes(const std::string& position) {
            "[[body]]\nname = \"b\"\nmaterial = \"rock\"\nshape = { cube = 1 }\nposition = " + position + "\n";
 }
 
+/// A layer of core-locs on a slope of 1:2 that is 12 m long and 8 m wide.
+std::string armour(const std::string& keys) {
+    return with(minimal_case, "[[body]]",
+                "[[pack]]\nname = \"layer\"\nmaterial = \"rock\"\nslope = { shape = { armour = { unit = \"core_loc\", "
+                "nominal_diameter = 1.0 } }, from = [10.0, 0.0, 0.0], to = [20.733126, 0.0, 5.366563], " +
+                    keys + " }\n[[body]]");
+}
+
+TEST(ArmourLayer, has_the_units_of_its_packing_density_on_the_slope_and_none_starts_in_another) {
+    for (const char* placement : {"regular", "random"}) {
+        const LoadedCase loaded = read(
+            armour("width = 8.0, layers = 1, packing_density = 0.6, placement = \"" + std::string(placement) + "\""));
+        const auto count = loaded.model.bodies.size() - 1;
+        EXPECT_EQ(count, 9 * 6) << placement;  // pitch 1/sqrt(0.6) = 1.291 m
+        const Vec3 out = normalized(Vec3{-1, 0, 2});
+        for (std::int32_t b = 0; b < count; ++b) {
+            const Vec3 x = loaded.state.bodies.position[static_cast<std::size_t>(b)] - Vec3{10, 0, 0};
+            EXPECT_GT(dot(x, out), 0.3) << placement;  // on the slope
+            EXPECT_GE(x.y, -1e-9);
+            EXPECT_LE(x.y, 8.0);
+        }
+    }
+}
+
+TEST(ArmourLayer, on_a_slope_that_falls_or_without_width_is_refused) {
+    EXPECT_THAT(problems_of(armour("layers = 1, packing_density = 0.6")),
+                testing::ElementsAre(testing::HasSubstr("a slope in space without 'width'")));
+    EXPECT_THAT(problems_of(with(armour("width = 8.0, packing_density = 0.6"), "5.366563", "-5.366563")),
+                testing::ElementsAre(testing::HasSubstr("a slope that does not rise")));
+    EXPECT_THAT(problems_of(armour("width = 8.0, packing_density = 0.001")),
+                testing::ElementsAre(testing::HasSubstr("no unit fits on the slope")));
+}
+
 TEST(InitialOverlaps, two_blocks_on_the_same_place_are_refused) {
     EXPECT_THAT(
         problems_of(two_cubes("[0, 0, 0]")),

@@ -9,6 +9,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/passage_verdict.hpp"
+#include "riprap/run/settle.hpp"
 #include "riprap/run/step_choice.hpp"
 #include "riprap/sim/ledger_table.hpp"
 
@@ -19,6 +20,9 @@ Simulation::Simulation(scene::LoadedCase loaded)
       initial_(loaded_.state),
       bound_(sim::time_step_bound(loaded_.model, loaded_.state)),
       watch_(loaded_.model) {
+    if (model().time.settle > 0) {
+        settle(loaded_, initial_);
+    }
     sim::initialise(model(), initial_);
     state_ = initial_;
     set_end(model().time.end, model().time.max_steps);

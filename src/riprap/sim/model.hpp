@@ -28,6 +28,7 @@ struct TimeSettings {
     double time_step{0};          ///< fixed step asked for [s]; 0 = from the bound
     double factor{0.15};          ///< s: share of the stability limit 2/omega_max used by the automatic step [-]
     bool force_time_step{false};  ///< accept a time_step above the bound
+    double settle{0};             ///< free bodies come to rest for so long without water before time 0 [s]
     std::int64_t max_steps{-1};   ///< stop after so many steps; -1 = no limit
     bool is_automatic() const { return time_step <= 0; }
 };
@@ -41,6 +42,14 @@ struct Probe {
     std::optional<Vec3> point{};  ///< of the body, in its frame from its centre of mass; empty = that centre [m]
 };
 
+/// Damage of a group of armour units: how many of them have moved farther than a distance since time 0.
+struct Damage {
+    std::string name;            ///< columns NAME.displaced and NAME.n_od
+    std::vector<BodyId> bodies;  ///< the units
+    double distance{0};          ///< a unit is displaced beyond this [m]
+    double strips{1};            ///< width of the group over the nominal diameter: N_od = displaced/strips [-]
+};
+
 struct OutputSettings {
     double interval{0};              ///< between frames [s]; 0 = end/100
     double probe_interval{0};        ///< between rows of probes.csv and ledger.csv [s]; 0 = end/1000
@@ -50,6 +59,7 @@ struct OutputSettings {
     bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
     std::vector<fluid::Gauge> gauges;
+    std::vector<Damage> damage;
     std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 

@@ -118,6 +118,18 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
     });
 }
 
+/// Number of units of a group that have moved farther than its distance, or N_od, that number per strip as wide as a
+/// nominal diameter.
+double read_damage(const Moment& moment, const Damage& group, int component) {
+    double displaced = 0;
+    for (const BodyId body : group.bodies) {
+        const auto b = static_cast<std::size_t>(body.value);
+        const Vec3 moved = moment.state.bodies.position[b] - moment.initial.bodies.position[b];
+        displaced += norm(moved) > group.distance ? 1 : 0;
+    }
+    return component == 0 ? displaced : displaced / group.strips;
+}
+
 /// The column of one quantity with the component that the text gave (-1 = none); nothing where they do not fit.
 std::optional<Column> make_column(std::string_view text, BodyId body, const QuantityInfo* quantity, int component,
                                   bool is_planar) {
@@ -163,6 +175,10 @@ double evaluate(const Column& column, const Moment& moment) {
         return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
                                              : gauge)[static_cast<std::size_t>(column.component)];
     }
+    if (column.damage >= 0) {
+        return read_damage(moment, moment.model.output.damage[static_cast<std::size_t>(column.damage)],
+                           column.component);
+    }
     if (column.point) {
         return body_quantities()[line_of(*column.quantity).place].of_point(moment, column.body,
                                                                            *column.point)[column.component];
@@ -204,6 +220,12 @@ std::vector<Column> record_columns(const Model& model) {
             columns.push_back({name, unit_in(info.unit, model.bodies.is_planar), BodyId{}, nullptr, c, std::nullopt,
                                static_cast<std::int32_t>(g)});
         }
+    }
+    for (std::size_t d = 0; d < model.output.damage.size(); ++d) {
+        const auto group = static_cast<std::int32_t>(d);
+        const std::string& name = model.output.damage[d].name;
+        columns.push_back({name + ".displaced", "-", BodyId{}, nullptr, 0, std::nullopt, -1, group});
+        columns.push_back({name + ".n_od", "-", BodyId{}, nullptr, 1, std::nullopt, -1, group});
     }
     return columns;
 }

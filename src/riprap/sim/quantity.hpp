@@ -52,6 +52,7 @@ struct Column {
     int component{0};             ///< 0 to components - 1
     std::optional<Vec3> point{};  ///< see Probe
     std::int32_t gauge{-1};       ///< index into the gauges of the model, which then says it all; -1 = none
+    std::int32_t damage{-1};      ///< index into the groups whose damage is recorded, likewise; -1 = none
 };
 
 /// Tells whether a quantity can be asked of any point of a body: its place and how it moves.
@@ -67,7 +68,7 @@ std::string unit_in(std::string_view unit, bool is_planar);
 /// The columns of one probe, named after it: one for a scalar, three for a vector.
 std::vector<Column> columns_of(const Probe& probe, bool is_planar);
 
-/// The columns of probes.csv: probes, then gauges, in the order of the case.
+/// The columns of probes.csv: probes, then gauges, then damage, in the order of the case.
 std::vector<Column> record_columns(const Model& model);
 
 /// Finds what an [[expect]] names: a column of a probe or gauge ("gauge" or "gauge.x"), a quantity of the scene

@@ -45,7 +45,7 @@ struct CaseBuild {
     std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
     bool has_all_bodies{true};                     ///< none is missing for a problem of its own
     bool has_sound_bodies{true};                   ///< none is too small, too large or too far away to be computed with
-    std::set<std::string> records{};               ///< names of all probes and gauges that the case gives
+    std::set<std::string> records{};               ///< names of all probes, gauges and damage of the case
     std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
 
     void problem(const SourcePlace& place, std::string message, std::string allowed = "") {

@@ -119,6 +119,11 @@ void check_filling(CaseBuild& build, const Value& list, const coupling::Filling&
 
 /// Builds a fluid of particles: where they start, what carries their walls, where they come and go.
 void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings scheme) {
+    if (build.model.time.settle > 0) {
+        build.problem(table->place, "bodies that settle in the dry, and particles of water that lie around them",
+                      "settle = 0, or a fluid without particles");
+        return;
+    }
     coupling::ParticleFluid fluid;
     fluid.scheme = std::move(scheme);
     fluid.settings().particle_mass =

@@ -154,6 +154,8 @@ void build_packs(CaseBuild& build) {
         }
         if (const Value* voronoi = table.find("voronoi")) {
             build_voronoi(build, table, *voronoi, common);
+        } else if (const Value* slope = table.find("slope")) {
+            build_slope(build, *slope, common);
         } else {
             build_lattice(build, get(table, "lattice"), common);
         }

@@ -273,6 +273,47 @@ void read_expect(CaseBuild& build, const Value& table) {
     build.model.expects.push_back(std::move(expect));
 }
 
+/// Nominal diameter of a body: edge of the cube of its volume, in planar scenes of the square of its area [m].
+double nominal_diameter(const sim::Model& model, BodyId body) {
+    double volume = 0;
+    for (auto p = model.bodies.part_begin[at(body.value)]; p < model.bodies.part_begin[at(body.value) + 1]; ++p) {
+        volume += model.shapes.volume(model.bodies.parts[at(p)].shape);
+    }
+    return model.bodies.is_planar ? std::sqrt(volume) : std::cbrt(volume);
+}
+
+void read_damage(CaseBuild& build, const Value& table) {
+    const sim::Model& model = build.model;
+    sim::Damage damage;
+    damage.name = get_text(table, "name");
+    for (const Value& name : get(table, "bodies").items) {
+        const std::size_t before = damage.bodies.size();
+        for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+            if (model.bodies.names[at(model.bodies.name_id[at(b)])] == name.text) {
+                damage.bodies.push_back(BodyId{b});
+            }
+        }
+        if (damage.bodies.size() == before && (!build.is_claimed(name.text) || build.problems.empty())) {
+            const std::string meant = nearest(name.text, model.bodies.names);
+            build.problem(name.place, fmt::format("there is no body '{}'", name.text),
+                          meant.empty() ? "a name of [[body]] or [[pack]]" : fmt::format("did you mean '{}'?", meant));
+        }
+    }
+    if (damage.bodies.empty()) {
+        return;
+    }
+    const double diameter = nominal_diameter(model, damage.bodies.front());
+    damage.distance = get_number_or(table, "distance", diameter);
+    const Value* width = table.find("width");
+    if (!build.is_planar && width == nullptr) {
+        build.problem(table.place, fmt::format("the damage of '{}' without 'width'", damage.name),
+                      "the width of the layer along the breakwater");
+        return;
+    }
+    damage.strips = build.is_planar || !(diameter > 0) ? 1 : width->as_number() / diameter;
+    build.model.output.damage.push_back(std::move(damage));
+}
+
 }  // namespace
 
 void build_settings(CaseBuild& build) {
@@ -329,10 +370,16 @@ void build_output(CaseBuild& build) {
     for (const Value& gauge : get(output, "gauge").items) {
         build.records.insert(get_text(gauge, "name"));
     }
+    for (const Value& damage : get(output, "damage").items) {
+        build.records.insert(get_text(damage, "name"));
+    }
     for (const Value& probe : get(output, "probe").items) {
         read_probe(build, probe);
     }
     build_gauges(build, get(output, "gauge"));  // after the probes, whose names are taken
+    for (const Value& damage : get(output, "damage").items) {
+        read_damage(build, damage);
+    }
     for (const Value& expect : get(build.root, "expect").items) {
         read_expect(build, expect);
     }

@@ -20,6 +20,9 @@ BodyId add_recipe_block(CaseBuild& build, body::NewBody block, std::int64_t inde
 /// Tells whether there is room for `count` more bodies; a problem at `place` where there is none.
 bool has_room(CaseBuild& build, const SourcePlace& place, const std::string& name, std::size_t count);
 
+/// Places armour units on a slope, as the table `slope` of a pack says.
+void build_slope(CaseBuild& build, const Value& slope, const body::NewBody& common);
+
 /// Tells whether geometry has an answer; its problems at `place` where it has none.
 template <class T>
 bool accept(CaseBuild& build, const geometry::Outcome<T>& outcome, const SourcePlace& place) {

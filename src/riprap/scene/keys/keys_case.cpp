@@ -13,10 +13,14 @@ using namespace form;
 
 KeyList<sim::TimeSettings> time_keys() {
     using S = sim::TimeSettings;
-    return {key::number(&S::factor, "time_step_factor", dimension::plain, above(0, 1),
-                        "Share of the stability limit 2/omega_max that \"auto\" uses."),
-            key::boolean(&S::force_time_step, "force_time_step", "Accept a time_step above the stability limit."),
-            key::integer(&S::max_steps, "max_steps", -1, 1e15, "Stop after so many steps; -1 = no limit.")};
+    return {
+        key::number(&S::factor, "time_step_factor", dimension::plain, above(0, 1),
+                    "Share of the stability limit 2/omega_max that \"auto\" uses."),
+        key::boolean(&S::force_time_step, "force_time_step", "Accept a time_step above the stability limit."),
+        key::number(&S::settle, "settle", dimension::time, non_negative(),
+                    "Before time 0 free bodies come to rest for so long, without water and with driven bodies where "
+                    "they start; displacements and damage count from there. With fluids without particles."),
+        key::integer(&S::max_steps, "max_steps", -1, 1e15, "Stop after so many steps; -1 = no limit.")};
 }
 
 namespace {

@@ -70,6 +70,45 @@ const Table& lattice_table() {
     return table;
 }
 
+const Table& slope_table() {
+    static const Table table{
+        "pack.slope",
+        "slope = { ... }",
+        "Armour units on a slope, row by row from its foot and layer by layer, each as low as it can lie clear of "
+        "those "
+        "before it: by spheres around their parts, so that they touch nowhere yet. The top-level `settle` lets them "
+        "come "
+        "to rest.",
+        {{"shape", {form::table(shape_table)}, "Of a unit.", {}, true},
+         {"from",
+          {vector(dimension::length)},
+          "Foot of the slope; in space its end at which the layer begins.",
+          {},
+          true},
+         {"to", {vector(dimension::length)}, "Head of the slope, up from there.", {}, true},
+         {"width",
+          {number(dimension::length, positive())},
+          "Of the layer along the breakwater, to the left of who looks up the slope; not in planar scenes.",
+          {}},
+         {"layers", {integer(1, 16)}, "Layers of units.", Value::of(2)},
+         {"packing_density",
+          {number(dimension::plain, positive())},
+          "Units of all layers on D_n^2 of slope, D_n the nominal diameter; on D_n of it in planar scenes.",
+          {},
+          true},
+         {"placement",
+          {choice({"regular", "random"})},
+          "In rows half a pitch apart, with the orientation that is given; or anywhere, turned at random.",
+          Value::of("regular")},
+         {"orientation",
+          {form::table(orientation_table)},
+          "Turn of the units of the lowest layer, x up the slope, normal to it y in planar scenes, else z.",
+          {}},
+         {"upper_orientation", {form::table(orientation_table)}, "Of units of the other layers; as the lowest.", {}},
+         {"seed", {integer(0, 9e15)}, "Own seed; otherwise from the seed of the case and the name.", {}}}};
+    return table;
+}
+
 const Table& joint_set_table() {
     static const Table table{
         "rock_mass.joint_set",
@@ -108,10 +147,11 @@ const Table& pack_table() {
          {"material", {form::name()}, "Name of the material of all blocks.", {}, true},
          {"voronoi", {form::table(voronoi_table)}, "Cells that fill a box.", {}},
          {"lattice", {form::table(lattice_table)}, "A mix of shapes on a lattice.", {}},
+         {"slope", {form::table(slope_table)}, "Armour units on a slope.", {}},
          {"velocity", {vector(dimension::velocity)}, "Velocity of every block at the start.", Value::of(Vec3{})},
          {"fixed", {boolean()}, "The blocks do not move.", Value::of(false)},
          {"release_time", {number(dimension::time, non_negative())}, "Fixed blocks become free at this time.", {}}},
-        {{GroupRule::exactly_one, {"voronoi", "lattice"}}}};
+        {{GroupRule::exactly_one, {"voronoi", "lattice", "slope"}}}};
     return table;
 }
 

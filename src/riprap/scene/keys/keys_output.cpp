@@ -85,6 +85,22 @@ const Table& gauge_table() {
     return table;
 }
 
+const Table& damage_table() {
+    static const Table table{
+        "output.damage",
+        "[[output.damage]]",
+        "Damage of a layer of armour units: columns NAME.displaced, the units that have moved farther than `distance` "
+        "since time 0, and NAME.n_od, that number per strip as wide as the nominal diameter D_n.",
+        {{"name", {form::name()}, "Name of the columns.", {}, true},
+         {"bodies", {list(text(), 1, 64)}, "Names of [[body]] or [[pack]]: all units of each.", {}, true},
+         {"distance", {number(dimension::length, positive())}, "D_n when not given.", {}},
+         {"width",
+          {number(dimension::length, positive())},
+          "Of the layer along the breakwater; a planar scene is one strip.",
+          {}}}};
+    return table;
+}
+
 }  // namespace
 
 KeyList<sim::OutputSettings> output_keys() {
@@ -106,6 +122,7 @@ const Table& output_table() {
         std::vector<Key> keys = rows_of(output_keys());
         keys.push_back({"probe", {table_list(probe_table)}, "Time histories.", Value::array()});
         keys.push_back({"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()});
+        keys.push_back({"damage", {table_list(damage_table)}, "Damage of armour layers.", Value::array()});
         return Table{"output", "[output]", "What is written and watched, and how often.", keys};
     }();
     return table;
