@@ -49,7 +49,7 @@ GridTrial make_breakwater(const Breakwater& breakwater) {
     settings.courant = breakwater.courant;
     settings.side[3].kind = SideKind::open;
     settings.side[0] = wave_side(settings.mesh, 0, 1, 0, Breakwater::depth, incoming(breakwater),
-                                 breakwater.has_structure);  // nothing comes back from a flat bed
+                                 true);  // nothing comes back from a flat bed
     settings.side[1] = absorbing_side(settings.mesh, 1, 1, 0, Breakwater::depth);
     if (breakwater.has_structure) {
         settings.porous.push_back({{0.40, 0.3, 50, 2, 0.34, 72, PorousClosure::ding},
