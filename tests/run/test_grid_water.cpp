@@ -191,12 +191,14 @@ TEST(GridWater, takes_openings_on_sides_of_the_domain_alone_and_whole_sides_wher
 
 TEST(GridWater, that_does_not_feel_bodies_lifts_one_with_what_it_displaced_at_the_start) {
     Walk walk(with_key(floating_box(0.2, 50), "method = \"grid\"", "method = \"grid\"\ncoupling = \"one_way\""));
+    walk.go(2);  // the first step had no acceleration to guess from
+    const double gap = walk.value("coupling_gap");
     walk.go(8);
     const double upwards = (1000.0 / 50 - 1) * 9.81;  // no added mass
     EXPECT_NEAR(walk.value("box.velocity.y"), upwards * walk.simulation.state().time,
                 1e-6 * upwards * walk.simulation.state().time);
     EXPECT_LT(walk.value("max_water_speed"), 1e-9);
-    EXPECT_LT(std::abs(walk.value("coupling_gap")), 1e-9 * walk.simulation.report().ledger.turnover);
+    EXPECT_NEAR(walk.value("coupling_gap"), gap, 1e-9 * walk.simulation.report().ledger.turnover);
 }
 
 TEST(GridWater, pressure_iterations_of_a_step_are_a_quantity) {

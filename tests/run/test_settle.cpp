@@ -35,7 +35,7 @@ fixed = true
 [[pack]]
 name = "armour"
 material = "concrete"
-slope = { shape = { armour = { unit = "tetrapod", nominal_diameter = 0.8 } }, from = [2.2, 0.13], to = [8.0, 4.0], packing_density = 0.9, upper_orientation = { angle = "180 deg" } }
+slope = { shape = { armour = { unit = "tetrapod", nominal_diameter = 0.8 } }, from = [2.25, 0.166667], to = [8.0, 4.0], packing_density = 0.9, upper_orientation = { angle = "180 deg" } }
 [[output.damage]]
 name = "armour"
 bodies = ["armour"]
