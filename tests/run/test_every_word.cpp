@@ -76,6 +76,11 @@ quantity = "solid.kinetic"
 )";
 }
 
+/// The same of a body that spheres stand for.
+std::string spheres(const std::string& shape, const std::string& given) {
+    return falling(shape + "\nspheres = { " + given + " }") + "[solid]\nmethod = \"sphere_dem\"\n";
+}
+
 /// A flume of still water with a paddle at its end, at rest in x = 0.
 std::string flume(const std::string& paddle, const std::string& wave, const std::string& more) {
     return R"(dimension = 2
@@ -269,6 +274,12 @@ const std::map<std::string, Scene>& scenes() {
          [](const std::string& word) {
              return ground("{ mesh = { file = \"p.obj\", units = \"" + word + "\", thickness = 1e-4 } }");
          }},
+        {"body.spheres.units",
+         [](const std::string& word) {
+             return spheres("{ cube = 10.0 }", "file = \"s.txt\", mass_of = \"spheres\", units = \"" + word + "\"");
+         }},
+        {"body.spheres.mass_of",
+         [](const std::string& word) { return spheres("{ cube = 1.0 }", "shell = 2, mass_of = \"" + word + "\""); }},
         {"fluid.wave.wave", [](const std::string& word) { return grid_water(word, "ding"); }},
         {"fluid.porous.closure", [](const std::string& word) { return grid_water("regular", word); }},
         {"shape.surface.units",
@@ -300,6 +311,7 @@ const std::map<std::string, std::string>& excused() {
 TEST(EveryWord, of_a_choice_gives_a_result_of_its_own) {
     const TemporaryFolder folder;
     std::ofstream(folder / "p.csv") << "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n";
+    std::ofstream(folder / "s.txt") << "0.1 0 0 0.3\n";
     std::ofstream(folder / "p.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     std::ofstream(folder / "p.asc") << "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
                                        "0 0.1 0\n0 0.2 0\n0 0.1 0\n";
