@@ -44,6 +44,28 @@ std::vector<Vec3> section(const std::array<double, 3>& n, double d, int axes) {
     return points;
 }
 
+/// Way from the centre of a full cell to its point: up to half a cell below a surface that lies in the lower half of a
+/// cell beside it, which has no point of its own, so that the surface of balls rises without steps [m].
+Vec3 way_to_surface(const Mesh& mesh, const GridState& state, const std::vector<CellPlane>& plane, std::int64_t c,
+                    const Vec3& size) {
+    Vec3 way{};
+    double farthest = 0;
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        for (const int side : {-1, 1}) {
+            const std::int64_t beside = c + side * mesh.box.stride[at(a)];
+            const double fraction = state.fraction[at(beside)];
+            const auto& n = plane[at(beside)].n;
+            const double most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+            if (is_mixed(fraction) && fraction < 0.5 && side * n[at(a)] >= most && fraction > farthest) {
+                farthest = fraction;
+                way = {};
+                way[a] = side * fraction * size[a];
+            }
+        }
+    }
+    return way;
+}
+
 }  // namespace
 
 ShownWater show_water(const GridSettings& settings, const GridState& state, const OpenShares& open) {
@@ -78,6 +100,9 @@ ShownWater show_water(const GridSettings& settings, const GridState& state, cons
                 }
                 if (fraction < 0.5) {
                     continue;
+                }
+                if (fraction >= 1 - 1e-3) {
+                    place += way_to_surface(mesh, state, plane, c, size);
                 }
                 Vec3 velocity{};
                 for (int a = 0; a < box.axes; ++a) {
