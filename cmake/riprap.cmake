@@ -49,6 +49,8 @@ if(${has_avx512})
   list(APPEND RIPRAP_KERNEL_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns>)
 endif()
 
+include(cmake/precompiled.cmake)
+
 # riprap_library(NAME DEPENDS other... ): one library per folder, alias riprap::NAME, sources are the .cpp beside it.
 # Arrows between folders are the DEPENDS lists; a wrong one is a link error.
 function(riprap_library name)
@@ -62,6 +64,7 @@ function(riprap_library name)
     # hidden names the code is that of a program, calls and inlining included.
     set_target_properties(riprap_${name} PROPERTIES
       POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    riprap_precompile(riprap_${name} library ${arg_PRIVATE})
   else()
     add_library(riprap_${name} INTERFACE)
     target_link_libraries(riprap_${name} INTERFACE riprap_flags ${arg_DEPENDS})
@@ -81,5 +84,7 @@ function(riprap_test name)
   target_link_libraries(test_${name} PRIVATE riprap_flags ${arg_LINK} ${arg_PRIVATE} GTest::gmock_main)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE RIPRAP_SOURCE_DIR=".")
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # tests are compiled once and run once
+  riprap_precompile(test_${name} test ${arg_PRIVATE})
   gtest_discover_tests(test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTIES ENVIRONMENT "OMP_WAIT_POLICY=passive" DISCOVERY_TIMEOUT 60)
 endfunction()
