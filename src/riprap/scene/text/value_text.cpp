@@ -9,7 +9,7 @@ namespace riprap::scene {
 namespace {
 
 /// Escapes shared by TOML basic strings and JSON.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr const char* hex = "0123456789abcdef";
     std::string out = "\"";
     for (const char c : text) {
@@ -36,7 +36,7 @@ std::string toml_key(const std::string& key) {
     const bool is_bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     });
-    return is_bare ? key : quoted(key);
+    return is_bare ? key : in_quotes(key);
 }
 
 bool is_table_list(const Value& value) {
@@ -53,7 +53,7 @@ std::string scalar_text(const Value& value) {
         case ValueKind::number:
             return number_text(value.number);
         default:
-            return quoted(value.text);
+            return in_quotes(value.text);
     }
 }
 
@@ -117,7 +117,7 @@ void json(const Value& value, const std::string& indent, std::string& out) {
     } else if (value.is_table()) {
         out += '{';
         for (std::size_t i = 0; i < value.entries.size(); ++i) {
-            out += (i > 0 ? ",\n" : "\n") + inner + quoted(value.entries[i].key) + ": ";
+            out += (i > 0 ? ",\n" : "\n") + inner + in_quotes(value.entries[i].key) + ": ";
             json(value.entries[i].value, inner, out);
         }
         out += value.entries.empty() ? "}" : "\n" + indent + "}";
