@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices.
+// Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices. What stands still is solid
+// where it is behind the water, and glass where it would hide it.
 
 import * as THREE from 'three';
 import {FIXED, MAPS, colourAt, materialColour} from './colours.js';
+import {upOf} from './framing.js';
+import {groundGeometry, groundMaterial, isOpen, rimOf, welded} from './ground.js';
 import {planesOf} from './planes.js';
 import {MOTION_VALUES as MOTION, POSE_VALUES as POSE} from './recording.js';
 import {Stresses} from './stresses.js';
 
-const FAINT = 0.16;  // opacity of fixed bodies beside water
+const FAINT = 0.16;       // opacity of fixed bodies before water
+const WALL = 0.12;        // of upright half-spaces
+const FLOOR = 0.35;       // of others
+const HIDING = 0.3;       // share of looks at the water that a body must stop to become glass
+const MOST_ALONE = 40;    // fixed bodies of one shape that are drawn one by one
+const MOST_TRIANGLES = 60_000;  // that looks are tried against
 
 const EDGE_VERTEX = `
   attribute mat4 block;
@@ -64,13 +72,20 @@ export class Blocks {
     this.colourBy = 'material';
     this.selected = -1;
     this.edgeColour = new THREE.Color(0x000000);
+    this.up = upOf(contents);
     const bodies = contents.bodies;
     const isFixed = body => first.motion[MOTION * body + 9] === 0;
     shapes.forEach((shape, s) => {
       if (shape.faces.length > 1) {
         const members = bodies.shape.flatMap((of, body) => of === s ? [body] : []);
         this.#add(shape, members.filter(body => !isFixed(body)));
-        this.#add(shape, members.filter(isFixed), contents.water !== null);  // what holds the water may not hide it
+        const whole = contents.is_planar ? shape : welded(shape);
+        if (!contents.is_planar && isOpen(whole)) {
+          this.#addGround(whole, members.filter(isFixed));
+        } else {
+          const still = members.filter(isFixed);  // one hides the water, another does not
+          (still.length > MOST_ALONE ? [still] : still.map(body => [body])).forEach(some => this.#add(shape, some));
+        }
       }
     });
     planesOf(bodies, shapes, first.pose, box).forEach((shape, body) => this.#add(shape, [body]));
@@ -78,29 +93,46 @@ export class Blocks {
     this.group.add(this.stresses.group);
   }
 
-  #add(shape, members, isFaint = false) {
+  #add(shape, members) {
     if (members.length === 0) {
       return;
     }
     const isPlane = shape.faces.length === 1;
     const material = new THREE.MeshLambertMaterial({side: THREE.FrontSide, flatShading: true});
-    if (isPlane || isFaint) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
-      Object.assign(material, {transparent: true, opacity: isPlane ? 0.35 : FAINT, depthWrite: false});
+    if (isPlane) {  // a wall is seen from the side of the blocks only, and lets edges behind it through
+      Object.assign(material, {transparent: true, depthWrite: false, opacity: this.#isUpright(shape, members[0]) ? WALL : FLOOR});
     }
-    const mesh = new THREE.InstancedMesh(trianglesOf(shape), material, members.length);
+    this.#addMesh(trianglesOf(shape), material, members, edgesOf(shape), {isPlane});
+  }
+
+  #isUpright(shape, body) {
+    const [a, b, c] = shape.faces[0].map(k => new THREE.Vector3().fromArray(shape.corners, 3 * k)), p = this.first;
+    const normal = b.sub(a).cross(c.sub(a)).normalize().applyQuaternion(
+        new THREE.Quaternion(p[POSE * body + 4], p[POSE * body + 5], p[POSE * body + 6], p[POSE * body + 3]));
+    return Math.abs(normal.dot(this.up)) < 0.5;
+  }
+
+  #addGround(shape, members) {
+    if (members.length > 0) {
+      this.#addMesh(groundGeometry(shape), groundMaterial(shape, this.up), members, rimOf(shape), {isPlane: false});
+    }
+  }
+
+  #addMesh(geometry, material, members, edgePlaces, {isPlane}) {
+    const mesh = new THREE.InstancedMesh(geometry, material, members.length);
     mesh.frustumCulled = false;
     mesh.renderOrder = isPlane ? -1 : 0;
-    mesh.userData = {members, isPlane, isFaint};
-    mesh.castShadow = !isPlane && !isFaint;
-    mesh.receiveShadow = !isFaint;
+    mesh.userData = {members, isPlane, isFaint: false};
+    mesh.castShadow = !isPlane;
+    mesh.receiveShadow = true;
     mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(3 * members.length), 3);
     const lines = new THREE.InstancedBufferGeometry();
-    lines.setAttribute('position', new THREE.Float32BufferAttribute(edgesOf(shape), 3));
+    lines.setAttribute('position', new THREE.Float32BufferAttribute(edgePlaces, 3));
     lines.setAttribute('block', mesh.instanceMatrix);
     lines.instanceCount = members.length;
     const edges = new THREE.LineSegments(lines, new THREE.ShaderMaterial({
       vertexShader: EDGE_VERTEX, fragmentShader: EDGE_FRAGMENT, transparent: true,
-      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane || isFaint ? 0.3 : 0.8}}}));
+      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane ? 0.3 : 0.8}}}));
     edges.frustumCulled = false;
     edges.visible = !isPlane || this.contents.is_planar;  // there a wall is seen from its edge
     this.group.add(mesh, edges);
@@ -188,6 +220,7 @@ export class Blocks {
 
   setTheme(theme) {
     this.isDark = theme === 'dark';
+    this.meshes.forEach(mesh => mesh.material.userData.setTheme?.(theme));
     this.#colourEdges();
   }
 
@@ -204,6 +237,35 @@ export class Blocks {
     for (const mesh of this.meshes.filter(m => !m.userData.isPlane && !m.userData.isFaint)) {
       Object.assign(mesh.material, {transparent: isGlass, opacity: isGlass ? 0.3 : 1, depthWrite: !isGlass});
       mesh.material.needsUpdate = true;
+    }
+  }
+
+  /** Makes glass of fixed bodies that stand between an eye and places of the water, and solid of the others. */
+  clearSight(eyes, places) {
+    const caster = new THREE.Raycaster();
+    this.meshes.forEach((mesh, k) => {
+      const {geometry, userData} = mesh, triangles = (geometry.index ?? geometry.getAttribute('position')).count / 3;
+      const isFixed = !userData.isPlane && this.frame.motion[MOTION * userData.members[0] + 9] === 0;
+      if (!isFixed || triangles * userData.members.length > MOST_TRIANGLES) {
+        return;
+      }
+      const stopped = places.filter((place, i) => {
+        const way = place.clone().sub(eyes[i]), far = way.length();
+        caster.set(eyes[i], way.normalize());
+        caster.far = 0.995 * far;
+        return caster.intersectObject(mesh, false).length > 0;
+      });
+      this.#setFaint(mesh, this.lines[k], stopped.length > HIDING * places.length);
+    });
+  }
+
+  #setFaint(mesh, edges, isFaint) {
+    if (mesh.userData.isFaint !== isFaint) {
+      mesh.userData.isFaint = isFaint;
+      mesh.castShadow = mesh.receiveShadow = !isFaint;
+      Object.assign(mesh.material, {transparent: isFaint, opacity: isFaint ? FAINT : 1, depthWrite: !isFaint});
+      mesh.material.needsUpdate = true;
+      edges.material.uniforms.opacity.value = isFaint ? 0.3 : 0.8;
     }
   }
 

@@ -70,6 +70,15 @@ export class Particles {
     this.geometry.setDrawRange(0, cells.length / 4);
   }
 
+  /** The places of some of the particles. */
+  some(count) {
+    const cells = this.geometry.getAttribute('cell')?.array ?? [], all = cells.length / 4, {origin, step} = this.water;
+    return [...Array(Math.min(count, all)).keys()].map(i => {
+      const at = 4 * Math.floor((i + 0.5) * all / Math.min(count, all));
+      return new THREE.Vector3(...[0, 1, 2].map(k => origin[k] + step * cells[at + k]));
+    });
+  }
+
   /** Heights are drawn so many times. */
   setStretch(factor) {
     this.material.uniforms.stretch.value = factor;

@@ -13,6 +13,7 @@ import {WaterSurface} from './surface.js';
 
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
 const OUTLINE = {light: '#d8400b', dark: '#ff8a5c'};
+const LOOKS = 24;      // at the water, to see what stands before it
 const LONG = 5;        // lengths over heights from which heights can be exaggerated
 const NEAR_CLICK = 6;  // pixels around a click within which a free block is preferred to what stands still
 
@@ -182,6 +183,7 @@ export class Scene {
       this.lamp.target.position.copy(this.controls.target);
     }
     this.#setSeenStretch();
+    this.#clearSight();
     const shown = looseOnes.map(one => one.visible);
     looseOnes.forEach(one => { one.visible = false; });
     renderer.render(this.world, camera);
@@ -200,6 +202,17 @@ export class Scene {
     }
     this.gauges.place(point => this.#pixelWithin(point));
     this.onView?.(camera, this.#pixelsPerMetre(), this.axes, this.gravityOf(this.index));
+  }
+
+  /** Lets nothing that stands still hide the water: some of its particles are looked at from the eye. */
+  #clearSight() {
+    const eyeKey = [...this.camera.matrixWorld.elements, this.index].join(' ');
+    if (this.isPlanar || !this.blocks?.frame || !this.particles || this.blocks.isGlass || this.sightOf === eyeKey) {
+      return;
+    }
+    this.sightOf = eyeKey;
+    const places = this.particles.some(LOOKS).map(place => place.applyMatrix4(this.root.matrix));
+    this.blocks.clearSight(places.map(() => this.camera.position), places);
   }
 
   /** Puts the nearest and the farthest depth close around the scene: depths are known the better. */
