@@ -147,7 +147,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
         build_fluid(build);
         warn_of_densities(build);
     }
-    if (loaded.model.bodies.size() == 0 && loaded.model.particles() == nullptr && problems.empty()) {
+    if (loaded.model.bodies.size() == 0 && !loaded.model.has_fluid() && problems.empty()) {
         build.problem(resolved.place, "the case has no bodies and no water",
                       "at least one [[body]], [[pack]], [[rock_mass]], [[section]] or [fluid]");
     }
