@@ -32,7 +32,7 @@ std::string basin(const std::string& method, const std::string& kind, const std:
 TEST(GaugeKinds, still_water_has_no_flow_to_read_and_the_fluids_that_have_are_named) {
     EXPECT_THAT(
         test::problems_of(basin("hydrostatic", "flow", domain)),
-        Contains(testing::AllOf(HasSubstr("case.toml:22:8: the fluid 'hydrostatic' has no 'flow' to read at the "
+        Contains(testing::AllOf(HasSubstr("case.toml:21:8: the fluid 'hydrostatic' has no 'flow' to read at the "
                                           "gauge 'g'"),
                                 HasSubstr("pressure, velocity, level, or fluid.method = sph, wcmps, mps, "
                                           "grid"))));
