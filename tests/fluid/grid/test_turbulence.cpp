@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fixes each constant of the turbulence model (tools/mutations.toml).
+// Pins each constant of the turbulence model (tools/mutations.toml).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fixes each constant of weakly compressible MPS: a test here fails where the constant is halved or doubled
+// Pins each constant of weakly compressible MPS: a test here fails where the constant is halved or doubled
 // (tools/mutations.toml).
 #include <gtest/gtest.h>
 

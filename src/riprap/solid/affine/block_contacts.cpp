@@ -52,7 +52,7 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
     }
     const double widest = 0.1 * std::min(size_of(a), size_of(b));
     contact::PlaneContacts points;
-    // What may close within the reach of a step takes part, not only what touches now.
+    // Takes what may close within the reach of a step too, not only what touches now.
     find_plane_contacts(a, b, plane, std::max(contact_tolerance(a, b, plane), std::min(reach, widest)), points);
     const std::size_t first = found.size();
     for (int k = 0; k < points.count; ++k) {

@@ -27,7 +27,8 @@ double tearing_gap(const BlockSystem& system);
 /// Tells whether a contact point that has no history begins bonded.
 bool begins_bonded(const BlockContactHistory& history, std::int32_t a, std::int32_t b);
 
-/// What became of the bonded pairs in a step. Pairs are told in ascending order, more than once at will.
+/// Records which bonded pairs held and which broke in a step. Pairs are told in ascending order, more than once at
+/// will.
 struct BondChanges {
     std::vector<std::uint64_t> touching;  ///< have a point that holds, or that is no farther apart than the tolerance
     std::vector<std::uint64_t> broken;    ///< a point of theirs has opened or slid

@@ -13,7 +13,7 @@
 
 namespace riprap::solid::planar_dda {
 
-/// How the equations of a step are solved.
+/// Chooses the solver of the equations of a step.
 enum class Way : std::uint8_t {
     direct,    ///< factors inside the envelope: static steps, stiff springs, few blocks
     iterative  ///< conjugate gradients: many blocks whose inertia 2 m/dt^2 keeps up with the springs

@@ -7,8 +7,8 @@
 
 #include "riprap/geometry/planar_vector.hpp"
 
-// What a mesh of elements of constant strain answers: bonded blocks of the same shapes are those elements, tied at
-// their corners. Computed here by other means than DDA, with nodes as unknowns.
+// Gives the answers of a mesh of elements of constant strain: bonded blocks of the same shapes are those elements, tied
+// at their corners. Computed here by other means than DDA, with nodes as unknowns.
 
 namespace riprap::validation::dda {
 
