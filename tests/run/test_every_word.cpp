@@ -214,9 +214,9 @@ std::string ground(const std::string& shape) {
 }
 
 /// Water on a grid that is let go beside stones, with waves through its low side.
-std::string grid_water(const std::string& wave, const std::string& closure) {
+std::string grid_water(const std::string& wave, const std::string& closure, const std::string& more = "absorb = true") {
     const bool is_stokes = wave == "regular" || wave == "second_order";  // too short to be absorbed
-    const std::string times = is_stokes ? "period = 1.9\n" : "period = 6.0\nabsorb = true\n";
+    const std::string times = is_stokes ? "period = 1.9\n" : "period = 6.0\n" + more + "\n";
     return R"(dimension = 2
 gravity = [0, -9.81]
 end = 1.0
@@ -281,13 +281,19 @@ const std::map<std::string, Scene>& scenes() {
         {"body.spheres.mass_of",
          [](const std::string& word) { return spheres("{ cube = 1.0 }", "shell = 2, mass_of = \"" + word + "\""); }},
         {"fluid.wave.wave", [](const std::string& word) { return grid_water(word, "ding"); }},
+        {"fluid.wave.spectrum",
+         [](const std::string& word) { return grid_water("irregular", "ding", "spectrum = \"" + word + "\""); }},
         {"fluid.porous.closure", [](const std::string& word) { return grid_water("regular", word); }},
         {"shape.surface.units",
          [](const std::string& word) { return falling("{ obj = { file = \"p.obj\", units = \"" + word + "\" } }"); }},
         {"motion.wave_maker.paddle",
          [](const std::string& word) { return flume(word, "regular", "hinge = [0.0, 0.0]\n"); }},
         {"motion.wave_maker.wave",
-         [](const std::string& word) { return flume("piston", word, "absorb = [0.0, 0.0]\n"); }},
+         [](const std::string& word) {
+             return flume("piston", word, word == "irregular" ? "" : "absorb = [0.0, 0.0]\n");
+         }},
+        {"motion.wave_maker.spectrum",
+         [](const std::string& word) { return flume("piston", "irregular", "spectrum = \"" + word + "\"\n"); }},
         {"fluid.sponge.towards",
          [](const std::string& word) {
              return cube_of_water +

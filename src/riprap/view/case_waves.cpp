@@ -54,6 +54,9 @@ void read_gauge(const Value& gauge, const Vec3& gravity, CaseWaves& waves) {
     if (!name.empty() && point && (kind == "level" || (kind == "surface" && is_upright(gauge, *point, gravity)))) {
         waves.gauges.push_back({name, *point});
     }
+    if (!name.empty() && kind == "flow") {
+        waves.flows.push_back(name);
+    }
 }
 
 /// A wave maker that makes waves.
@@ -72,7 +75,8 @@ std::vector<Maker> makers_of(const Value& root) {
             continue;
         }
         const std::optional<Vec3> way = vector_at(*maker, "direction");
-        const bool is_regular = text_at(*maker, "wave") != "solitary";
+        const std::string wave = text_at(*maker, "wave");
+        const bool is_regular = wave != "solitary" && wave != "irregular";
         makers.push_back({way && norm(*way) > 0 ? std::optional(normalized(*way)) : std::nullopt,
                           is_regular ? positive_at(*maker, "period") : std::nullopt, positive_at(*maker, "depth")});
     }

@@ -16,6 +16,7 @@ struct CaseWaves {
         Vec3 point;
     };
     std::vector<Place> gauges;  ///< of kind level, and of kind surface along an upright line, in the order of the case
+    std::vector<std::string> flows;       ///< of kind flow
     std::optional<Vec3> direction;        ///< of wave makers, where all agree
     std::optional<double> period, depth;  ///< of regular wave makers, where all agree [s], [m]
     std::string why_no_period;            ///< empty with one

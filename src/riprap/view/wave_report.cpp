@@ -149,6 +149,18 @@ void separate(double depth, double gravity, WaveReport& report) {
     }
 }
 
+/// What the spectrum of a record and the heights of its waves say.
+void set_shares(const Record& record, GaugeWaves& gauge) {
+    constexpr std::int64_t waves_in_band = 40;  // smoother with more waves, and a fortieth of the peak wide at most
+    const int bands = static_cast<int>(std::max<std::int64_t>(1, gauge.waves.count / waves_in_band));
+    gauge.peak_period = wave::weighted_peak_period(wave::spectrum_of(record.time, record.level, bands));
+    std::vector<double> heights;
+    for (const wave::ZeroCrossingWave& one : wave::zero_crossing_waves(record.time, record.level)) {
+        heights.push_back(one.height);
+    }
+    gauge.exceeded = wave::exceedances(std::move(heights));
+}
+
 /// The highest value of a record, above the first: what there is to say of a single wave.
 void set_rise(const Record& record, GaugeWaves& waves) {
     const auto first = std::find_if(record.level.begin(), record.level.end(), [](double v) { return !std::isnan(v); });
@@ -182,11 +194,17 @@ WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request) {
                             waves.missing, record.level.size()));
         }
         set_rise(record, waves);
+        set_shares(record, waves);
         if (report.period) {
             const Record whole = record_of(run.probes, gauge.gauge, report.whole_from, report.to);
             waves.amplitude = wave::harmonic(whole.time, whole.level, 2 * std::numbers::pi / *report.period);
         }
         report.gauges.push_back(std::move(waves));
+    }
+    report.is_planar = run.is_planar;
+    for (const std::string& name : known.flows) {
+        const Record record = record_of(run.probes, name, report.from, report.to);
+        report.flows.push_back({name, wave::overtopping_of(record.time, record.level)});
     }
     const std::optional<double> depth = request.depth ? request.depth : known.depth;
     if (report.period && !(norm(run.gravity) > 0)) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "riprap/view/recorded_run.hpp"
+#include "riprap/wave/record_spectrum.hpp"
 #include "riprap/wave/wave_analysis.hpp"
 
 namespace riprap::view {
@@ -30,6 +31,14 @@ struct GaugeWaves {
     std::int64_t missing;              ///< rows of the stretch without a value
     std::complex<double> amplitude{};  ///< at the period, over whole periods of the stretch, wave::harmonic [m]
     double rise{0}, rise_time{0};      ///< highest value above that at the start of the stretch [m], and when [s]
+    double peak_period{0};             ///< T_p, wave::weighted_peak_period [s]
+    std::vector<wave::Exceedance> exceeded{};  ///< by shares of the waves
+};
+
+/// Water through a gauge of flow.
+struct GaugeFlow {
+    std::string name;
+    wave::Overtopping over;
 };
 
 /// A regular wave taken apart.
@@ -42,6 +51,8 @@ struct Reflection {
 struct WaveReport {
     double from, to;  ///< stretch looked at [s]
     std::vector<GaugeWaves> gauges;
+    std::vector<GaugeFlow> flows;
+    bool is_planar{false};         ///< flows are per metre of width
     std::optional<double> period;  ///< of the wave taken apart; none where rows are too far apart for it
     double whole_from{0};          ///< harmonics are over whole periods from here to the end [s]
     std::optional<Reflection> reflection;
@@ -49,9 +60,9 @@ struct WaveReport {
     std::vector<std::string> notices;
 };
 
-/// Waves between up-crossings of every gauge; where a period is known its harmonic, and, over two gauges or more that
-/// lie apart along the waves, incident and reflected wave (docs/theory/waves.md, analysis of records). What keeps a
-/// wave from being taken apart is said in the report.
+/// Waves between up-crossings of every gauge, the peak of its spectrum, what goes through gauges of flow; where a
+/// period is known its harmonic, and, over two gauges or more that lie apart along the waves, incident and reflected
+/// wave (docs/theory/waves.md, analysis of records). What keeps a wave from being taken apart is said in the report.
 /// @throws BadRequest  for a gauge that the run does not have, a stretch without rows, a number that cannot be meant
 /// @throws FileError   where the tables of the run are not those of its case
 WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request);

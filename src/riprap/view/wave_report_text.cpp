@@ -30,6 +30,33 @@ std::string reflection_text(const WaveReport& report) {
         count > 2 ? fmt::format("; the two leave {:.2g} % of the incident wave", 100 * found.parts.misfit) : "");
 }
 
+/// Heights by the share of waves that exceed them, where there are waves enough for a tenth.
+std::string exceedance_text(const WaveReport& report, std::size_t width) {
+    std::string text;
+    constexpr std::size_t least = 3;
+    for (const GaugeWaves& gauge : report.gauges) {
+        if (gauge.exceeded.size() < least) {
+            continue;
+        }
+        text += text.empty() ? "height [m] exceeded by a share of the waves\n" : "";
+        text += fmt::format("{:<{}}", gauge.name, width);
+        for (const wave::Exceedance& one : gauge.exceeded) {
+            text += fmt::format("  {:g} %: {:.4g}", 100 * one.share, one.height);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+/// Shares with the heights that they exceed.
+nlohmann::ordered_json json_of(const std::vector<wave::Exceedance>& exceeded) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const wave::Exceedance& one : exceeded) {
+        rows.push_back({{"share", one.share}, {"height", one.height}});
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string wave_text(const WaveReport& report) {
@@ -38,15 +65,15 @@ std::string wave_text(const WaveReport& report) {
         width = std::max(width, gauge.name.size());
     }
     std::string text = fmt::format("waves from {:.6g} to {:.6g} s", report.from, report.to);
-    text += fmt::format("\n{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9}{}\n", "gauge", width, "at [m]",
-                        "mean [m]", "waves", "H_m [m]", "H_1/3", "H_max", "T_m [s]", "T_1/3", "H_m0 [m]",
-                        report.period ? fmt::format(" {:>9}", "H_T [m]") : "");
+    text += fmt::format("\n{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9} {:>8}{}\n", "gauge", width,
+                        "at [m]", "mean [m]", "waves", "H_m [m]", "H_1/3", "H_max", "T_m [s]", "T_1/3", "H_m0 [m]",
+                        "T_p [s]", report.period ? fmt::format(" {:>9}", "H_T [m]") : "");
     for (const GaugeWaves& gauge : report.gauges) {
         const wave::WaveStatistics& w = gauge.waves;
-        text += fmt::format("{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9}{}\n", gauge.name, width,
+        text += fmt::format("{:<{}} {:>9} {:>9} {:>5} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9} {:>8}{}\n", gauge.name, width,
                             number(gauge.place), number(w.mean_level), w.count, number(w.mean_height),
                             number(w.significant_height), number(w.highest), number(w.mean_period),
-                            number(w.significant_period), number(w.spectral_height),
+                            number(w.significant_period), number(w.spectral_height), number(gauge.peak_period),
                             report.period ? fmt::format(" {:>9}", number(2 * std::abs(gauge.amplitude))) : "");
     }
     const bool has_waves = std::any_of(report.gauges.begin(), report.gauges.end(),
@@ -56,6 +83,14 @@ std::string wave_text(const WaveReport& report) {
             text += fmt::format("{}: highest {:.4g} m above its start, at {:.4g} s\n", gauge.name, gauge.rise,
                                 gauge.rise_time);
         }
+    }
+    text += exceedance_text(report, width);
+    for (const GaugeFlow& flow : report.flows) {
+        const wave::Overtopping& over = flow.over;
+        text += fmt::format("{}: {:.4g} {} went through, {:.4g} {} on average, in {} event{}", flow.name, over.volume,
+                            report.is_planar ? "m^3/m" : "m^3", over.mean, report.is_planar ? "m^3/s/m" : "m^3/s",
+                            over.events, over.events == 1 ? "" : "s");
+        text += over.events > 0 ? fmt::format(", {:.4g} in the largest, from {:.4g} s\n", over.largest, over.at) : "\n";
     }
     for (const std::string& notice : report.notices) {
         text += notice + '\n';
@@ -81,9 +116,20 @@ std::string wave_json(const WaveReport& report) {
              {"mean_period", json_of(w.mean_period)},
              {"significant_period", json_of(w.significant_period)},
              {"spectral_height", json_of(w.spectral_height)},
+             {"peak_period", json_of(gauge.peak_period)},
+             {"exceeded", json_of(gauge.exceeded)},
              {"rise", json_of(gauge.rise)},
              {"rise_time", json_of(gauge.rise_time)},
              {"height_at_period", report.period ? json_of(2 * std::abs(gauge.amplitude)) : nullptr}});
+    }
+    json["flows"] = nlohmann::ordered_json::array();
+    for (const GaugeFlow& flow : report.flows) {
+        json["flows"].push_back({{"name", flow.name},
+                                 {"volume", flow.over.volume},
+                                 {"mean", flow.over.mean},
+                                 {"events", flow.over.events},
+                                 {"largest", flow.over.largest},
+                                 {"largest_at", flow.over.at}});
     }
     if (report.reflection) {
         const Reflection& found = *report.reflection;

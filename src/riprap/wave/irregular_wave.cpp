@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/wave/irregular_wave.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -30,11 +31,50 @@ std::vector<double> cumulative(double gamma) {
     return sum;
 }
 
+/// Splits a variance given by its sums over intervals into components of equal variance.
+/// @param frequency_at  (interval, share of it) -> f [1/s]
+template <class FrequencyAt>
+IrregularWave components_of(const std::vector<double>& sum, double significant_height, double depth, double gravity,
+                            int count, std::uint64_t seed, const FrequencyAt& frequency_at) {
+    std::mt19937_64 random(seed);
+    IrregularWave sea{depth, {}};
+    std::size_t interval = 0;
+    for (int i = 0; i < count; ++i) {
+        const double middle = (i + 0.5) / count * sum.back();
+        while (sum[interval + 1] < middle) {
+            ++interval;
+        }
+        const double share = (middle - sum[interval]) / (sum[interval + 1] - sum[interval]);
+        const double omega = 2 * M_PI * frequency_at(interval, share);
+        const double phase = 2 * M_PI * static_cast<double>(random() >> 11) * 0x1p-53;
+        sea.components.push_back(
+            {significant_height / 4 * std::sqrt(2.0 / count), omega, wave_number(omega, depth, gravity), phase});
+    }
+    return sea;
+}
+
+/// Integral of a spectrum from its first point to each other [m^2].
+std::vector<double> cumulative(const Spectrum& spectrum) {
+    std::vector<double> sum{0};
+    for (std::size_t i = 1; i < spectrum.frequency.size(); ++i) {
+        sum.push_back(sum.back() + 0.5 * (spectrum.density[i] + spectrum.density[i - 1]) *
+                                       (spectrum.frequency[i] - spectrum.frequency[i - 1]));
+    }
+    return sum;
+}
+
 }  // namespace
 
 double jonswap_density(double frequency, double significant_height, double peak_period, double gamma) {
     const double variance = significant_height * significant_height / 16;
     return variance / cumulative(gamma).back() * peak_period * shape(frequency * peak_period, gamma);
+}
+
+double Spectrum::significant_height() const { return 4 * std::sqrt(cumulative(*this).back()); }
+
+double Spectrum::peak_period() const {
+    const auto peak = std::max_element(density.begin(), density.end()) - density.begin();
+    return 1 / frequency[static_cast<std::size_t>(peak)];
 }
 
 double IrregularWave::elevation(double x, double time) const {
@@ -61,24 +101,21 @@ WaveVelocity IrregularWave::velocity(double x, double above_bed, double time) co
 
 IrregularWave jonswap_sea(double significant_height, double peak_period, double gamma, double depth, double gravity,
                           int component_count, std::uint64_t seed) {
-    const std::vector<double> sum = cumulative(gamma);
     const double step = (highest - lowest) / intervals;
-    std::mt19937_64 random(seed);
-    IrregularWave sea{depth, {}};
-    std::size_t interval = 0;
-    for (int i = 0; i < component_count; ++i) {
-        const double middle = (i + 0.5) / component_count * sum.back();
-        while (sum[interval + 1] < middle) {
-            ++interval;
-        }
-        const double share = (middle - sum[interval]) / (sum[interval + 1] - sum[interval]);
-        const double ratio = lowest + (static_cast<double>(interval) + share) * step;
-        const double omega = 2 * M_PI * ratio / peak_period;
-        const double phase = 2 * M_PI * static_cast<double>(random() >> 11) * 0x1p-53;
-        sea.components.push_back({significant_height / 4 * std::sqrt(2.0 / component_count), omega,
-                                  wave_number(omega, depth, gravity), phase});
-    }
-    return sea;
+    return components_of(cumulative(gamma), significant_height, depth, gravity, component_count, seed,
+                         [&](std::size_t interval, double share) {
+                             return (lowest + (static_cast<double>(interval) + share) * step) / peak_period;
+                         });
+}
+
+IrregularWave sea_of(const Spectrum& spectrum, double depth, double gravity, int component_count, std::uint64_t seed) {
+    return components_of(cumulative(spectrum), spectrum.significant_height(), depth, gravity, component_count, seed,
+                         [&](std::size_t i, double share) {
+                             // Where in the interval the integral of a line from S_a to S_b is that share of it.
+                             const double a = spectrum.density[i], b = spectrum.density[i + 1], sum = share * (a + b);
+                             const double place = sum / (a + std::sqrt(a * a + (b - a) * sum));
+                             return spectrum.frequency[i] + place * (spectrum.frequency[i + 1] - spectrum.frequency[i]);
+                         });
 }
 
 }  // namespace riprap::wave

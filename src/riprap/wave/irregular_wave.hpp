@@ -14,6 +14,16 @@ namespace riprap::wave {
 ///     S = A H_m0^2 f_p^4 f^-5 exp(-1.25 (f_p/f)^4) gamma^exp(-(f/f_p - 1)^2/(2 s^2)),  s = 0.07 to f_p, 0.09 above.
 double jonswap_density(double frequency, double significant_height, double peak_period, double gamma);
 
+/// A spectrum by points: linear between them, nothing beyond.
+struct Spectrum {
+    std::vector<double> frequency;  ///< rising [1/s]
+    std::vector<double> density;    ///< S, one for each at least above 0 [m^2 s]
+
+    double significant_height() const;  ///< H_m0 = 4 sqrt(m_0) [m]
+    double peak_period() const;         ///< T_p, of the point with the largest density [s]
+    bool is_empty() const { return frequency.empty(); }
+};
+
 /// Waves of many frequencies that add up, small against depth and length.
 struct IrregularWave {
     struct Component {
@@ -31,5 +41,8 @@ struct IrregularWave {
 /// `seed`: the same sea on any machine. Its variance is exactly H_m0^2/16.
 IrregularWave jonswap_sea(double significant_height, double peak_period, double gamma, double depth, double gravity,
                           int component_count, std::uint64_t seed);
+
+/// A sea of any spectrum, likewise.
+IrregularWave sea_of(const Spectrum& spectrum, double depth, double gravity, int component_count, std::uint64_t seed);
 
 }  // namespace riprap::wave

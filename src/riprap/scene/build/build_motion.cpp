@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
 namespace riprap::scene {
@@ -62,7 +63,13 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
                                           get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
                                           get_number(*rotation, "period"), get_number(*rotation, "phase"),
                                           get_number(*rotation, "ramp")};
-    } else if (const Value* maker = table.find("wave_maker")) {
+    } else if (const Value* maker = table.find("wave_maker"); maker != nullptr && makes_sea(*maker)) {
+        std::optional<body::SplineMotion> sea = sea_motion(build, *maker);
+        if (!sea) {
+            return -1;
+        }
+        motion.law = std::move(*sea);
+    } else if (maker != nullptr) {
         std::optional<body::PrescribedMotion> paddle = wave_maker_motion(build, *maker);
         if (!paddle) {
             return -1;

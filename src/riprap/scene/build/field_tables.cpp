@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "riprap/scene/build/fluid_tables.hpp"
-#include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/keys/sea_words.hpp"
 
 namespace riprap::scene {
 
@@ -32,7 +32,8 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
     wave.period = get_number_or(table, "period", 0);
     wave.crest_time = get_number_or(table, "crest_time", -1);
     wave.ramp = get_number_or(table, "ramp", 2 * wave.period);
-    wave.gamma = get_number(table, "gamma");
+    const bool is_pierson = get_word(table, "spectrum", spectra()) == SpectrumKind::pierson_moskowitz;
+    wave.gamma = is_pierson ? 1 : get_number(table, "gamma");
     wave.seed = static_cast<std::uint64_t>(get_integer(table, "seed"));
     wave.absorbs = get(table, "absorb").boolean;
     if (wave.kind == Kind::none && !wave.absorbs) {

@@ -2,7 +2,7 @@
 // Rows of the key table: prescribed motions, paddles among them.
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
-#include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/keys/sea_words.hpp"
 
 namespace riprap::scene {
 
@@ -11,6 +11,12 @@ using namespace form;
 namespace {
 
 const Form phase = number(dimension::angle);
+
+std::vector<std::string_view> paddle_waves() {
+    std::vector<std::string_view> words = key::texts_of(wave_kinds());
+    words.push_back(irregular_wave);
+    return words;
+}
 
 const Table& linear_table() {
     static const Table table{"motion.linear",
@@ -77,15 +83,18 @@ const Table& wave_maker_table() {
         "Up is against gravity.",
         {{"paddle", {choice(paddles())}, "An upright plate, or one hinged at the bed.", Value::of("piston")},
          {"wave",
-          {choice(wave_kinds())},
-          "A sine; a sine whose free second harmonic is cancelled (piston only); one solitary wave (piston only); "
-          "none, "
-          "for a paddle that only absorbs.",
+          {choice(paddle_waves())},
+          "A sine; a sine whose free second harmonic is cancelled (piston only); one solitary wave (piston only); a "
+          "sea "
+          "(piston only); none, for a paddle that only absorbs.",
           Value::of("regular")},
-         {"height", {number(dimension::length, positive())}, "Wave height, crest to trough.", {}},
+         {"height", {number(dimension::length, positive())}, "Wave height, crest to trough; of a sea H_m0.", {}},
          {"depth", {number(dimension::length, positive())}, "Depth of still water.", {}, true},
-         {"period", {number(dimension::time, positive())}, "Wave period; not for a solitary wave.", {}},
-         {"direction", {form::direction()}, "Direction of the waves.", Value::of(Vec3{1, 0, 0})},
+          {"period",
+           {number(dimension::time, positive())},
+           "Wave period, of a sea that of its peak; not for a solitary wave.",
+           {}},
+          {"direction", {form::direction()}, "Direction of the waves.", Value::of(Vec3{1, 0, 0})},
          {"hinge", {vector(dimension::length)}, "A point of a flap's hinge, at the bed.", {}},
          {"absorb",
           {vector(dimension::length)},
@@ -96,7 +105,20 @@ const Table& wave_maker_table() {
          {"ramp",
           {number(dimension::time, non_negative())},
           "Time over which the stroke grows; two periods when not given.",
-          {}}}};
+          {}},
+         {"spectrum", {choice(spectra())}, "Of a sea.", Value::of("jonswap")},
+         {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
+         {"spectrum_file",
+          {path()},
+          "Of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and 'period'; "
+          "scaled "
+          "to 'height' where that is given.",
+          {}},
+         {"seed", {integer(0, 1e15)}, "Of the phases of a sea.", Value::of(std::int64_t{1})},
+         {"second_order",
+          {boolean()},
+          "A sea goes without free waves of the sums and differences of its frequencies; false: by linear theory.",
+          Value::of(true)}}};
     return table;
 }
 
