@@ -11,6 +11,7 @@
 #include "errors.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/run/outputs.hpp"
+#include "riprap/run/state_hash.hpp"
 #include "values.hpp"
 
 namespace riprap::python {
@@ -304,7 +305,7 @@ void define_simulation(py::module_& module) {
         [](const run::Simulation& s) {
             std::array<char, 17> text{};
             std::snprintf(text.data(), text.size(), "%016llx",
-                          static_cast<unsigned long long>(sim::state_hash(s.state())));
+                          static_cast<unsigned long long>(run::xxh3_of(s.state())));
             return std::string(text.data());
         },
         "Of every bit of the State, 16 digits: that of summary.json after the same steps of `riprap run`.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Water that comes and goes, and waves that are taken up: small flumes from case files, a few seconds each.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "io/temporary_folder.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/restart.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
@@ -293,6 +295,47 @@ TEST(OpenWater, a_sponge_takes_up_a_wave_and_books_its_energy) {
     EXPECT_LT(water.kinetic, 0.02 * largest);
     EXPECT_GT(value_of("fluid.absorbed", run.loaded.model, run.report.ledger), 0.5 * largest);
     EXPECT_LT(std::abs(water.residual), 0.01 * run.report.ledger.turnover);
+}
+
+/// Water that is thrown up, a part of it through the top of its domain.
+std::string fountain(double speed, const std::string& method) {
+    return head + fmt::format(R"([fluid]
+method = "{}"
+spacing = 0.02
+domain = {{ low = [-0.3, -0.2], high = [0.7, 0.3] }}
+expected_speed = 2.5
+[[fluid.region]]
+box = {{ low = [0.0, 0.0], high = [0.4, 0.2] }}
+velocity = [0.0, {}]
+)",
+                              method, speed);
+}
+
+TEST(Splash, WhatLeavesThroughTheTopIsCountedAndItsEnergyBooked) {
+    for (const std::string method : {"sph", "wcmps", "mps"}) {
+        SCOPED_TRACE(method);
+        FlumeRun run(fountain(0, method));
+        const std::int64_t before = run.state.fluid.size();
+        run.until(0.01, [] {});
+        run.state.fluid.velocity[7] = {0, 40};  // one particle flies off
+        run.state.fluid.position[7] = {0.2, 0.28};
+        const sim::Ledger early = run.report.ledger;
+        run.until(0.02, [] {});
+        EXPECT_EQ(run.state.fluid.size(), before - 1);
+        EXPECT_THAT(splash_text(run.loaded.model, run.state), testing::HasSubstr("1 particle of water, 0.5 % of it"));
+        const double m = run.loaded.model.particles()->settings().particle_mass;
+        EXPECT_NEAR(run.report.ledger.fluid.transported - early.fluid.transported, -m * (800 + 9.81 * 0.3),
+                    0.1 * m * 800);
+    }
+}
+
+TEST(Splash, MoreThanAThousandthEndsTheRun) {
+    FlumeRun run(fountain(2, "sph"));
+    while (run.state.time < 0.2 && run.report.status.ok()) {
+        run.report = advance(run.loaded.model, run.state, run.scratch,
+                             choose_time_step(run.loaded.model, run.state, run.scratch).dt);
+    }
+    EXPECT_THAT(run.report.status.text, testing::HasSubstr("have left through the top of the domain"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/run/signals.hpp"
+#include "riprap/run/state_hash.hpp"
 
 namespace riprap::run {
 
@@ -286,8 +287,8 @@ int Driver::finish(const Progress& progress) {
     }
     const sim::Ledger& ledger = simulation_.report().ledger;
     const std::string unit = sim::unit_in("J", model().bodies.is_planar);
-    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} {} of {:.2g} {} turned over",
-                    sim::state_hash(state()), ledger.residual, unit, ledger.turnover, unit));
+    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} {} of {:.2g} {} turned over", xxh3_of(state()),
+                    ledger.residual, unit, ledger.turnover, unit));
     tell_warnings();
     return verdict(results);
 }

@@ -7,6 +7,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/coupling/particle_walls/strays.hpp"
+#include "riprap/fluid/open/leaving.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/solid/travel_bound.hpp"
@@ -28,6 +29,19 @@ std::string water_passage(const sim::Model& model, const sim::State& state) {
         "{} of {} particles of water lie more than a spacing deep in solids, the deepest {:.3g} m in {}, "
         "at t = {:.6g} s",
         strays.count, particles, strays.depth, model.bodies.name(strays.body), state.time);
+}
+
+std::string splash_text(const sim::Model& model, const sim::State& state) {
+    const coupling::ParticleFluid* const water = model.particles();
+    const std::int64_t gone = water != nullptr ? fluid::let_go_so_far(state.open, state.fluid) : 0;
+    if (gone <= 0) {
+        return "";
+    }
+    return fmt::format(
+        "{} particle{} of water, {:.3g} % of it, left the domain through its top and {} let go: a higher domain keeps "
+        "{}",
+        gone, gone == 1 ? "" : "s", 100 * static_cast<double>(gone) / static_cast<double>(state.open.next_id),
+        gone == 1 ? "was" : "were", gone == 1 ? "it" : "them");
 }
 
 namespace {

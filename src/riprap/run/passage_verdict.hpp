@@ -11,6 +11,9 @@ namespace riprap::run {
 /// more than a spacing deep in a body. Empty where it has not.
 std::string water_passage(const sim::Model& model, const sim::State& state);
 
+/// Returns how much water has left through the top of the domain and was let go; empty where none has.
+std::string splash_text(const sim::Model& model, const sim::State& state);
+
 /// Looks for bodies that pass through each other; a member per run.
 ///
 /// With the distance potential each step says how deep its contacts are. Other methods say less, so all shapes are

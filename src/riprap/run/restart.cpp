@@ -77,15 +77,16 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
 }
 
 /// Water that comes and goes has no length that is known beforehand, but its fields agree.
-void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFluid& model, const sim::State& state) {
+/// @param most  particles that there may be
+void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFluid& model, const sim::State& state,
+                    std::int64_t most) {
     const fluid::ParticleState& water = state.fluid;
     const fluid::OpenState& open = state.open;
     const std::size_t count = water.position.size(), layers = open.position.size();
     const auto outflows = static_cast<std::int32_t>(model.open.outflows.size());
     if (water.velocity.size() != count || water.density.size() != count || water.dilution.size() != count ||
         (!water.shift.empty() && water.shift.size() != count) || water.id.size() != count ||
-        open.velocity.size() != layers || open.outflow.size() != layers ||
-        static_cast<std::int64_t>(count) > model.open.most_particles) {
+        open.velocity.size() != layers || open.outflow.size() != layers || static_cast<std::int64_t>(count) > most) {
         refuse(checkpoint, "the fields of the water differ in length");
     }
     const auto is_negative = [](std::int64_t n) { return n < 0; };
@@ -141,7 +142,8 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
     Restart restart{initial, {}, {}};
-    const bool is_open = model.particles() != nullptr && !model.particles()->open.empty();
+    const coupling::ParticleFluid* const water = model.particles();
+    const bool is_open = water != nullptr;  // what splashes out of the domain is let go
     const auto has_fixed_length = [is_open](std::string_view name) {
         return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
                (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
@@ -163,7 +165,8 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     }
     check_near_samples(checkpoint, model, restart.state.coupling);
     if (is_open) {
-        check_openings(checkpoint, *model.particles(), restart.state);
+        check_openings(checkpoint, *water, restart.state,
+                       water->open.empty() ? initial.fluid.size() : water->open.most_particles);
     }
     check_contacts(checkpoint, model, restart.state.contacts);
     check_orientations(checkpoint, restart.state);

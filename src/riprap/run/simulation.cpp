@@ -10,6 +10,7 @@
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/settle.hpp"
+#include "riprap/run/state_hash.hpp"
 #include "riprap/run/step_choice.hpp"
 #include "riprap/sim/ledger_table.hpp"
 
@@ -127,13 +128,16 @@ std::vector<std::string> Simulation::totals() const {
     if (std::string text = artificial_text(report_.ledger, model()); !text.empty()) {
         texts.push_back(std::move(text));
     }
+    if (std::string text = splash_text(model(), state_); !text.empty()) {
+        texts.push_back(std::move(text));
+    }
     return texts;
 }
 
 Summary Simulation::summary() const {
     Summary summary;
     summary.title = model().title;
-    summary.state_hash = sim::state_hash(state_);
+    summary.state_hash = xxh3_of(state_);
     summary.steps = state_.step;
     summary.time = state_.time;
     summary.dt = report_.dt > 0 ? report_.dt : state_.previous_dt;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 
+#include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
@@ -40,17 +40,6 @@ void append(BoundaryParticles& walls, const Vec3& x, const Vec3& v, const Vec3& 
     walls.given_pressure.push_back(pressure);
 }
 
-/// Energy and momentum that go with one particle.
-void book(const ParticleSettings& settings, const ParticleState& water, std::size_t i, const Vec3& gravity, double sign,
-          Passage& passage) {
-    const double m = settings.particle_mass;
-    const Vec3& v = water.velocity[i];
-    passage.momentum += sign * m * v;
-    passage.energy +=
-        sign * m *
-        (0.5 * norm_squared(v) - dot(gravity, water.position[i]) + internal_energy_of(settings, water.density[i]));
-}
-
 /// Water that has passed a plane, or -1: outflows come first, then inflows that it passes backwards.
 std::int64_t opening_passed(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& x) {
     const double reach = static_cast<double>(layer_count(settings)) * settings.spacing;
@@ -72,20 +61,6 @@ std::int64_t opening_passed(const OpenBoundaries& open, const ParticleSettings& 
     return -1;
 }
 
-struct KeepOnly {
-    const std::vector<std::size_t>& kept;  ///< in rising order
-
-    template <class T>
-    void operator()(std::string_view, std::vector<T>& values) const {
-        const std::size_t left = values.empty() ? 0 : kept.size();  // empty: a field that this scheme has not
-        for (std::size_t k = 0; k < left; ++k) {
-            values[k] = values[kept[k]];
-        }
-        values.resize(left);
-    }
-    void operator()(std::string_view, double&) const {}
-};
-
 /// A particle at x with the velocity v of water becomes one of the layers of outflow number k.
 void enter_layers(const Outflow& outflow, std::int32_t k, const Vec3& x, const Vec3& v, OpenState& state) {
     const Vec3 n = outflow.opening.direction();
@@ -105,7 +80,7 @@ void pass_out(const OpenBoundaries& open, const ParticleSettings& settings, cons
             kept.push_back(i);
             continue;
         }
-        book(settings, water, i, gravity, -1, passage);
+        book_particle(settings, water, i, gravity, -1, passage);
         passage.left += 1;
         state.left[at(passed)] += 1;
         if (passed < static_cast<std::int64_t>(open.outflows.size())) {
@@ -116,7 +91,7 @@ void pass_out(const OpenBoundaries& open, const ParticleSettings& settings, cons
         }
     }
     if (kept.size() < water.position.size()) {
-        ParticleState::visit_fields(water, KeepOnly{kept});
+        keep_only(kept, water);
     }
 }
 
@@ -178,7 +153,7 @@ void pass_in(const OpenBoundaries& open, const ParticleSettings& settings, const
                 water.add(inflow.rows[row] + (phase - settings.spacing) * n, inflow.speed_at(time) * n,
                           density_of(settings, walls.pressure[entry + row]), static_cast<std::int32_t>(state.next_id));
                 state.next_id += 1;
-                book(settings, water, water.position.size() - 1, gravity, 1, passage);
+                book_particle(settings, water, water.position.size() - 1, gravity, 1, passage);
             }
             state.layers[k] += 1;
             state.entered[k] += static_cast<std::int64_t>(inflow.rows.size());
