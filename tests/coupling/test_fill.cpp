@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "coupling/tank_scenes.hpp"
@@ -40,6 +41,30 @@ TEST(Fill, a_box_that_the_lattice_fits_is_filled_to_its_volume) {
     EXPECT_NEAR(filling.regions[0].volume, 0.05, 1e-12);
     EXPECT_NEAR(filling.regions[0].region_volume, 0.05, 1e-12);
     EXPECT_EQ(filling.particles.position[0], (Vec3{0.025, 0.025, 0.025}));
+}
+
+// Two metres at a spacing of 0.16 m began 1.92 m deep.
+TEST(Fill, a_pond_has_its_volume_whatever_the_spacing) {
+    for (const double depth : {0.25, 0.252, 0.26, 0.275, 0.29}) {
+        Scene floor;
+        floor.add_half_space({0, 0, 1}, 0);
+        const Filling pond = fill(floor, settings_of({0, 0, 0}, {2, 2, 2}), {{{box({0, 0, 0}, {2, 1.5, 1})}, depth}});
+        EXPECT_NEAR(pond.regions[0].volume, depth * 2 * 1.5, 0.02 * dp * 2 * 1.5) << depth;
+        EXPECT_NEAR(pond.regions[0].surface, depth, 1e-12);
+    }
+}
+
+TEST(Fill, what_a_last_layer_has_is_spread_evenly) {
+    const Filling pond = fill({}, settings_of({0, 0, 0}, {2, 2, 2}), {{{box({0, 0, 0}, {2, 2, 1})}, 0.525}});
+    std::array<int, 16> count{};  // of the particles of the last layer in squares of 10 by 10 places
+    for (const Vec3& x : pond.particles.position) {
+        if (x.z > 0.5) {
+            count[static_cast<std::size_t>(x.x / 0.5) + 4 * static_cast<std::size_t>(x.y / 0.5)] += 1;
+        }
+    }
+    for (const int n : count) {
+        EXPECT_NEAR(n, 50, 3);
+    }
 }
 
 TEST(Fill, a_region_below_whose_level_nothing_lies_does_not_move_the_lattice_of_others) {

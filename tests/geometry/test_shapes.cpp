@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/round_shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace riprap::geometry {
 namespace {
@@ -109,6 +110,20 @@ TEST(Sphere, HasTheVolumeOfItsBallAndIsKnownAgain) {
 TEST(RegularPolygons, NeedThreeSides) {
     EXPECT_THAT(prism(2, 1, 1).problems(), says("2 sides"));
     EXPECT_THAT(pyramid(0, 1, 1).problems(), says("0 sides"));
+}
+
+TEST(Shapes, EllipsoidsAndCylindersHaveTheirVolume) {
+    EXPECT_NEAR(mass_properties(ellipsoid({0.5, 1, 2})).volume, 4 * std::numbers::pi / 3, 1e-12);
+    const Vec3 reach{0.5, 1, 2};
+    for (const Vec3& v : ellipsoid(reach).vertices) {
+        EXPECT_LT(std::abs(v.x / reach.x) + std::abs(v.y / reach.y) + std::abs(v.z / reach.z),
+                  1.78);  // sqrt 3 and a bit
+    }
+    const auto round = cylinder(0.3, 2, 32);
+    ASSERT_TRUE(round);
+    EXPECT_NEAR(mass_properties(round.value()).volume, std::numbers::pi * 0.09 * 2, 1e-12);
+    EXPECT_FALSE(is_sphere(ellipsoid(reach)));
+    EXPECT_TRUE(is_sphere(ellipsoid({1, 1, 1})));
 }
 
 }  // namespace

@@ -55,11 +55,26 @@ TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
                                   HasSubstr("water stands 0.5 m deep before it"))));
 }
 
-TEST(FluidWarnings, a_spacing_that_does_not_divide_the_depth) {
-    EXPECT_THAT(test::read(test::with(flume, "high = [2.0, 0.5]", "high = [2.0, 0.504]")).warnings, ElementsAre());
-    EXPECT_THAT(test::read(test::with(flume, "high = [2.0, 0.5]", "high = [2.0, 0.54]")).warnings,
-                ElementsAre(AllOf(HasSubstr("case.toml:11:"), HasSubstr("the water begins 0.5 m deep, not 0.54 m"),
-                                  HasSubstr("0.049091 m or 0.054 m does"))));
+TEST(FluidWarnings, a_driven_wall_that_moves_out_of_the_domain_but_not_a_gate_that_is_lifted) {
+    const auto moving = [](const std::string& velocity) {
+        return test::read(flume + body("wall", "[0.2, 1.0]", "[2.1, 0.5]",
+                                       "motion = { linear = { velocity = " + velocity + " } }"))
+            .warnings;
+    };
+    EXPECT_THAT(moving("[0.2, 0]"), ElementsAre());
+    EXPECT_THAT(
+        moving("[0.8, 0]"),
+        ElementsAre(HasSubstr("'wall' moves out of 'fluid.domain': it reaches x = 3 m at t = 1 s, the domain ends "
+                              "at 2.5 m")));
+    EXPECT_THAT(moving("[0, 3]"), ElementsAre());
+}
+
+TEST(FluidWarnings, a_wall_that_water_passes_through_holds_none) {
+    const auto wall = [](const std::string& place) {
+        return test::read(flume + body("wall", "[0.2, 1.0]", place, "fixed = true\nwet = false")).warnings;
+    };
+    EXPECT_THAT(wall("[2.1, 0.5]"), ElementsAre(AllOf(HasSubstr("water stands at 'wall'"), HasSubstr("wet = false"))));
+    EXPECT_THAT(wall("[2.4, 0.5]"), ElementsAre());
 }
 
 TEST(FluidRecords, a_gauge_with_a_count_is_a_profile_of_gauges) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "case_fixture.hpp"
+#include "io/temporary_folder.hpp"
 #include "riprap/core/fields.hpp"
 
 namespace riprap::scene {
@@ -260,6 +262,52 @@ TEST(ReadCase, wave_makers_get_their_stroke_from_wave_theory) {
     EXPECT_GT(paddle("period = 2, wave = \"second_order\"").amplitude[1], 0);
     const auto solitary = std::get<body::SplineMotion>(law("wave = \"solitary\", direction = [0, 2, 0]"));
     EXPECT_NEAR(solitary.stroke.back(), 0.999 * 2 * 0.1 / (0.7746 * 0.5), 1e-5);
+}
+
+TEST(ReadCase, a_paddle_makes_a_sea_to_the_end_of_the_run_and_beyond) {
+    const auto sea = [&](const std::string& text) {
+        const std::string moving = minimal_case + "motion = { wave_maker = { wave = \"irregular\", depth = 0.5, ";
+        return std::get<body::SplineMotion>(read(moving + text + " } }\n").model.bodies.motions.at(0).law);
+    };
+    const std::string usual = "height = 0.06, period = 1.5";
+    const body::SplineMotion first = sea(usual), linear = sea(usual + ", second_order = false");
+    EXPECT_GE(first.time.back(), read(minimal_case).model.time.end);
+    EXPECT_EQ(first.stroke.front(), 0);
+    EXPECT_NE(first.stroke, linear.stroke);
+    EXPECT_NE(first.stroke, sea(usual + ", seed = 2").stroke);
+    EXPECT_NE(first.stroke, sea(usual + ", spectrum = \"pierson_moskowitz\"").stroke);
+    EXPECT_EQ(sea(usual + ", gamma = 1").stroke, sea(usual + ", spectrum = \"pierson_moskowitz\"").stroke);
+}
+
+TEST(ReadCase, a_sea_takes_its_spectrum_from_a_file_and_its_height_from_the_case) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "sea.csv") << "f [1/s],S [m^2 s]\n0.4,0\n0.6,1e-3\n0.8,2e-4\n1.2,0\n";
+    std::ofstream(folder / "falling.csv") << "f,S\n0.6,1e-3\n0.4,1e-3\n";
+    const auto text = [&](const std::string& more) {
+        return minimal_case + "motion = { wave_maker = { wave = \"irregular\", depth = 0.5, " + more + " } }\n";
+    };
+    const auto stroke = [&](const std::string& more) {
+        const LoadedCase loaded = read_case_text(text(more), "case.toml", folder.path().string(), {});
+        return std::get<body::SplineMotion>(loaded.model.bodies.motions.at(0).law).stroke;
+    };
+    const std::vector<double> own = stroke("spectrum_file = \"sea.csv\"");
+    // H_m0 = 4 sqrt(2.8e-4) = 0.06693 m.
+    const std::vector<double> twice = stroke("spectrum_file = \"sea.csv\", height = 0.133866");
+    for (std::size_t i = 1; i < own.size(); i += 7) {
+        EXPECT_NEAR(twice[i], 2 * own[i], 1e-4 * std::abs(own[i]));
+    }
+    const auto problems = [&](const std::string& more) {
+        try {
+            read_case_text(text(more), "case.toml", folder.path().string(), {});
+        } catch (const CaseError& error) {
+            return error.problems().front().message + "; " + error.problems().front().allowed;
+        }
+        return std::string();
+    };
+    EXPECT_THAT(problems("spectrum_file = \"falling.csv\""), HasSubstr("row 2 of the spectrum has f = 0.4 1/s"));
+    EXPECT_THAT(problems("spectrum_file = \"sea.csv\", period = 2"), HasSubstr("which has its own"));
+    EXPECT_THAT(problems("height = 0.1"), HasSubstr("a sea without 'period'"));
+    EXPECT_THAT(problems("height = 0.3, period = 9"), HasSubstr("beyond second-order theory"));
 }
 
 TEST(ReadCase, waves_that_cannot_be_made_are_refused_with_the_reason) {

@@ -28,7 +28,8 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 /// half a spacing would leave out half a layer, and what then sinks stirs the rest. Nearer than a fifth the guard
 /// pushes.
 constexpr double nearest = 0.25;
-constexpr double slack = 1e-6;  ///< of a spacing: a lattice that fits is not lost to round-off
+constexpr double slack = 1e-6;        ///< of a spacing: a lattice that fits is not lost to round-off
+constexpr double least_layer = 0.01;  ///< share of a cell below the level from which on it counts
 
 struct Bounds {
     Vec3 low, high;
@@ -111,8 +112,8 @@ Vec3 lattice_corner(std::span<const RegionPlanes> regions, const fluid::Domain& 
     throw CaseError(Diagnostic{{}, std::move(message), std::move(allowed)});
 }
 
-Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::ParticleSettings& settings,
-                     const Vec3& corner) {
+Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
+                     const Vec3& up) {
     const double dp = settings.spacing;
     Lattice lattice{{}, {1, 1, 1}, dp};
     Bounds all{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
@@ -127,8 +128,9 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::Particl
                    "a whole number of spacings");
         }
         const double anchor = corner[axis] + 0.5 * dp;
-        const double low = std::max(all.low[axis], settings.domain.low[axis]);
-        const double high = std::min(all.high[axis], settings.domain.high[axis]);
+        const double low = std::max(all.low[axis] - 0.5 * dp * std::max(0.0, -up[axis]), settings.domain.low[axis]);
+        // The last layer along `up` may lie half a spacing above the level (region_of).
+        const double high = std::min(all.high[axis] + 0.5 * dp * std::max(0.0, up[axis]), settings.domain.high[axis]);
         const double before = std::ceil((low - anchor) / dp - slack);
         lattice.first[axis] = anchor + before * dp;
         const double steps = std::floor((high - lattice.first[axis]) / dp + slack);
@@ -142,15 +144,29 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::Particl
     return lattice;
 }
 
-/// The first region that a place is in; -1 = none.
-int region_of(std::span<const RegionPlanes> regions, const Vec3& x, const Vec3& up, double spacing) {
+/// A number in [0, 1) for every column of the lattice, spread evenly over neighbouring ones (Kronecker's sequence of
+/// the plastic number).
+double turn_of(std::int64_t i, std::int64_t j) {
+    constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+    const double sum = first * static_cast<double>(i) + second * static_cast<double>(j);
+    return sum - std::floor(sum);
+}
+
+/// The first region that a place is in; -1 = none. Where the spacing does not divide the depth, the last layer, of
+/// whose cells a share lies below the level, gets that share of its places, so that the volume is the one asked for.
+/// @param turn  of its column
+int region_of(std::span<const RegionPlanes> regions, const Vec3& x, const Vec3& up, double spacing, double turn) {
+    const bool is_along_axis = std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) > 1 - 1e-9;
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        if (dot(up, x) > regions[r].surface - (0.5 - slack) * spacing) {
+        const double below = (regions[r].surface - dot(up, x)) / spacing + 0.5;  // share of the cell; 1 and more: all
+        const bool is_last = below < 1 - slack;
+        if (is_last && !(is_along_axis && below > least_layer && turn < below)) {
             continue;
         }
         for (const auto& planes : regions[r].pieces) {
             const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-                return dot(plane.normal, x) <= plane.offset - slack * spacing;
+                return dot(plane.normal, x) <= plane.offset - slack * spacing ||
+                       (is_last && dot(plane.normal, up) > 1 - 1e-9);
             });
             if (is_inside) {
                 return static_cast<int>(r);
@@ -266,7 +282,7 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         return filling;
     }
     filling.lattice_corner = lattice_corner(cut, settings.domain);
-    const Lattice lattice = lattice_over(cut, settings, filling.lattice_corner);
+    const Lattice lattice = lattice_over(cut, settings, filling.lattice_corner, up);
     double places = 1;
     for (const std::int64_t count : lattice.counts) {
         places *= static_cast<double>(count);
@@ -281,15 +297,17 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     const auto row = [&lattice](std::int64_t line) {
         return std::pair{line % lattice.counts[1], line / lattice.counts[1]};
     };
-    const auto owner_of = [&](const Vec3& x) {
-        const int region = region_of(cut, x, up, settings.spacing);
+    const int up_axis = std::abs(up.x) > 0.5 ? 0 : std::abs(up.y) > 0.5 ? 1 : 2;
+    const auto owner_of = [&](const Vec3& x, std::int64_t i, std::int64_t j, std::int64_t k) {
+        const double turn = up_axis == 0 ? turn_of(j, k) : up_axis == 1 ? turn_of(i, k) : turn_of(i, j);
+        const int region = region_of(cut, x, up, settings.spacing, turn);
         return region < 0 || solids.touch(x) ? -1 : region;
     };
     std::vector<std::int64_t> begin(at(rows + 1), 0);  // of each row among the particles
     parallel::for_each_uneven(rows, 4, [&](std::int64_t line) {
         const auto [j, k] = row(line);
         for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
-            begin[at(line)] += owner_of(lattice.place(i, j, k)) < 0 ? 0 : 1;
+            begin[at(line)] += owner_of(lattice.place(i, j, k), i, j, k) < 0 ? 0 : 1;
         }
     });
     const std::int64_t count = parallel::exclusive_scan<std::int64_t>(begin, begin);
@@ -301,7 +319,7 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         const auto [j, k] = row(line);
         for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
             const Vec3 x = lattice.place(i, j, k);
-            if (const int region = owner_of(x); region >= 0) {
+            if (const int region = owner_of(x, i, j, k); region >= 0) {
                 put(x, region);
             }
         }
@@ -313,7 +331,7 @@ void set_hydrostatic_density(Filling& filling, const fluid::ParticleSettings& se
     const double strength = norm(gravity);
     for (std::size_t i = 0; i < filling.region.size() && strength > 0; ++i) {
         const double height = -dot(gravity, filling.particles.position[i]) / strength;
-        const double depth = filling.regions[at(filling.region[i])].surface - height;
+        const double depth = std::max(0.0, filling.regions[at(filling.region[i])].surface - height);
         filling.particles.density[i] = fluid::density_of(settings, settings.rest_density * strength * depth);
     }
 }

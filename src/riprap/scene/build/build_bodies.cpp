@@ -8,6 +8,7 @@
 
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/random_stream.hpp"
+#include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -107,7 +108,8 @@ void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& b
 }
 
 /// Copies of `body` on a lattice.
-void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body, const BodySpheres* spheres,
+void add_copies(CaseBuild& build, const Value& table, const Value& shape, const body::NewBody& body,
+                const BodySpheres* spheres,
                 const Value& repeat) {
     const Lattice lattice(repeat);
     const Quat slope = orientation_of(repeat.find("orientation"));
@@ -137,7 +139,7 @@ void add_copies(CaseBuild& build, const Value& table, const body::NewBody& body,
         double scale = 1;
         if (scales != nullptr) {
             scale = scales->items[static_cast<std::size_t>(i) % scales->items.size()].as_number();
-            const auto parts = build.shapes.parts(get(table, "shape"), scale);
+            const auto parts = build.shapes.parts(shape, scale);
             if (!parts) {
                 return;
             }
@@ -164,7 +166,7 @@ bool check_planar_turn(CaseBuild& build, const Value& table, std::string_view wh
 void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::size_t count) {
     const Value* motion = table.find("motion");
     const Value* maker = motion != nullptr ? motion->find("wave_maker") : nullptr;
-    if (maker == nullptr || count == first) {
+    if (maker == nullptr || count == first || makes_sea(*maker)) {
         return;
     }
     WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
@@ -216,7 +218,10 @@ void build_body(CaseBuild& build, const Value& table) {
     body.velocity = get_vector(table, "velocity");
     body.angular_velocity = read_spin(get(table, "angular_velocity"));
     body.pose = {get_vector(table, "position"), orientation_of(table.find("orientation"))};
-    const Value& shape = get(table, "shape");
+    if (body.material.is_valid()) {
+        body.density = get_number_or(table, "density", build.model.materials[body.material].density);
+    }
+    const Value shape = build.shapes.sized(get(table, "shape"), body.density > 0 ? body.density : 1);
     const Value* repeat = table.find("repeat");
     const bool is_turned_well = check_planar_turn(build, table, "body", body.pose.orientation) &&
                                 (repeat == nullptr || check_planar_turn(build, *repeat, "lattice",
@@ -247,13 +252,12 @@ void build_body(CaseBuild& build, const Value& table) {
         }
     }
     const auto first = static_cast<std::size_t>(build.model.bodies.size());
-    body.density = get_number_or(table, "density", build.model.materials[body.material].density);
     if (const Value* mass = table.find("mass")) {
         body.density = density_of(build, table, *mass, body.parts, spheres);
     }
     const BodySpheres* given = spheres ? &*spheres : nullptr;
     if (repeat != nullptr) {
-        add_copies(build, table, body, given, *repeat);
+        add_copies(build, table, shape, body, given, *repeat);
     } else {
         add_with_loads(build, table, body, given);
     }

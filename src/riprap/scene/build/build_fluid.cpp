@@ -149,8 +149,6 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     check_filling(build, list, filling, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
-        warn_of_short_filling(build, list.items[r].place, filling.regions[r], filling.lattice_corner,
-                              fluid.settings().spacing);
     }
     if (filling.particles.size() == 0) {
         return;
@@ -169,6 +167,8 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);
+    warn_of_driven_leaving(build, fluid);
+    warn_of_dry_walls(build, fluid, filling.particles.position);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);
     warn_of_open_sides(build, get(*table, "domain").place, fluid, build.state.fluid.position);

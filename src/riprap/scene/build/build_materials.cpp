@@ -66,6 +66,16 @@ void read_number(const Value& table, std::string_view key, std::optional<double>
     }
 }
 
+/// Warns of a restitution that nothing reads: what loses energy in contacts of other methods is a damping.
+void warn_of_restitution(CaseBuild& build, const Value& material) {
+    const Value* restitution = material.find("restitution");
+    if (restitution != nullptr && !std::holds_alternative<solid::SphereDemSettings>(build.model.solid)) {
+        build.warnings.push_back(to_string(
+            Diagnostic{restitution->place, "'restitution' does nothing here: solid.method \"sphere_dem\" alone has it",
+                       "'damping_ratio' for this method"}));
+    }
+}
+
 void read_pair(CaseBuild& build, const Value& pair) {
     std::array<MaterialId, 2> ids;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -126,6 +136,7 @@ void build_materials(CaseBuild& build) {
         read_number(entry.value, "youngs_modulus", material.youngs_modulus);
         read_number(entry.value, "poisson_ratio", material.poisson_ratio);
         read_number(entry.value, "restitution", material.restitution);
+        warn_of_restitution(build, entry.value);
         build.materials[entry.key] = MaterialId{build.model.materials.size()};
         build.model.materials.materials.push_back(std::move(material));
     }

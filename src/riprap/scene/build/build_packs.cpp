@@ -78,11 +78,11 @@ struct Kind {
     double share_end;
 };
 
-std::vector<Kind> read_mix(CaseBuild& build, const Value& mix) {
+std::vector<Kind> read_mix(CaseBuild& build, const Value& mix, double density) {
     std::vector<Kind> kinds;
     double total = 0;
     for (const Value& table : mix.items) {
-        const Value& shape = get(table, "shape");
+        const Value shape = build.shapes.sized(get(table, "shape"), density);
         if (ShapeLibrary::is_half_space(shape)) {
             build.problem(shape.place, "a half-space is no block", "a shape with a volume");
             return {};
@@ -115,7 +115,7 @@ void build_lattice(CaseBuild& build, const Value& table, const body::NewBody& co
                       "counts = [nx, ny]");
         return;
     }
-    const std::vector<Kind> kinds = read_mix(build, get(table, "mix"));
+    const std::vector<Kind> kinds = read_mix(build, get(table, "mix"), common.density);
     if (kinds.empty() || !common.material.is_valid()) {
         return;
     }

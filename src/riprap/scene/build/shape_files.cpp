@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that need a hull, a file or an audit.
+#include <cmath>
+
 #include "riprap/geometry/convex_hull.hpp"
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/stl.hpp"
@@ -122,8 +124,23 @@ void add_piece(const Polyhedron& piece, std::int32_t line, geometry::Surface& su
 
 }  // namespace
 
+Value ShapeLibrary::sized(Value shape, double density) const {
+    Value* armour = shape.find("armour");
+    const Value* mass = armour != nullptr ? armour->find("mass") : nullptr;
+    if (mass != nullptr) {
+        const double volume = mass->as_number() / density;
+        armour->set("nominal_diameter", Value::of(is_planar_ ? std::sqrt(volume) : std::cbrt(volume)));
+        std::erase_if(armour->entries, [](const Entry& entry) { return entry.key == "mass"; });
+    }
+    return shape;
+}
+
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_armour(const Value& table) {
     const geometry::ArmourUnit unit = get_word(table, "unit", armour_units());
+    if (const Value* mass = table.find("mass")) {  // of a body ShapeLibrary::sized has made a diameter of it
+        problems_.push_back({mass->place, "a unit by its mass, but nothing here has a density", "nominal_diameter"});
+        return std::nullopt;
+    }
     const double diameter = get_number(table, "nominal_diameter");
     geometry::Surface surface;
     surface.file = table.place.file;

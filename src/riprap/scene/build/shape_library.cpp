@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/round_shapes.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
 namespace riprap::scene {
@@ -92,11 +92,15 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
         const double edge = entry.value.as_number();
         return accept(geometry::planar_prism(rectangle(edge, edge)), entry.place);
     }
-    if (entry.key == "sphere") {  // a regular n-gon has the area n/2 R^2 sin(2 pi/n)
+    if (entry.key == "sphere" || entry.key == "ellipse") {
         constexpr int sides = 64;
-        const double share = sides / (2 * std::numbers::pi) * std::sin(2 * std::numbers::pi / sides);
-        return accept(geometry::planar_prism(regular_polygon(sides, entry.value.as_number() / std::sqrt(share))),
-                      entry.place);
+        std::vector<Point2> corners = regular_polygon(sides, geometry::circumradius_of_equal_area(sides));
+        const bool is_round = entry.key == "sphere";
+        for (Point2& corner : corners) {
+            corner[0] *= (is_round ? entry.value : entry.value.items[0]).as_number();
+            corner[1] *= (is_round ? entry.value : entry.value.items[1]).as_number();
+        }
+        return accept(geometry::planar_prism(corners), entry.place);
     }
     if (entry.key == "polygon") {
         return accept(geometry::planar_prism(corners_of(entry.value)), entry.place);
@@ -105,7 +109,7 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
         return make_prism(entry.value);
     }
     problems_.push_back({entry.place, fmt::format("'{}' is no shape of a planar scene", entry.key),
-                         "box, cube, prism, polygon, sphere, half_space, or a union of these"});
+                         "box, cube, prism, polygon, sphere, ellipse, half_space, or a union of these"});
     return std::nullopt;
 }
 
@@ -150,6 +154,12 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
         one = geometry::icosahedron(edge_of(value, std::sqrt(std::numbers::phi * std::sqrt(5.0)) / 2));
     } else if (kind == "sphere") {
         one = geometry::sphere(value.as_number());
+    } else if (kind == "ellipsoid") {
+        one = geometry::ellipsoid(to_vector(value));
+    } else if (kind == "cylinder") {
+        one = accept(geometry::cylinder(get_number(value, "radius"), get_number(value, "height"),
+                                        static_cast<int>(get_integer(value, "sides"))),
+                     entry.place);
     } else if (kind == "prism") {
         one = make_prism(value);
     } else if (kind == "hull") {
@@ -160,8 +170,10 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
         return make_surface(value, kind == "stl");
     } else {
         problems_.push_back({entry.place, fmt::format("'{}' cannot stand here", kind),
-                             kind == "polygon" ? "polygons are for dimension = 2; use prism = { points, height }"
-                                               : "a shape with a volume"});
+                             kind == "polygon" || kind == "ellipse"
+                                 ? fmt::format("{} is for dimension = 2; use {}", kind,
+                                               kind == "polygon" ? "prism = { points, height }" : "ellipsoid")
+                                 : "a shape with a volume"});
     }
     if (!one) {
         return std::nullopt;

@@ -21,6 +21,9 @@ class ShapeLibrary {
                  std::vector<std::string>& warnings)
         : shapes_(shapes), files_(files), is_planar_(is_planar), problems_(problems), warnings_(warnings) {}
 
+    /// The shape with a diameter in the place of a mass, where it is an armour unit by its mass.
+    Value sized(Value shape, double density) const;
+
     /// The parts of a body of this shape, `local` from the frame of the shape table; `scale` multiplies all lengths.
     /// Nothing, with a problem at the place of the table (once per table), when the shape is refused.
     std::optional<std::vector<body::Part>> parts(const Value& shape, double scale = 1);

@@ -3,7 +3,7 @@
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
-#include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/keys/sea_words.hpp"
 
 namespace riprap::scene {
 
@@ -15,8 +15,8 @@ const Table& fluid_domain_table() {
     static const Table table{
         "fluid.domain",
         "domain = { ... }",
-        "The box that water may be in. A particle that leaves it through a side that is not periodic ends the run: "
-        "give it room above walls that water may splash over, or an outflow there.",
+        "The box that water may be in. What leaves it through its top is counted and let go, up to a thousandth of the "
+        "water; more, or a particle that leaves through another side that is not periodic, ends the run.",
         {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
          {"high", {vector(dimension::length)}, "High corner.", {}, true},
          {"periodic",
@@ -87,7 +87,7 @@ const Table& fluid_wave_table() {
           {choice(side_waves())},
           "Steady waves of finite height, by the stream function or to Stokes' second order; one solitary wave of any "
           "height; one by the second-order formulas of "
-          "[Ding2021]; a sea of a JONSWAP spectrum; none, for a side that only absorbs.",
+          "[Ding2021]; a sea; none, for a side that only absorbs.",
           Value::of("regular")},
          {"height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0.", {}},
          {"depth", {number(dimension::length, positive())}, "Depth of still water at the side.", {}, true},
@@ -101,7 +101,8 @@ const Table& fluid_wave_table() {
           {number(dimension::time, non_negative())},
           "Time over which regular waves and seas grow; two periods when not given.",
           {}},
-         {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of a sea.", Value::of(3.3)},
+         {"spectrum", {choice(spectra())}, "Spectrum of a sea.", Value::of("jonswap")},
+         {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
          {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
     return table;
 }

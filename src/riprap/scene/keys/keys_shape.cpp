@@ -57,8 +57,13 @@ const Table& armour_table() {
          {"nominal_diameter",
           {length},
           "D_n: edge of the cube of the same volume; in planar scenes side of the square of the same area.",
-          {},
-          true}}};
+          {}},
+         {"mass",
+          {number({0, 1, 0, 0}, positive())},
+          "Of one unit, D_n following from the density of the body, such as \"10 t\"; in planar scenes per metre of "
+          "width. For [[body]] and [[pack]].",
+          {}}},
+        {{GroupRule::exactly_one, {"nominal_diameter", "mass"}}}};
     return table;
 }
 
@@ -158,6 +163,16 @@ const Table& regular_table() {
     return table;
 }
 
+const Table& cylinder_table() {
+    static const Table table{"shape.cylinder",
+                             "shape = { cylinder = { ... } }",
+                             "A cylinder along z, about its centre, as a prism with its volume.",
+                             {{"radius", {length}, "Of the circle.", {}, true},
+                              {"height", {length}, "Along z; half of it to either side.", {}, true},
+                              {"sides", {integer(8, 64)}, "Of the prism.", Value::of(std::int64_t{32})}}};
+    return table;
+}
+
 const Table& prism_table() {
     static const Table table{
         "shape.prism",
@@ -212,6 +227,18 @@ const Table& shape_table() {
           "Radius of a ball, in a planar scene of a disc. solid.method \"sphere_dem\" takes it as one sphere; other "
           "methods, and what is shown, as a polyhedron of 320 triangles (a prism of 64 sides) with its volume.",
           {}},
+         {"ellipsoid",
+          {vector(dimension::length, positive())},
+          "Semi-axes along x, y and z, as a polyhedron of 320 triangles with its volume; not in a planar scene.",
+          {}},
+         {"ellipse",
+          {list(number(dimension::length, positive()), 2, 2)},
+          "Semi-axes along x and y, as a prism of 64 sides with its area; planar scenes only.",
+          {}},
+         {"cylinder",
+          {form::table(cylinder_table)},
+          "A round cylinder along z; in a planar scene sphere is a disc.",
+          {}},
          {"hull", {form::table(hull_table)}, "Convex hull of points.", {}},
          {"random_hull", {form::table(random_hull_table)}, "An irregular stone.", {}},
          {"armour", {form::table(armour_table)}, "A concrete unit of a breakwater.", {}},
@@ -226,8 +253,9 @@ const Table& shape_table() {
          {"mesh", {form::table(mesh_table)}, "Ground or walls from triangles.", {}},
          {"union", {table_list(union_part_table, 1)}, "Several convex parts as one rigid body.", {}}},
         {{GroupRule::exactly_one,
-          {"box", "cube", "prism", "tetrahedron", "wedge", "octahedron", "dodecahedron", "icosahedron", "sphere",
-           "hull", "random_hull", "armour", "polygon", "half_space", "stl", "obj", "terrain", "mesh", "union"}}}};
+          {"box",        "cube",      "prism",   "tetrahedron", "wedge", "octahedron",  "dodecahedron", "icosahedron",
+           "sphere",     "ellipsoid", "ellipse", "cylinder",    "hull",  "random_hull", "armour",       "polygon",
+           "half_space", "stl",       "obj",     "terrain",     "mesh",  "union"}}}};
     return table;
 }
 

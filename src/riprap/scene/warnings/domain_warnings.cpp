@@ -113,23 +113,6 @@ void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupli
     }
 }
 
-void warn_of_short_filling(CaseBuild& build, const SourcePlace& place, const coupling::FillReport& report,
-                           const Vec3& lattice_corner, double spacing) {
-    constexpr double slack = 1e-6, told = 0.25;  // of a spacing
-    const Vec3 up = build.up();
-    const double depth = report.surface - dot(up, lattice_corner), layers = std::floor(depth / spacing + slack);
-    const bool is_along_axis = std::max({up.x, up.y, up.z}) > 1 - 1e-9;
-    if (report.count == 0 || !is_along_axis || layers < 1 || depth - layers * spacing < told * spacing) {
-        return;
-    }
-    build.warnings.push_back(to_string(Diagnostic{
-        place,
-        fmt::format("the water begins {:.3g} m deep, not {:.4g} m: a spacing of {:.4g} m does not divide the "
-                    "depth, {:.5g} m or {:.5g} m does",
-                    layers * spacing, depth, spacing, depth / (layers + 1), depth / layers),
-        ""}));
-}
-
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
                         const std::vector<Vec3>& water) {
     const fluid::Domain& domain = fluid.settings().domain;

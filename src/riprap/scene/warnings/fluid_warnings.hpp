@@ -25,15 +25,16 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
 /// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
 void warn_of_bodies_outside(CaseBuild& build, const coupling::ParticleFluid& fluid);
 
+/// Driven bodies, paddles aside, that move out of the domain by more than a spacing, but through its top.
+void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& fluid);
+
+/// Fixed and driven bodies that water stands at and passes through.
+void warn_of_dry_walls(CaseBuild& build, const coupling::ParticleFluid& fluid, const std::vector<Vec3>& water);
+
 /// A region that reaches out of the domain to where no solid is, along axes that are not periodic. Its table is at
 /// `place`.
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
                         const coupling::ParticleFluid& fluid);
-
-/// Water whose highest layer of particles ends more than a quarter of a spacing below the level of its region, as the
-/// spacing does not divide the depth. The table of the region is at `place`.
-void warn_of_short_filling(CaseBuild& build, const SourcePlace& place, const coupling::FillReport& report,
-                           const Vec3& lattice_corner, double spacing);
 
 /// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
 /// at `place`.
