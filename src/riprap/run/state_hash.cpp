@@ -2,6 +2,9 @@
 #include "riprap/run/state_hash.hpp"
 
 #define XXH_INLINE_ALL
+#ifdef __AVX512F__
+#define XXH_VECTOR 1  // SSE2: in those of AVX-512 GCC 12 warns of numbers that are not set
+#endif
 #include <xxhash.h>
 
 #include <memory>
