@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/bonds.hpp"
@@ -144,7 +145,7 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.damping_loss = step.dashpot_loss;
     report.dt_bound = step.stable_step;
     report.max_depth = step.deepest;
-    report.contact_count = step.contact_count;
+    report.contact_count = contact::count_pairs(fields_->contacts.pair);
     report.pair_count = scratch_->engine.finder.pair_count();
     state_.previous_dt = span.dt;
     return {};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/linear/cholmod.hpp"
@@ -209,7 +210,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.friction_loss = step.friction_loss;
     report.own = {step.strain, step.lost_energy, step.numerical_loss, step.static_loss};
     report.max_depth = step.deepest;
-    report.contact_count = step.contact_count;
+    report.contact_count = contact::count_pairs(fields_->contacts.pair);
     report.pair_count = scratch_->engine.finder.pair_count();
     state_.previous_dt = span.dt;
     return {};

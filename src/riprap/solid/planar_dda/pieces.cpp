@@ -30,6 +30,7 @@ Outcome advance_in_pieces(const Model& model, const Settings& settings, const St
         all.factorizations += report.factorizations;
         if (outcome.ok()) {
             all.closed_contacts = report.closed_contacts;
+            all.touching_pairs = report.touching_pairs;
             all.largest_displacement = std::max(all.largest_displacement, report.largest_displacement);
             all.largest_overlap = std::max(all.largest_overlap, report.largest_overlap);
             ++piece_count;

@@ -325,7 +325,7 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     book_blocks(scene.model, fields_->blocks, gravity, scratch_->given, scratch_->loads, span.dt, report.kick);
     book_accounts(before, fields_->blocks.accounts, energies_of(scene.model, fields_->blocks), report);
     report.max_depth = taken.largest_overlap;
-    report.contact_count = taken.closed_contacts;
+    report.contact_count = taken.touching_pairs;
     report.pair_count = static_cast<std::int64_t>(scratch_->engine.search.pairs.size());
     write_bodies(scene, fields_->blocks, state_.bodies);
     write_mean_rates(scratch_->engine.motion, span.dt, state_.bodies);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/contact/contact_set.hpp"
+#include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/accounts.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
@@ -104,12 +106,15 @@ Outcome accept_or_refuse(const Model& model, const Settings& settings, const Scr
                             report.largest_displacement, ratio),
                 std::isfinite(ratio) ? 1 / std::sqrt(ratio) : 0.3};
     }
+    std::vector<std::uint64_t> pairs;
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Trial& trial = scratch.trials[k];
         if (trial.mode == Mode::open) {
             continue;
         }
         ++report.closed_contacts;
+        const auto [a, b] = std::minmax(scratch.contacts[k].a, scratch.contacts[k].b);
+        pairs.push_back(contact::pair_key({a, b}));
         report.largest_overlap = std::max(report.largest_overlap, -trial.gap);
         if (settings.largest_overlap > 0 && -trial.gap > settings.largest_overlap) {
             return {fmt::format("{} overlap by {:.3g} m, above the limit of {:.3g} m",
@@ -117,6 +122,8 @@ Outcome accept_or_refuse(const Model& model, const Settings& settings, const Scr
                     0.3};
         }
     }
+    std::sort(pairs.begin(), pairs.end());
+    report.touching_pairs = contact::count_pairs(pairs);
     return {};
 }
 

@@ -29,6 +29,7 @@ struct StepReport {
     int iterations{0};  ///< solutions of the equations
     int factorizations{0};
     std::int32_t closed_contacts{0};
+    std::int64_t touching_pairs{0};  ///< of blocks with closed contacts
     double largest_displacement{0};  ///< of a corner [m]
     double largest_overlap{0};       ///< of a closed contact, after the step [m]
 };

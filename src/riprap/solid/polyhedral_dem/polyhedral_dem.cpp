@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/contact/common_plane_physics.hpp"
+#include "riprap/contact/count_pairs.hpp"
 #include "riprap/contact/distance_potential_physics.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -118,7 +119,7 @@ Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads
     report.dt_bound = contacts.stable_step(scene);
     report.max_potential = sums.potential;
     report.max_depth = sums.overlap;
-    report.contact_count = static_cast<std::int64_t>(contacts.rows().size());
+    report.contact_count = contact::count_pairs(state_.contacts.pair);
     report.pair_count = contacts.pair_count();
     state_.previous_dt = span.dt;
     return judge(bodies, *settings_, state, report.kick, sums, contacts.rows(), kick_time);
