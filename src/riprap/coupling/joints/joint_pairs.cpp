@@ -2,6 +2,7 @@
 #include "riprap/coupling/joints/joint_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -13,6 +14,8 @@ namespace riprap::coupling {
 namespace {
 
 constexpr std::int64_t grain = 64;
+/// Angle that a body may turn before pairs are looked for again [rad].
+constexpr double most_turn = 0.15;
 /// Share of a spacing that two samples may come nearer before pairs are looked for again.
 constexpr double skin = 0.5;
 /// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
@@ -24,7 +27,6 @@ constexpr double farther = 1.5;
 
 JointKernel::JointKernel(const fluid::ParticleSettings& settings)
     : kernel_(settings.smoothing_length(), settings.domain.dimension),
-      nearest_(settings.domain),
       square_of_support_(settings.support_radius() * settings.support_radius()),
       farthest_(reach(settings)),
       spacing_(settings.spacing) {}
@@ -33,8 +35,9 @@ double JointKernel::reach(const fluid::ParticleSettings& settings) {
     return settings.support_radius() + farther * settings.spacing;
 }
 
-std::optional<JointGap> JointKernel::gap(const JointMember& i, const JointMember& j, const JointLink& link) const {
-    if (norm_squared(link.apart) > farthest_ * farthest_ || !(dot(i.normal, j.normal) < -0.5)) {
+std::optional<JointGap> JointKernel::gap_of_facing(const JointMember& i, const JointMember& j,
+                                                   const JointLink& link) const {
+    if (norm_squared(link.apart) > farthest_ * farthest_) {
         return std::nullopt;
     }
     const Vec3 across = i.normal - j.normal, n = across / norm(across);
@@ -61,9 +64,17 @@ double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_drive
     return (has_driven ? 2 : 1) * JointKernel::reach(settings) + skin * settings.spacing;
 }
 
-bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                               double spacing) const {
-    if (paired_at_.size() != at(near.size())) {
+bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
+                               const fluid::BoundaryParticles& walls, double spacing) const {
+    if (paired_at_.size() != at(near.size()) || posed_at_.size() != motion.pose.size()) {
+        return false;
+    }
+    const double least = std::cos(0.5 * most_turn);
+    const bool has_turned = parallel::any_of(static_cast<std::int64_t>(posed_at_.size()), [&](std::int64_t b) {
+        const Quat &now = motion.pose[at(b)].orientation, &then = posed_at_[at(b)].orientation;
+        return !(std::abs(now.w * then.w + now.x * then.x + now.y * then.y + now.z * then.z) > least);
+    });
+    if (has_turned) {
         return false;
     }
     const double farthest = parallel::reduce(
@@ -137,24 +148,30 @@ void JointPairs::find_pairs(const fluid::ParticleSettings& settings) {
     fluid::CellGrid grid;
     const double most = reach(settings, false);
     grid.build(places, settings.domain, most);
+    const double near = settings.support_radius() + skin * settings.spacing;
+    constexpr double facing = -0.5 + 2 * most_turn;  // what may come to -1/2 while pairs are kept
     std::vector<std::vector<std::int32_t>> met(members_.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
         const JointMember& member = members_[at(i)];
         std::vector<std::int32_t>& mine = met[at(i)];
         grid.for_each_near(member.place, [&](std::int64_t j) {
             const JointMember& other = members_[at(j)];
-            if (other.solid != member.solid && norm(nearest_(member.place - other.place)) < most) {
-                mine.push_back(static_cast<std::int32_t>(j));
+            const double apart = other.solid == member.solid ? most : norm(nearest_(member.place - other.place));
+            if (apart < most) {
+                const bool may_join = apart < near || dot(member.normal, other.normal) < facing;
+                mine.push_back(static_cast<std::int32_t>(2 * j + (may_join ? 1 : 0)));
             }
         });
         std::sort(mine.begin(), mine.end());
     });
     pair_begin_.assign(1, 0);
-    pairs_.clear();
     for (const std::vector<std::int32_t>& mine : met) {
-        pairs_.insert(pairs_.end(), mine.begin(), mine.end());
-        pair_begin_.push_back(static_cast<std::int64_t>(pairs_.size()));
+        pair_begin_.push_back(pair_begin_.back() + static_cast<std::int64_t>(mine.size()));
     }
+    pairs_.resize(at(pair_begin_.back()));
+    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
+        std::ranges::copy(met[at(i)], pairs_.begin() + pair_begin_[at(i)]);
+    });
 }
 
 void JointPairs::find_who_is_at_joints() {
@@ -162,7 +179,8 @@ void JointPairs::find_who_is_at_joints() {
     parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
         bool is_at_joint = members_[at(i)].is_loose;
         if (!is_at_joint) {
-            for_each_met(at(i), [&](std::size_t j) { is_at_joint = is_at_joint || members_[j].is_loose; });
+            for_each_met(
+                at(i), [&](std::size_t j, const Vec3&, double) { is_at_joint = is_at_joint || members_[j].is_loose; });
         }
         is_at_joint_[at(i)] = is_at_joint ? 1 : 0;
     });
@@ -173,17 +191,21 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
     const double reach = JointKernel::reach(settings);
     nearest_ = fluid::NearestImage(settings.domain);
     square_of_reach_ = reach * reach;
-    const bool is_kept = is_up_to_date(near, solids, walls, settings.spacing);
+    square_of_support_ = settings.support_radius() * settings.support_radius();
+    const bool is_kept = is_up_to_date(near, solids, motion, walls, settings.spacing);
     if (!is_kept) {
         find_members(near, solids, walls, settings);
     }
     place_members(near, motion, walls);
     if (!is_kept) {
         find_pairs(settings);
+        posed_at_ = motion.pose;
     }
     find_who_is_at_joints();
 }
 
-std::size_t JointPairs::bytes() const { return bytes_of(members_, is_at_joint_, pair_begin_, pairs_, paired_at_); }
+std::size_t JointPairs::bytes() const {
+    return bytes_of(members_, is_at_joint_, pair_begin_, pairs_, paired_at_, posed_at_);
+}
 
 }  // namespace riprap::coupling

@@ -58,23 +58,26 @@ class JointKernel {
     /// 1.5 to 2 spacings apart would be within the support from a little farther, by less than 1e-4 of the kernel's
     /// slope.
     static double reach(const fluid::ParticleSettings& settings);
-    JointLink link(const JointMember& i, const JointMember& j) const {
-        const Vec3 apart = nearest_(i.place - j.place);
-        const double square = norm_squared(apart);
+    /// @param square  |apart|^2 [m^2]
+    JointLink link(const Vec3& apart, double square) const {
         return {apart, square < square_of_support_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
     }
+    /// Whether the faces of two samples look at each other.
+    static bool are_facing(const JointMember& i, const JointMember& j) { return dot(i.normal, j.normal) < -0.5; }
     /// Nothing where faces do not look at each other or are too far apart to share a joint.
-    std::optional<JointGap> gap(const JointMember& i, const JointMember& j, const JointLink& link) const;
+    std::optional<JointGap> gap(const JointMember& i, const JointMember& j, const JointLink& link) const {
+        return are_facing(i, j) ? gap_of_facing(i, j, link) : std::nullopt;
+    }
     /// The link with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
     JointLink closed(const JointLink& link, const JointGap& gap) const;
     /// The same with faces brought together whole.
     JointLink touching(const JointLink& link, const JointGap& gap) const;
 
  private:
+    std::optional<JointGap> gap_of_facing(const JointMember& i, const JointMember& j, const JointLink& link) const;
     JointLink nearer(const JointLink& link, const Vec3& shift) const;
 
     fluid::WendlandC2 kernel_;
-    fluid::NearestImage nearest_;
     double square_of_support_, farthest_, spacing_;
 };
 
@@ -97,21 +100,58 @@ class JointPairs {
     const std::vector<JointMember>& members() const { return members_; }
     /// Whether member i is of a loose body or meets one. Others have no part in joints but shut off what these see.
     bool is_at_joint(std::size_t i) const { return is_at_joint_[i] != 0; }
-    /// f(j) for all members j of other solids within JointKernel::reach of member i, ascending.
+    /// Whether is(j) holds for any member j of other solids that member i may meet.
     template <class F>
-    void for_each_met(std::size_t i, const F& f) const {
-        for (auto k = static_cast<std::size_t>(pair_begin_[i]); k < static_cast<std::size_t>(pair_begin_[i + 1]); ++k) {
-            const auto j = static_cast<std::size_t>(pairs_[k]);
-            if (norm_squared(nearest_(members_[i].place - members_[j].place)) < square_of_reach_) {
-                f(j);
+    bool may_meet(std::size_t i, const F& is) const {
+        for (const std::int32_t pair : pairs_of(i)) {
+            if (is(member_of(pair))) {
+                return true;
             }
         }
+        return false;
+    }
+    /// f(j, x_i - x_j, |x_i - x_j|^2) for all members j of other solids within JointKernel::reach of member i,
+    /// ascending.
+    template <class F>
+    void for_each_met(std::size_t i, const F& f) const {
+        visit<false>(i, [&](std::size_t j, const Vec3& apart, double square) { f(j, apart, square); });
+    }
+    /// The same, but only for those within the support of each other or with faces that look at each other: half of
+    /// them. No other pair is part of a joint.
+    template <class F>
+    void for_each_joined(std::size_t i, const F& f) const {
+        const JointMember& member = members_[i];
+        visit<true>(i, [&](std::size_t j, const Vec3& apart, double square) {
+            if (square < square_of_support_ || JointKernel::are_facing(member, members_[j])) {
+                f(j, apart, square);
+            }
+        });
     }
     std::size_t bytes() const;
 
  private:
-    bool is_up_to_date(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
-                       double spacing) const;
+    static std::size_t member_of(std::int32_t pair) { return static_cast<std::size_t>(pair / 2); }
+    std::span<const std::int32_t> pairs_of(std::size_t i) const {
+        return std::span(pairs_).subspan(static_cast<std::size_t>(pair_begin_[i]),
+                                         static_cast<std::size_t>(pair_begin_[i + 1] - pair_begin_[i]));
+    }
+    template <bool OnlyJoined, class F>
+    void visit(std::size_t i, const F& f) const {
+        const Vec3 place = members_[i].place;
+        for (const std::int32_t pair : pairs_of(i)) {
+            if (OnlyJoined && pair % 2 == 0) {
+                continue;  // without a look at the member: that is most of the time
+            }
+            const std::size_t j = member_of(pair);
+            const Vec3 apart = nearest_(place - members_[j].place);
+            const double square = norm_squared(apart);
+            if (square < square_of_reach_) {
+                f(j, apart, square);
+            }
+        }
+    }
+    bool is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
+                       const fluid::BoundaryParticles& walls, double spacing) const;
     void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                       const fluid::ParticleSettings& settings);
     void place_members(const SampleView& near, const body::Motion& motion, const fluid::BoundaryParticles& walls);
@@ -119,12 +159,14 @@ class JointPairs {
     void find_who_is_at_joints();
 
     fluid::NearestImage nearest_{fluid::Domain{}};
-    double square_of_reach_{0};  ///< [m^2]
+    double square_of_reach_{0}, square_of_support_{0};  ///< [m^2]
     std::vector<JointMember> members_;
     std::vector<std::uint8_t> is_at_joint_;  ///< of each member
     std::vector<std::int64_t> pair_begin_;   ///< of each member in pairs_, one more at the end
-    std::vector<std::int32_t> pairs_;        ///< members of other solids, skin included, ascending
+    std::vector<std::int32_t> pairs_;        ///< twice the members of other solids, skin included, ascending; and 1
+                                             ///< where the two may be joined
     std::vector<Vec3> paired_at_;            ///< places of all samples then; empty = nothing found yet [m]
+    std::vector<Pose> posed_at_;             ///< of all bodies then
 };
 
 }  // namespace riprap::coupling

@@ -37,6 +37,7 @@ double left_to_do(const JointWater& at_member, double water, double joint) {
 void JointPressure::list_sides() {
     const std::vector<JointMember>& members = pairs_.members();
     std::unordered_map<std::uint64_t, std::int32_t> joints;
+    std::pair<std::uint64_t, std::int32_t> last{};  // of the members before, which mostly have the same
     side_begin_.assign(1, 0);
     sides_.clear();
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -45,8 +46,10 @@ void JointPressure::list_sides() {
             const auto low = static_cast<std::uint32_t>(std::min(own, other)),
                        high = static_cast<std::uint32_t>(std::max(own, other));
             const std::uint64_t both = std::uint64_t{low} << 32U | high;
-            const auto joint = joints.emplace(both, static_cast<std::int32_t>(joints.size())).first->second;
-            sides_.push_back({static_cast<std::int32_t>(i), other, joint, 0});
+            if (last.first != both || joints.empty()) {
+                last = *joints.emplace(both, static_cast<std::int32_t>(joints.size())).first;
+            }
+            sides_.push_back({static_cast<std::int32_t>(i), other, last.second, 0});
         }
         side_begin_.push_back(static_cast<std::int32_t>(sides_.size()));
     }
@@ -55,18 +58,18 @@ void JointPressure::list_sides() {
 
 double JointPressure::felt_about(std::size_t member, const fluid::ParticleSettings& settings,
                                  const Vec3& gravity) const {
-    const std::vector<JointMember>& members = pairs_.members();
-    const fluid::NearestImage nearest(settings.domain);
     const double reach = JointKernel::reach(settings);
     double sum = 0, weights = 0;
-    const auto add = [&](std::size_t k) {
+    const auto add = [&](std::size_t k, const Vec3& d, double square) {
         const JointWater& at_member = found_[k];
-        const Vec3 d = nearest(members[member].place - members[k].place);
-        const double weight = at_member.weight * std::max(0.0, 1 - norm(d) / reach);
+        if (!(at_member.weight > 0)) {
+            return;
+        }
+        const double weight = at_member.weight * std::max(0.0, 1 - std::sqrt(square) / reach);
         weights += weight;
-        sum += weight > 0 ? weight * (at_member.felt + settings.rest_density * dot(gravity, d)) : 0;
+        sum += weight * (at_member.felt + settings.rest_density * dot(gravity, d));
     };
-    add(member);
+    add(member, {}, 0);
     pairs_.for_each_met(member, add);
     return weights > 0 ? std::max(0.0, sum / weights) : 0;
 }
@@ -127,6 +130,35 @@ double JointPressure::pressure_of(std::size_t member, std::int32_t other) const 
     return 0;
 }
 
+Vec3 JointPressure::force_on(std::size_t index, const JointKernel& kernel, const fluid::WaterAtWalls& water) const {
+    const std::vector<JointMember>& members = pairs_.members();
+    const JointMember& member = members[index];
+    if (!found_[index].may_be_there) {
+        return {};
+    }
+    Vec3 sum{};
+    std::int32_t solid = member.solid;  // of the other members, which come solid by solid
+    double own = 0, own_share = 0;
+    pairs_.for_each_joined(index, [&](std::size_t j, const Vec3& apart, double square) {
+        const JointMember& other = members[j];
+        if (other.solid != solid) {
+            solid = other.solid;
+            own = pressure_of(index, partner_of(other));
+            own_share = left_to_do(found_[index], water.pressure[at(member.sample)], own);
+        }
+        const double others = pressure_of(j, partner_of(member)), pressure = own + others;
+        if (pressure == 0) {
+            return;
+        }
+        const JointLink link = kernel.link(apart, square);
+        const double share = 0.5 * (own_share + left_to_do(found_[j], water.pressure[at(other.sample)], others));
+        const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
+        const JointLink closed = gap ? kernel.closed(link, *gap) : link;
+        sum -= other.volume * pressure * ((1 - share) * link.slope * link.apart + share * closed.slope * closed.apart);
+    });
+    return member.volume * sum;
+}
+
 void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
                          const body::Motion& motion, const fluid::BoundaryParticles& walls,
                          const fluid::WaterAtWalls& water, const fluid::ParticleSettings& settings, const Vec3& gravity,
@@ -162,24 +194,7 @@ void JointPressure::find(const SampleView& near, std::span<const Vec3> slopes, c
     force.resize(at(near.size()));
     parallel::for_each(near.size(), [&force](std::int64_t i) { force[at(i)] = {}; });
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
-        const JointMember& member = members[at(index)];
-        Vec3 sum{};
-        pairs_.for_each_met(at(index), [&](std::size_t j) {
-            const JointMember& other = members[j];
-            const double own = pressure_of(at(index), partner_of(other)), others = pressure_of(j, partner_of(member));
-            const double pressure = own + others;
-            if (pressure == 0) {
-                return;
-            }
-            const JointLink link = kernel.link(member, other);
-            const double share = 0.5 * (left_to_do(found_[at(index)], water.pressure[at(member.sample)], own) +
-                                        left_to_do(found_[j], water.pressure[at(other.sample)], others));
-            const std::optional<JointGap> gap = share > 0 ? kernel.gap(member, other, link) : std::nullopt;
-            const JointLink closed = gap ? kernel.closed(link, *gap) : link;
-            sum -=
-                other.volume * pressure * ((1 - share) * link.slope * link.apart + share * closed.slope * closed.apart);
-        });
-        force[at(member.sample)] = member.volume * sum;
+        force[at(members[at(index)].sample)] = force_on(at(index), kernel, water);
     });
 }
 

@@ -72,6 +72,7 @@ class JointPressure {
     /// Mean of what walls feel about a member, carried to it as in water at rest [Pa].
     double felt_about(std::size_t member, const fluid::ParticleSettings& settings, const Vec3& gravity) const;
     double pressure_of(std::size_t member, std::int32_t other) const;
+    Vec3 force_on(std::size_t member, const JointKernel& kernel, const fluid::WaterAtWalls& water) const;
 
     JointPairs pairs_;
     std::vector<JointWater> found_;         ///< of each member

@@ -34,9 +34,9 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
     const JointMember& member = members[index];
     Surroundings found;
     others.clear();
-    pairs.for_each_met(index, [&](std::size_t j) {
+    pairs.for_each_joined(index, [&](std::size_t j, const Vec3& apart, double square) {
         const JointMember& other = members[j];
-        const JointLink link = kernel.link(member, other);
+        const JointLink link = kernel.link(apart, square);
         const Vec3 slope = link.slope * link.apart;
         found.slope += other.volume * slope;
         bool is_near = link.slope != 0;
@@ -47,7 +47,8 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
             is_near = is_near || kernel.closed(link, *gap).slope != 0;
         }
         const bool is_joint = is_near && (member.is_loose || other.is_loose);
-        if (is_joint && std::find(others.begin(), others.end(), partner_of(other)) == others.end()) {
+        const bool is_last = !others.empty() && others.back() == partner_of(other);  // members come solid by solid
+        if (is_joint && !is_last && std::find(others.begin(), others.end(), partner_of(other)) == others.end()) {
             others.push_back(partner_of(other));
         }
     });
@@ -60,6 +61,18 @@ double covered(const Vec3& open, const Vec3& water) {
     return square > 0 ? std::max(0.0, -dot(open, water) / square) : 0;
 }
 
+/// Which partners water stands at: loose solids by number + 1, first all others.
+std::vector<std::uint8_t> find_wet_partners(const JointPairs& pairs, std::size_t bodies,
+                                            const fluid::WaterAtWalls& water) {
+    std::vector<std::uint8_t> is_wet(bodies + 1, 0);
+    for (const JointMember& member : pairs.members()) {
+        if (water.weight[at(member.sample)] > 0) {
+            is_wet[at(partner_of(member) + 1)] = 1;
+        }
+    }
+    return is_wet;
+}
+
 }  // namespace
 
 void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
@@ -68,11 +81,17 @@ void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span
     const std::vector<JointMember>& members = pairs.members();
     const JointKernel kernel(settings);
     found.resize(members.size());
+    const std::vector<std::uint8_t> is_wet = find_wet_partners(pairs, motion.pose.size(), water);
+    const auto is_partner_wet = [&](std::size_t j) { return is_wet[at(partner_of(members[j]) + 1)] != 0; };
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         JointWater& at_member = found[at(index)];
-        if (!pairs.is_at_joint(at(index))) {
-            at_member = {};
+        // Where both sides are dry, all of the rim is, and the joint presses nothing apart.
+        at_member.may_be_there =
+            pairs.is_at_joint(at(index)) && (is_partner_wet(at(index)) || pairs.may_meet(at(index), is_partner_wet));
+        if (!at_member.may_be_there) {
+            at_member.weight = 0;
+            at_member.others.clear();
             return;
         }
         const Surroundings around = look_around(pairs, at(index), kernel, at_member.others);
