@@ -109,8 +109,7 @@ void add_with_loads(CaseBuild& build, const Value& table, const body::NewBody& b
 
 /// Copies of `body` on a lattice.
 void add_copies(CaseBuild& build, const Value& table, const Value& shape, const body::NewBody& body,
-                const BodySpheres* spheres,
-                const Value& repeat) {
+                const BodySpheres* spheres, const Value& repeat) {
     const Lattice lattice(repeat);
     const Quat slope = orientation_of(repeat.find("orientation"));
     const bool is_turned = get_boolean(repeat, "random_orientation");
