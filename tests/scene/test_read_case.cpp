@@ -281,8 +281,8 @@ TEST(ReadCase, a_paddle_makes_a_sea_to_the_end_of_the_run_and_beyond) {
 
 TEST(ReadCase, a_sea_takes_its_spectrum_from_a_file_and_its_height_from_the_case) {
     const TemporaryFolder folder;
-    std::ofstream(folder / "sea.csv") << "f [1/s],S [m^2 s]\n0.4,0\n0.6,1e-3\n0.8,2e-4\n1.2,0\n";
-    std::ofstream(folder / "falling.csv") << "f,S\n0.6,1e-3\n0.4,1e-3\n";
+    folder.write("sea.csv", "f [1/s],S [m^2 s]\n0.4,0\n0.6,1e-3\n0.8,2e-4\n1.2,0\n");
+    folder.write("falling.csv", "f,S\n0.6,1e-3\n0.4,1e-3\n");
     const auto text = [&](const std::string& more) {
         return minimal_case + "motion = { wave_maker = { wave = \"irregular\", depth = 0.5, " + more + " } }\n";
     };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
+#include "riprap/io/vtp_reader.hpp"
 #include "riprap/view/page_content.hpp"
 
 namespace riprap::view {
