@@ -78,6 +78,25 @@ TEST_F(CommonPlanePhysicsTest, a_cube_stands_on_a_half_space_by_four_corners_wit
     EXPECT_NEAR(norm(gathered().torque[1]), 0, 1e-9);
 }
 
+TEST_F(CommonPlanePhysicsTest, friction_holds_against_spin_as_a_disc_of_each_points_area_under_even_pressure) {
+    materials_.materials[0].has_torsion = true;
+    mix_pairs(materials_, material::Mixing::mean, material::Mixing::mean);
+    add({0, 0, -0.01}, cube_);
+    state_.angular_momentum[1] = angular_momentum_of(bodies_, BodyId{1}, {}, {0, 0, 1e4});  // far beyond its limit
+    find(PlaneLaw::penalty);
+    ASSERT_EQ(pipeline_.rows().size(), 4U);
+    const double disc = std::sqrt(0.25 / M_PI);
+    double couple = 0;  // integral of mu p r over the disc by rings, F = 1
+    constexpr int rings = 1000;
+    for (int k = 0; k < rings; ++k) {
+        const double r = (k + 0.5) * disc / rings;
+        couple += 0.5 * r * 2 * r / (disc * rings);
+    }
+    for (const ContactRow& row : pipeline_.rows()) {
+        EXPECT_NEAR(std::abs(row.moment.z), couple * 2e7 * 0.25 * 0.01, 1e-5 * 5e4);
+    }
+}
+
 TEST_F(CommonPlanePhysicsTest, a_pair_apart_has_no_contact_and_is_remembered_as_apart) {
     add({0, 0, 10}, cube_);
     add({0.1, 0, 11.01}, cube_);

@@ -83,6 +83,27 @@ TEST(Hertz, ASphereOnAPlaneOfAluminiumLastsAsPublished) {
     EXPECT_NEAR(hertz_contact_time(modulus, 0.1, mass, 0.2), 731.657e-6, 1e-9);
 }
 
+/// Work of the elastic force up to an overlap by midpoints [J].
+template <class Law>
+double work_of(const Law& law, double overlap) {
+    constexpr int pieces = 1000;
+    double work = 0;
+    for (int k = 0; k < pieces; ++k) {
+        work += law((k + 0.5) * overlap / pieces).elastic * overlap / pieces;
+    }
+    return work;
+}
+
+TEST(Hertz, StoresTheWorkOfItsElasticForce) {
+    const auto law = hertz_law({7e7, 0.05, 0.6, 0.1});
+    EXPECT_NEAR(law(1e-3).energy, work_of(law, 1e-3), 1e-5 * law(1e-3).energy);
+}
+
+TEST(LinearSpring, StoresTheWorkOfItsElasticForce) {
+    const auto law = [](double overlap) { return linear_spring(1e5, 0.3, 0.1, overlap); };
+    EXPECT_NEAR(law(1e-3).energy, work_of(law, 1e-3), 1e-9 * law(1e-3).energy);
+}
+
 TEST(LinearSpring, RestitutionAndDurationDoNotDependOnTheSpeed) {
     const double k = 1e5, mass = 0.3, ratio = linear_damping_ratio(0.6);
     const double duration = linear_contact_time(k, mass, ratio);

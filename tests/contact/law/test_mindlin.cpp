@@ -119,6 +119,32 @@ TEST(TanhFriction, ABlockOnASlopeCreepsAtTheSpeedOfTheFormula) {
     EXPECT_NEAR(tanh_friction<double>({v, 0, 0}, 10, 5, 1000, 0.412, 0.125, 1e-3).force.x, -(10 * 1e-3 + 5) * v, 1e-12);
 }
 
+TEST(TanhFriction, TheDashpotThatStopsASphereHeadOnStopsItsSlidingToo) {
+    // A force F at the surface of a solid sphere moves its contact point by F/m (1 + m R^2/I) = 7/2 F/m: 2/7 of the
+    // normal dashpot, and of the normal spring, slow sliding as the whole slows the approach.
+    constexpr double mass = 2, dt = 1e-3, v = 1e-3;
+    SlidingContact<double> c{};
+    c.sliding = {v, 0, 0};
+    c.damping = mass / dt;
+    c.weight = 1;
+    c.normal_force = 1e9;
+    c.friction = {1, 1};
+    c.dt = dt;
+    TangentialSpring<double> spring{};
+    EXPECT_NEAR(TanhFriction{}.respond(c, spring).force.x * 3.5 / mass * dt, -v, 1e-12 * v);
+    c.damping = 0;
+    c.normal_stiffness = mass / (dt * dt);
+    EXPECT_NEAR(TanhFriction{}.respond(c, spring).force.x * 3.5 / mass * dt, -v, 1e-12 * v);
+}
+
+TEST(Rolling, ASpringIsThatOfTwoHalvesOfAStripWhoseEdgesLimitTheCouple) {
+    // Stiffness k_n/2 at either edge of a strip of width B turns with k_n B^2/4; the couple ends at F B/3 = mu_r R F,
+    // so k_r = 9/4 k_n (mu_r R)^2 [Ai2011].
+    const double arm = 0.1 * 0.01, stiffness = 1e6, width = 3 * arm, angle = 1e-5;
+    const auto response = rolling_spring<double>({}, {angle / 1e-3, 0, 0}, 0.1, 0.01, 1000, stiffness, 1e-3);
+    EXPECT_NEAR(response.couple.x, -stiffness * width * width / 4 * angle, 1e-12);
+}
+
 TEST(Rolling, ASpringHoldsUpToItsLimitAndStoresOrLosesAllWork) {
     Vec3 couple{};
     double work = 0, loss = 0, stored = 0;

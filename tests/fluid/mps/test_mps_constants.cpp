@@ -55,6 +55,28 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     EXPECT_NEAR(basin.scratch.data().pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
 }
 
+TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_projection) {
+    // laplace(p) - rho alpha/dt^2 p = rho/dt div u for u = U sin(k x), whose divergence is U k cos(k x)
+    Basin basin = box_of_water();
+    basin.settings.kinematic_viscosity = 0;
+    basin.settings.relaxation = 1e-9;  // nothing of densities
+    constexpr double speed = 0.1, dt = 1e-4;
+    for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
+        basin.state.velocity[i].x = speed * std::sin(wave * basin.state.position[i].x);
+    }
+    begin_forces(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
+    load_walls(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
+    ASSERT_EQ(basin.report.problem, "");
+    const double largest = 1000 * speed * wave / dt / (wave * wave + 1000 * basin.settings.compressibility / (dt * dt));
+    double mode = 0, square = 0;
+    for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
+        const double c = std::min(0.0, std::cos(wave * basin.state.position[i].x));  // no tension where it parts
+        mode -= c * basin.scratch.data().pressure[i];
+        square += c * c;
+    }
+    EXPECT_NEAR(mode / square, largest, 0.1 * largest);
+}
+
 TEST(MpsConstants, two_particles_that_meet_part_with_a_fifth_of_their_approach) {
     Basin basin;
     basin.settings = mps_settings(2, 0.02, 1);
@@ -66,7 +88,8 @@ TEST(MpsConstants, two_particles_that_meet_part_with_a_fifth_of_their_approach) 
     EXPECT_NEAR(basin.state.velocity[1].x + basin.state.velocity[0].x, 0.5, 1e-6);
 }
 
-TEST(MpsConstants, a_wall_takes_from_a_layer_that_starts_along_it_what_stokes_first_problem_says) {
+/// Ten rows of water over a wall, with a velocity along it by height.
+Basin water_on_wall(const std::function<double(double)>& velocity) {
     Basin basin;
     basin.settings = mps_settings(2, 0.01, 1);
     basin.settings.kinematic_viscosity = 1e-2;
@@ -77,10 +100,26 @@ TEST(MpsConstants, a_wall_takes_from_a_layer_that_starts_along_it_what_stokes_fi
             if (j < 0) {
                 basin.add_wall_particle(x, false);
             } else {
-                basin.add_particle(x, {0.1, 0, 0});
+                basin.add_particle(x, {velocity(x.y), 0, 0});
             }
         }
     }
+    return basin;
+}
+
+TEST(MpsConstants, a_wall_under_an_even_shear_feels_its_stress) {
+    Basin basin = water_on_wall([](double y) { return 10 * y; });
+    basin.step(1e-7);
+    double force = 0;
+    for (const Vec3& f : basin.walls.viscous_force) {
+        force += f.x;
+    }
+    const double expected = 1000 * 1e-2 * 10 * 0.2;  // rho nu du/dy per metre of depth
+    EXPECT_NEAR(force, expected, 0.15 * expected);
+}
+
+TEST(MpsConstants, a_wall_takes_from_a_layer_that_starts_along_it_what_stokes_first_problem_says) {
+    Basin basin = water_on_wall([](double) { return 0.1; });
     double sheared = 0;
     while (basin.time < 0.02) {
         basin.step();

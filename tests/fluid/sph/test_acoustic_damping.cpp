@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "fluid/sph/water.hpp"
+#include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
 
@@ -136,6 +138,30 @@ TEST(AcousticDamping, neighbours_stand_evenly_inside_a_lattice_and_not_at_its_fa
             EXPECT_EQ(share_of(face), 0) << dimension << ", " << ratio;
         }
     }
+}
+
+TEST(AcousticDamping, is_whole_in_water_whose_particles_stand_a_tenth_of_a_spacing_off_a_lattice) {
+    constexpr int across = 24;
+    Water water = periodic_water(1.0 / across, 0, 20, 1);
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> off(-0.1 / across, 0.1 / across);
+    for (Vec3& x : water.state.position) {
+        x += Vec3{off(random), off(random), 0};
+    }
+    water.step();
+    int even = 0;
+    for (const Vec3& gradient : water.scratch.data().continuity.concentration_gradient) {
+        even += even_share(water.settings.smoothing_length() * norm(gradient)) == 1 ? 1 : 0;
+    }
+    EXPECT_GT(even, 0.99 * across * across);
+}
+
+TEST(AcousticDamping, is_three_quarters_beside_a_hole_of_one_particle) {
+    // Without the neighbour at dp, h |grad C| of a lattice is that neighbour's share.
+    const SphSettings settings = settings_2d(0.1, 20);
+    const double dp = settings.spacing, h = settings.smoothing_length();
+    const WendlandC2 kernel(h, 2);
+    EXPECT_NEAR(even_share(h * dp * dp * dp * std::abs(kernel.slope_over_r(dp))), 0.75, 0.1);
 }
 
 // In the crest of a breaking wave a particle of the surface had, crowded, tr M/D of the inside. A step of damping

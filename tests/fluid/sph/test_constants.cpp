@@ -9,6 +9,8 @@
 
 #include "fluid/sph/water.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/sph/gradient_correction.hpp"
+#include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
 
 namespace riprap::fluid::testing {
@@ -154,6 +156,19 @@ TEST(Constants, shifting_evens_out_disorder_of_twenty_smoothing_lengths_in_a_uni
     EXPECT_NEAR(evened / expected, 1, 0.25);  // the kernel smooths a fifth of it away
 }
 
+TEST(Constants, a_step_of_shifting_changes_pressure_by_at_most_a_fifth_of_rho_v_squared) {
+    // v = c_0/10, the fastest water that c_0 is chosen for: dp = c_0^2 d rho
+    const SphSettings settings = settings_2d(0.01, 10);
+    const Vec3 crowded{0.5 / settings.smoothing_length(), 0, 0};  // half of what a surface has
+    const Vec3 shift = shift_of_particle(settings, crowded, {}, 0, 100, 1e-3);
+    const double taken = 10 * 10 * 1000 * dilution_by_shift(shift, crowded, 0);
+    EXPECT_NEAR(taken, 0.2 * 1000 * 1 * 1, 1e-9);
+    // and disorder of a twentieth of that is evened out at the rate of the law
+    const Vec3 even = 0.05 * crowded;
+    const double h = settings.smoothing_length();
+    EXPECT_NEAR(shift_of_particle(settings, even, {}, 0, 100, 1e-3).x, -10 * h * h * 100 * 1e-3 * even.x, 1e-15);
+}
+
 /// A column of water 0.5 m wide and 1 m high in the corner of a tank 2 m wide.
 Water falling_column() {
     Water water;
@@ -185,6 +200,66 @@ double moment_of(double x, double y) {
     const WendlandC2 kernel(ratio, 2);
     const double r2 = x * x + y * y, r = std::sqrt(r2);
     return r < 2 * ratio ? -kernel.slope_over_r(r) * r2 / 2 : 0;
+}
+
+/// tr M/D of a particle at the origin of a lattice that fills y <= 0, of more rows above, and of what else there is.
+double moments_of_rows(int rows_above, const std::vector<Vec3>& more = {}) {
+    double sum = 0;
+    for (int row = -4; row <= rows_above; ++row) {
+        for (int k = -5; k <= 5; ++k) {
+            sum += moment_of(k, row);
+        }
+    }
+    for (const Vec3& x : more) {
+        sum += moment_of(x.x, x.y);
+    }
+    return sum;
+}
+
+TEST(Constants, shifting_takes_the_first_row_for_the_surface_and_a_row_half_covered_for_half_of_it) {
+    const auto bareness = [](double moments) { return bareness_of_particle(2, 2 * moments); };
+    EXPECT_EQ(bareness(moments_of_rows(0)), 1);
+    EXPECT_EQ(bareness(moments_of_rows(1)), 0);
+    // every other place of a row above, over the particle and beside it
+    const double over = moments_of_rows(0, {{-2, 1, 0}, {0, 1, 0}, {2, 1, 0}});
+    const double beside = moments_of_rows(0, {{-1, 1, 0}, {1, 1, 0}});
+    EXPECT_NEAR(0.5 * (bareness(over) + bareness(beside)), 0.5, 0.15);
+}
+
+TEST(Constants, shifting_ends_beside_a_bare_particle_and_falls_to_a_quarter_beside_one_that_is_a_quarter_bare) {
+    const SphSettings settings = settings_2d(0.01, 10);
+    const double h = settings.smoothing_length();
+    const WendlandC2 kernel(h, 2);
+    const auto share = [&](double bareness) {  // along the surface, the particle a smoothing length away
+        const Vec3 along{0.01 / h, 0, 0};
+        const Vec3 towards{0, bareness * 1e-4 * std::abs(kernel.slope_over_r(h)) * h, 0};
+        return shift_of_particle(settings, along, towards, 0, 10, 1e-3).x /
+               shift_of_particle(settings, along, {}, 0, 10, 1e-3).x;
+    };
+    EXPECT_EQ(share(1), 0);
+    EXPECT_NEAR(share(0.25), 0.25, 0.15);
+}
+
+/// tr M/D of a particle of a lattice whose rows beyond it stand nearer by `squeezed` spacings, on one side or on two.
+double moments_of_squeezed(double squeezed, bool is_corner) {
+    double sum = 0;
+    for (int row = -5; row <= 5; ++row) {
+        for (int k = -5; k <= 5; ++k) {
+            sum += moment_of(is_corner && k < 0 ? k + squeezed : k, row < 0 ? row + squeezed : row);
+        }
+    }
+    return sum;
+}
+
+TEST(Constants, gradients_are_corrected_inside_and_neither_at_a_surface_nor_where_water_is_crowded_into_a_corner) {
+    EXPECT_EQ(interior_share(moments_of_rows(1)), 0);
+    EXPECT_EQ(interior_share(0.94), 0);  // the second row of a cubic lattice
+    EXPECT_GT(interior_share(moments_of_rows(2)), 0.9);
+    EXPECT_GT(interior_share(0.98), 0.5);  // the least that flowing water has inside
+    // pressed a fifth of a spacing against a wall, it is inside; into a corner, half; three tenths, crowded
+    EXPECT_GT(interior_share(moments_of_squeezed(0.2, false)), 0.9);
+    EXPECT_NEAR(interior_share(moments_of_squeezed(0.2, true)), 0.5, 0.2);
+    EXPECT_EQ(interior_share(moments_of_squeezed(0.3, true)), 0);
 }
 
 /// Wall particles above y = `face`, `x_off` along it from the particle.

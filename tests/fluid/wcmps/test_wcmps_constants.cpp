@@ -159,6 +159,24 @@ Pool rows_of_water(int rows, double squeezed = 1) {
     return pool;
 }
 
+double kinetic_of(const Pool& pool) {
+    double energy = 0;
+    for (const Vec3& v : pool.state.velocity) {
+        energy += 0.5 * pool.settings.particle_mass * norm_squared(v);
+    }
+    return energy;
+}
+
+TEST(WcmpsConstants, a_particle_that_falls_on_the_surface_loses_in_collisions_what_is_booked) {
+    Pool pool = rows_of_water(12);
+    pool.add_particle(0.02 * Vec3{0.5, 0.7, 0}, {0.2, -1, 0});
+    const double before = kinetic_of(pool);
+    pool.step(1e-9);  // no force has time to act
+    const double lost = before - kinetic_of(pool);
+    EXPECT_GT(lost, 0.1 * before);
+    EXPECT_NEAR(pool.report.dissipated_collisions, lost, 1e-3 * lost);
+}
+
 /// The particle nearest to a place given in spacings.
 SurfaceClass class_at(Pool& pool, double x, double y) {
     pool.step(1e-9);

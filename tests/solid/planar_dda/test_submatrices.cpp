@@ -139,6 +139,18 @@ TEST(PlanarDdaSubmatrices, PlaneStressAndStrainGiveTheTextbookModuli) {
     EXPECT_NEAR(pulled(PlaneState::strain), E / (1 - nu * nu), 1e-9 * E);
 }
 
+TEST(PlanarDdaSubmatrices, MaterialIsIsotropic) {
+    for (const PlaneState plane : {PlaneState::stress, PlaneState::strain}) {
+        const Elasticity e = elasticity_of({1, 2e5, 0.3}, plane);
+        // a pure shear is a stretch and a squeeze at 45 degrees: gamma = 2 eps stores the same energy
+        const double eps = 1e-3;
+        const Stress sheared = stress_of(e, {0, 0, 0, 0, 0, 2 * eps}),
+                     stretched = stress_of(e, {0, 0, 0, eps, -eps, 0});
+        EXPECT_NEAR(energy_density(e, sheared), energy_density(e, stretched), 1e-12);
+        EXPECT_NEAR(sheared.xy, stretched.x, 1e-9);
+    }
+}
+
 TEST(PlanarDdaSubmatrices, AFixedPointPullsWithTheGradientOfItsEnergy) {
     const Vec2 r{0.3, -0.8}, gap{0.02, 0.05};
     const double p = 7;

@@ -93,13 +93,13 @@ void set_normal(const GridSettings& settings, int side, double time, const std::
 }  // namespace
 
 double shear_velocity(double speed, double distance, double viscosity) {
-    constexpr double kappa = 0.41, roughness = 9.8;
+    constexpr double roughness = 9.8;
     double u_tau = std::sqrt(viscosity * speed / distance);
     if (u_tau * distance / viscosity < 11.53) {
         return u_tau;
     }
     for (int i = 0; i < 12; ++i) {
-        u_tau = kappa * speed / std::log(std::max(roughness * u_tau * distance / viscosity, 2.8));
+        u_tau = von_karman * speed / std::log(std::max(roughness * u_tau * distance / viscosity, 2.8));
     }
     return u_tau;
 }

@@ -42,6 +42,8 @@ void for_ghosts(const CellBox& box, int side, const F& f) {
     }
 }
 
+inline constexpr double von_karman = 0.41;  ///< kappa of the log law [-]
+
 /// Shear velocity u_tau of the log law u/u_tau = ln(E u_tau y/nu)/kappa for a speed u at the distance y from a wall,
 /// linear profile below y+ = 11.53 [Launder1974].
 double shear_velocity(double speed, double distance, double viscosity);

@@ -12,7 +12,7 @@ namespace {
 
 // Constants of [Launder1974]; sigma_t of the buoyancy, lambda_2 of [Larsen2018].
 constexpr double c_mu = 0.09, c_1 = 1.44, c_2 = 1.92, sigma_k = 1.0, sigma_epsilon = 1.3, sigma_t = 0.85;
-constexpr double lambda_2 = 0.05, kappa = 0.41;
+constexpr double lambda_2 = 0.05;
 constexpr double realizable = 0.6;                        ///< alpha of [Durbin1996]
 constexpr double least_k = 1e-12, least_epsilon = 1e-14;  ///< floors [m^2/s^2], [m^2/s^3]
 constexpr double start_k = 1e-8, start_epsilon = 1e-4;    ///< of still water [m^2/s^2], [m^2/s^3]
@@ -198,7 +198,7 @@ void advance_turbulence(const GridSettings& settings, GridState& state, GridScra
         const double y = wall_distance(settings, place);
         if (y > 0) {  // stress and gradient of the log law
             const double u_tau = shear_velocity(cell_speed(mesh, state, c), y, settings.water.kinematic_viscosity);
-            sources.production = u_tau * u_tau * u_tau / (kappa * y);
+            sources.production = u_tau * u_tau * u_tau / (von_karman * y);
         }
         const double frequency = rate / energy;
         const double k_start = carried(settings, state, s, state.turbulent_energy, sigma_k, c, place, dt);
@@ -212,7 +212,7 @@ void advance_turbulence(const GridSettings& settings, GridState& state, GridScra
             (std::max(0.0, e_start) + dt * (c_1 * (sources.production + gain) * frequency + sources.e_stones)) /
                 (1 + dt * c_2 * frequency));
         if (y > 0) {
-            e_new[at(c)] = std::pow(c_mu, 0.75) * std::pow(k_new[at(c)], 1.5) / (kappa * y);
+            e_new[at(c)] = std::pow(c_mu, 0.75) * std::pow(k_new[at(c)], 1.5) / (von_karman * y);
         }
     });
     state.turbulent_energy = std::move(k_new);

@@ -23,10 +23,11 @@ Vec3 shift_of_particle(const SphSettings& s, const Vec3& gradient, const Vec3& t
         shift -= (dot(shift, towards_surface) / (nearness * nearness)) * towards_surface;
         shift *= 1 - std::min(1.0, h * nearness / 0.05);
     }
-    const double length = norm(shift), longest = 0.1 * s.spacing;
+    // Bounds the length too: shifts go along -grad C or what is left of it, so that l^2 <= most A h^2 |S| dt/2, 0.05 dp
+    // at A = 10 and |S| dt = 0.1.
     const double loss = dilution_by_shift(shift, gradient, 0);
-    constexpr double most = 0.002;  // of the density in a step: it varies by about 1 % in all
-    return std::min({1.0, length > longest ? longest / length : 1.0, loss > most ? most / loss : 1.0}) * shift;
+    constexpr double most = 0.002;  // of the density in a step, which varies by about 1 % in all
+    return (loss > most ? most / loss : 1.0) * shift;
 }
 
 double density_after_shift(double density, double dilution, double rest_density) {

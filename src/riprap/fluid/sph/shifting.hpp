@@ -11,8 +11,7 @@ double bareness_of_particle(int dimension, double divergence);
 
 /// Returns the shift of a particle towards even surroundings [m] [Lind2012]:
 ///
-///     delta x = -A h^2 |S| dt grad C,    at most a tenth of the spacing and what takes 0.2 % of an uncorrected
-///     density,
+///     delta x = -A h^2 |S| dt grad C,    at most what takes 0.2 % of an uncorrected density,
 ///
 /// with C the concentration of particles. A particle of the surface stays, and those in reach of it move along it
 /// only, the less the nearer. Differs from the source: the speed |v| is h |S|, S the rate of strain, so that shifting
