@@ -102,20 +102,22 @@ void ritter(const CaseSetting& setting, CaseReport& report) {
 void stoker(const CaseSetting& setting, CaseReport& report) {
     const Bore exact = stoker();
     WaterTrial trial(setting, full_spacing(setting));
-    // Where the bore is half as high as its plateau, looked at every row of the second half.
+    // Where the bore is half as high as its plateau, between places that stand still.
     std::vector<double> time, place;
-    const double half = 0.5 * (exact.height + tail);
+    const double half = 0.5 * (exact.height + tail), step = 0.02;
     trial.run([&](const WaterTrial& now) {
         if (now.now() < 0.5 * now.model().time.end) {
             return;
         }
-        const double guess = exact.celerity * now.now();
-        for (double x = guess + 1.5; x > guess - 1.5; x -= 0.02) {
-            if (level_at(now, x) > half) {
+        double beyond = tail;
+        for (double k = std::ceil((exact.celerity * now.now() + 1.5) / step); k > 0; --k) {
+            const double level = level_at(now, k * step);
+            if (level > half) {
                 time.push_back(now.now());
-                place.push_back(x);
+                place.push_back(step * (k + (level - half) / (level - beyond)));
                 return;
             }
+            beyond = level;
         }
     });
     const double celerity =
