@@ -46,7 +46,8 @@ double largest_speed(const GridSettings& settings, const GridState& state, const
     double largest = 0;
     for (int a = 0; a < settings.mesh.box.axes; ++a) {
         for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
-            largest = std::max(largest, scratch.area[at(a)][at(f)] > 0 ? std::abs(state.velocity[at(a)][at(f)]) : 0);
+            largest =
+                std::max(largest, scratch.room.area[at(a)][at(f)] > 0 ? std::abs(state.velocity[at(a)][at(f)]) : 0);
         });
     }
     return largest;

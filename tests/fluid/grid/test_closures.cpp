@@ -47,12 +47,12 @@ TEST(SurfaceTension, curvature_of_a_disc_and_of_a_ball_is_found) {
         GridState state = make_state(settings, [&](const Vec3& x) { return norm(x - centre) < radius; });
         GridScratch scratch;
         prepare(settings, state, scratch);
-        reconstruct_surface(settings.mesh, state.fraction, scratch.plane);
+        reconstruct_surface(settings.mesh, state.fraction, scratch.moved.plane);
         find_curvature(settings, state, scratch);
         double sum = 0, count = 0;
         for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
-            if (scratch.curvature[at(c)] != 0) {
-                sum += std::pow(scratch.curvature[at(c)] * radius / (axes - 1) - 1, 2);
+            if (scratch.stress.curvature[at(c)] != 0) {
+                sum += std::pow(scratch.stress.curvature[at(c)] * radius / (axes - 1) - 1, 2);
                 count += 1;
             }
         });

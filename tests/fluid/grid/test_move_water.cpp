@@ -36,7 +36,7 @@ struct Carried {
                                       : settings.mesh.centre(b, index[at(b)]);
                     }
                     const bool on_rim = index[at(a)] == 0 || index[at(a)] == settings.mesh.box.cells[at(a)];
-                    scratch.carrier[at(a)][at(f)] = on_rim ? 0 : velocity(x, settings.mesh, a, (step + 0.5) * dt);
+                    scratch.start.carrier[at(a)][at(f)] = on_rim ? 0 : velocity(x, settings.mesh, a, (step + 0.5) * dt);
                 });
             }
             move_water(settings, state, scratch, dt);

@@ -79,7 +79,8 @@ TEST(MpsPressure, of_still_water_on_the_lattice_is_hydrostatic) {
     const double surface = 0.5 - 0.5 * basin.settings.spacing;  // the top row has p = 0
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         const double y = basin.state.position[i].y;
-        EXPECT_NEAR(scratch.data().pressure[i], 1000 * 9.81 * (surface - y), 6e-3 * 1000 * 9.81 * 0.5) << "y = " << y;
+        EXPECT_NEAR(scratch.data().water.pressure[i], 1000 * 9.81 * (surface - y), 6e-3 * 1000 * 9.81 * 0.5)
+            << "y = " << y;
     }
 }
 

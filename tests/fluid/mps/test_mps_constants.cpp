@@ -52,7 +52,7 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     }
     const double excess = dense / basin.settings.lattice().number_density - 1;
     ASSERT_GT(excess, 0.01);
-    EXPECT_NEAR(basin.scratch.data().pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
+    EXPECT_NEAR(basin.scratch.data().water.pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
 }
 
 TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_projection) {

@@ -62,13 +62,13 @@ std::vector<GridLoad> cut_loads(const fluid::grid::GridSettings& settings, const
     }
     for (const MeshFace& face : cut.near_faces) {
         const auto a = at(face.axis);
-        const double drag = scratch.wall_drag[a][at(face.index)];
+        const double drag = scratch.stress.wall_drag[a][at(face.index)];
         if (drag == 0) {
             continue;
         }
         const std::int32_t body = cut.nearest[a][at(face.index)];
         const double volume =
-            0.5 * (scratch.capacity[at(face.index)] + scratch.capacity[at(face.index - mesh.box.stride[a])]);
+            0.5 * (scratch.room.capacity[at(face.index)] + scratch.room.capacity[at(face.index - mesh.box.stride[a])]);
         Vec3 force{}, x = mesh.centre(face.place[0], face.place[1], face.place[2]);
         x[face.axis] -= 0.5 * mesh.h(face.axis, face.place[a]);
         force[face.axis] =

@@ -70,7 +70,7 @@ Vec3 momentum_of(const GridSettings& settings, const GridState& state, const Gri
     return fluid::grid::reduce_cells(
         box, Vec3{},
         [&](std::int64_t c, int, int, int) {
-            const double mass = s.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
+            const double mass = s.room.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
             Vec3 p{};
             for (int a = 0; a < box.axes; ++a) {
                 const auto& u = state.velocity[at(a)];
@@ -86,7 +86,7 @@ double fastest_water(const GridSettings& settings, const GridState& state, const
     return std::sqrt(fluid::grid::reduce_cells(
         box, 0.0,
         [&](std::int64_t c, int, int, int) {
-            if (state.fraction[at(c)] < 0.5 || s.capacity[at(c)] == 0) {
+            if (state.fraction[at(c)] < 0.5 || s.room.capacity[at(c)] == 0) {
                 return 0.0;
             }
             double square = 0;
@@ -128,8 +128,9 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
         centre[k] = mesh.centre(place[0], place[1], place[2]);
         for (int a = 0; a < mesh.box.axes; ++a) {
             const double half = 0.5 * mesh.h(a, place[at(a)]);
-            moment[k][a] = 0.5 * half * half *
-                           (s.area[at(a)][at(cells[k] + mesh.box.stride[at(a)])] - s.area[at(a)][at(cells[k])]);
+            moment[k][a] =
+                0.5 * half * half *
+                (s.room.area[at(a)][at(cells[k] + mesh.box.stride[at(a)])] - s.room.area[at(a)][at(cells[k])]);
         }
     }
     for (const CutFacet& facet : cut.facets) {
@@ -184,7 +185,7 @@ double energy_through_sides(const GridSettings& settings, const GridState& state
                 for (int i = first[0]; i < last[0]; ++i) {
                     const std::int64_t c = box.index(i, j, k), f = is_high ? c + box.stride[at(a)] : c;
                     const double u = state.velocity[at(a)][at(f)];
-                    const double inward = (is_high ? -u : u) * s.area[at(a)][at(f)] * dt;
+                    const double inward = (is_high ? -u : u) * s.room.area[at(a)][at(f)] * dt;
                     const double density = fluid::grid::density_of(settings, state.fraction[at(c)]);
                     sum += inward * (state.pressure[at(c)] + 0.5 * density * u * u);
                 }

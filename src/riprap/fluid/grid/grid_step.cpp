@@ -30,9 +30,10 @@ void find_capacities(const GridSettings& settings, GridScratch& s) {
     for_box(box, first, last, [&](std::int64_t c, int i, int j, int k) {
         const double porosity = s.medium.has_stones ? s.medium.porosity[at(c)] : 1;
         const double open = s.open.has_bodies ? s.open.volume[at(c)] : 1;
-        s.capacity[at(c)] = porosity * open * mesh.volume(i, j, k);
+        s.room.capacity[at(c)] = porosity * open * mesh.volume(i, j, k);
         for (int a = 0; a < box.axes; ++a) {
-            s.area[at(a)][at(c)] = mesh.face_area(a, i, j, k) * (s.open.has_bodies ? s.open.area[at(a)][at(c)] : 1);
+            s.room.area[at(a)][at(c)] =
+                mesh.face_area(a, i, j, k) * (s.open.has_bodies ? s.open.area[at(a)][at(c)] : 1);
         }
     });
 }
@@ -114,26 +115,27 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
     }
     const Mesh& mesh = settings.mesh;
     const auto size = at(mesh.box.size);
-    for (auto* field : {&s.capacity, &s.capacity_before, &s.start_fraction, &s.water, &s.mass, &s.mass_before,
-                        &s.viscosity, &s.fluidity, &s.rhs}) {
+    for (auto* field : {&s.room.capacity, &s.room.capacity_before, &s.start.fraction, &s.moved.water, &s.inertia.mass,
+                        &s.inertia.mass_before, &s.stress.viscosity, &s.stress.fluidity, &s.projection.right}) {
         field->assign(size, 0.0);
     }
-    s.colour.assign(size, 0);
+    s.moved.colour.assign(size, 0);
     if (settings.surface_tension > 0) {
-        s.curvature.assign(size, 0.0);
+        s.stress.curvature.assign(size, 0.0);
     }
-    s.plane.assign(size, {});
+    s.moved.plane.assign(size, {});
     for (int a = 0; a < mesh.box.axes; ++a) {
-        for (auto* fields : {&s.area, &s.carrier, &s.water_flux, &s.flux, &s.predicted}) {
+        for (auto* fields :
+             {&s.room.area, &s.start.carrier, &s.moved.water_flux, &s.moved.flux, &s.projection.predicted}) {
             (*fields)[at(a)].assign(size, 0.0);
         }
     }
-    s.conductance = linear::FaceConductance(mesh.box);
+    s.projection.conductance = linear::FaceConductance(mesh.box);
     s.medium = medium_fields(settings);
     find_capacities(settings, s);
-    s.capacity_before = s.capacity;
+    s.room.capacity_before = s.room.capacity;
     if (settings.turbulence != Turbulence::laminar) {
-        s.eddy_viscosity.assign(size, 0.0);
+        s.stress.eddy_viscosity.assign(size, 0.0);
         find_eddy_viscosity(settings, state, s);
     }
     s.is_ready = true;
@@ -147,13 +149,13 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
     prepare(settings, state, s);
     const bool is_first = !s.open.has_bodies;
     s.open = std::move(shares);
-    s.capacity_before = s.capacity;
+    s.room.capacity_before = s.room.capacity;
     find_capacities(settings, s);
     s.pockets = find_pockets(settings, s);
     if (is_first) {
-        s.capacity_before = s.capacity;
+        s.room.capacity_before = s.room.capacity;
         for (int a = 0; a < settings.mesh.box.axes; ++a) {
-            s.wall_drag[at(a)].assign(at(settings.mesh.box.size), 0.0);
+            s.stress.wall_drag[at(a)].assign(at(settings.mesh.box.size), 0.0);
         }
         if (state.step == 0) {
             state.water_volume = water_volume(settings, state, s);
@@ -172,9 +174,9 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
             double rate = 0;
             for (int a = 0; a < box.axes; ++a) {
                 const auto& u = state.velocity[at(a)];
-                const double size =
-                    std::max(s.area[at(a)][at(c)] > 0 ? std::abs(u[at(c)]) : 0,
-                             s.area[at(a)][at(c + box.stride[at(a)])] > 0 ? std::abs(u[at(c + box.stride[at(a)])]) : 0);
+                const double size = std::max(
+                    s.room.area[at(a)][at(c)] > 0 ? std::abs(u[at(c)]) : 0,
+                    s.room.area[at(a)][at(c + box.stride[at(a)])] > 0 ? std::abs(u[at(c + box.stride[at(a)])]) : 0);
                 rate += size / mesh.h(a, place[at(a)]);
             }
             return rate / (s.medium.has_stones ? s.medium.porosity[at(c)] : 1);
@@ -197,10 +199,10 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
     const double molecular =
         std::max(settings.water.kinematic_viscosity, settings.has_surface ? settings.air.kinematic_viscosity : 0.0);
     const double eddy =
-        s.eddy_viscosity.empty()
+        s.stress.eddy_viscosity.empty()
             ? 0
             : reduce_cells(
-                  box, 0.0, [&](std::int64_t c, int, int, int) { return s.eddy_viscosity[at(c)]; }, max_of);
+                  box, 0.0, [&](std::int64_t c, int, int, int) { return s.stress.eddy_viscosity[at(c)]; }, max_of);
     if (molecular + eddy > 0) {
         dt = std::min(dt, 0.4 * h * h / (2 * box.axes * (molecular + eddy)));
     }
@@ -209,23 +211,23 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
 
 void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     prepare(settings, state, s);
-    s.start_fraction = state.fraction;
+    s.start.fraction = state.fraction;
     fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
-    s.carrier = state.velocity;
-    fill_fraction_ghosts(settings, s.carrier, state.time, s.start_fraction);
+    s.start.carrier = state.velocity;
+    fill_fraction_ghosts(settings, s.start.carrier, state.time, s.start.fraction);
     move_water(settings, state, s, dt);
     find_masses(settings, state, s);
     find_curvature(settings, state, s);
     if (s.medium.has_stones || settings.outer_corrections > 1) {
-        s.start_velocity = state.velocity;
-        to_pore_velocity(settings, s, s.start_velocity);
+        s.start.pore_velocity = state.velocity;
+        to_pore_velocity(settings, s, s.start.pore_velocity);
     }
     if (s.open.has_bodies) {
         find_wall_drag(settings, s);
     }
     fill_velocity_ghosts(settings, state.time + dt, state.fraction,
                          state.velocity);  // what sides give at the end of the step
-    predict_velocity(settings, state, s, s.start_velocity[0].empty() ? s.carrier : s.start_velocity,
+    predict_velocity(settings, state, s, s.start.pore_velocity[0].empty() ? s.start.carrier : s.start.pore_velocity,
                      settings.outer_corrections > 1, dt);
 }
 
@@ -234,7 +236,7 @@ void end_step(const GridSettings& settings, GridState& state, GridScratch& s, do
     if (settings.turbulence != Turbulence::laminar) {
         advance_turbulence(settings, state, s, dt);
     }
-    s.capacity_before = s.capacity;
+    s.room.capacity_before = s.room.capacity;
     state.time += dt;
     state.step += 1;
     state.last_step = dt;
@@ -245,16 +247,16 @@ void correct_step(const GridSettings& settings, GridState& state, GridScratch& s
     fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
     for (int a = 0; a < settings.mesh.box.axes; ++a) {
         for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
-            s.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
+            s.start.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
         }
     }
-    fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.carrier);
-    state.fraction = s.start_fraction;
+    fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.start.carrier);
+    state.fraction = s.start.fraction;
     state.water_volume = volume_before;
     move_water(settings, state, s, dt);
     find_masses(settings, state, s);
     find_curvature(settings, state, s);
-    auto middle = s.carrier;
+    auto middle = s.start.carrier;
     to_pore_velocity(settings, s, middle);
     predict_velocity(settings, state, s, middle, true, dt);
 }
@@ -274,18 +276,33 @@ GridReport advance(const GridSettings& settings, GridState& state, GridScratch& 
     return {report.iterations, report.residual, report.converged};
 }
 
+namespace {
+std::size_t bytes_of_faces(const std::array<std::vector<double>, 3>& faces) {
+    return bytes_of(faces[0], faces[1], faces[2]);
+}
+}  // namespace
+
+std::size_t Room::bytes() const { return bytes_of(capacity, capacity_before) + bytes_of_faces(area); }
+std::size_t StepStart::bytes() const {
+    return bytes_of(fraction) + bytes_of_faces(carrier) + bytes_of_faces(pore_velocity);
+}
+std::size_t Transport::bytes() const {
+    return bytes_of(water, end_fraction, flushed_fraction, settling, colour, plane) + bytes_of_faces(flux) +
+           bytes_of_faces(water_flux);
+}
+std::size_t Inertia::bytes() const { return bytes_of(mass, mass_before) + bytes_of_faces(mass_flux); }
+std::size_t Stress::bytes() const {
+    return bytes_of(viscosity, fluidity, eddy_viscosity, curvature) + bytes_of_faces(wall_drag);
+}
+std::size_t Projection::bytes() const {
+    return bytes_of(right) + bytes_of_faces(predicted) + bytes_of_faces(conductance.face) + solver.bytes();
+}
+
 std::size_t GridScratch::bytes() const {
-    std::size_t sum = solver.bytes() +
-                      bytes_of(capacity, capacity_before, start_fraction, end_fraction, water, colour, plane, mass,
-                               mass_before, viscosity, fluidity, eddy_viscosity, curvature, rhs) +
-                      bytes_of(medium.porosity, medium.linear, medium.quadratic, medium.added_mass, medium.grain_size,
-                               open.volume, open.displacement);
-    for (std::size_t a = 0; a < 3; ++a) {
-        sum += bytes_of(area[a], carrier[a], water_flux[a], flux[a], mass_flux[a], predicted[a], wall_drag[a],
-                        start_velocity[a], conductance.face[a]) +
-               bytes_of(open.area[a], open.body_velocity[a], open.wall_distance[a]);
-    }
-    return sum;
+    return bytes_of(medium.porosity, medium.linear, medium.quadratic, medium.added_mass, medium.grain_size, open.volume,
+                    open.displacement) +
+           bytes_of_faces(open.area) + bytes_of_faces(open.body_velocity) + bytes_of_faces(open.wall_distance) +
+           room.bytes() + start.bytes() + moved.bytes() + inertia.bytes() + stress.bytes() + projection.bytes();
 }
 
 }  // namespace riprap::fluid::grid

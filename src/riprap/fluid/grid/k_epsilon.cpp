@@ -86,7 +86,7 @@ struct Sources {
 Sources find_sources(const GridSettings& settings, const GridState& state, const GridScratch& s, std::int64_t c,
                      const std::array<int, 3>& place) {
     const Mesh& mesh = settings.mesh;
-    const double nu_t = s.eddy_viscosity[at(c)], density = density_of(settings, state.fraction[at(c)]);
+    const double nu_t = s.stress.eddy_viscosity[at(c)], density = density_of(settings, state.fraction[at(c)]);
     Sources sources{nu_t * rates_of(velocity_gradient(mesh, state, c, place)).strain, 0, 0, 0};
     const Vec3 g = body_force(settings, state.time);
     if (settings.has_surface) {
@@ -96,7 +96,7 @@ Sources find_sources(const GridSettings& settings, const GridState& state, const
             // cells filled by solids have no density; nor does air beside water turn over as fast as g says: the
             // density is that of both cells
             const auto beside = [&](std::int64_t other) {
-                return s.capacity[at(other)] > 0 ? density_of(settings, state.fraction[at(other)]) : density;
+                return s.room.capacity[at(other)] > 0 ? density_of(settings, state.fraction[at(other)]) : density;
             };
             const double below = beside(c - t), above = beside(c + t);
             sources.buoyancy += nu_t / sigma_t * g[a] * (above - below) / (mesh.d(a, p) + mesh.d(a, p + 1)) /
@@ -123,30 +123,30 @@ constexpr double most_flushed = 0.45;
 double carried(const GridSettings& settings, const GridState& state, const GridScratch& s, const std::vector<double>& q,
                double sigma, std::int64_t c, const std::array<int, 3>& place, double dt) {
     const Mesh& mesh = settings.mesh;
-    const double before = s.mass_before[at(c)];
+    const double before = s.inertia.mass_before[at(c)];
     double sum = before * q[at(c)], mean = sum, weight = before;
     for (int a = 0; a < mesh.box.axes; ++a) {
         const std::int64_t t = mesh.box.stride[at(a)];
         for (const int side : {0, 1}) {
             const std::int64_t f = side == 0 ? c : c + t, other = side == 0 ? c - t : c + t;
-            const double mass = s.mass_flux[at(a)][at(f)];
+            const double mass = s.inertia.mass_flux[at(a)][at(f)];
             const double in = side == 0 ? mass : -mass;
             sum += in > 0 ? in * q[at(other)] : in * q[at(c)];
-            const auto conductivity = [&](std::int64_t cell) {  // s.viscosity has all of the eddies
+            const auto conductivity = [&](std::int64_t cell) {  // s.stress.viscosity has all of the eddies
                 const double density = density_of(settings, state.fraction[at(cell)]);
-                return s.viscosity[at(cell)] + (1 / sigma - 1) * density * s.eddy_viscosity[at(cell)];
+                return s.stress.viscosity[at(cell)] + (1 / sigma - 1) * density * s.stress.eddy_viscosity[at(cell)];
             };
-            const double area = s.area[at(a)][at(f)], distance = mesh.d(a, place[at(a)] + side);
+            const double area = s.room.area[at(a)][at(f)], distance = mesh.d(a, place[at(a)] + side);
             const double exchanged = dt * area * 0.5 * (conductivity(c) + conductivity(other)) / distance;
             sum += exchanged * (q[at(other)] - q[at(c)]);
             mean += (std::max(0.0, in) + exchanged) * q[at(other)];
             weight += std::max(0.0, in) + exchanged;
         }
     }
-    if (s.open.has_bodies && weight - before > most_flushed * std::min(before, s.mass[at(c)])) {
+    if (s.open.has_bodies && weight - before > most_flushed * std::min(before, s.inertia.mass[at(c)])) {
         return weight > 0 ? mean / weight : q[at(c)];
     }
-    return sum / s.mass[at(c)];
+    return sum / s.inertia.mass[at(c)];
 }
 
 }  // namespace
@@ -170,14 +170,14 @@ void find_eddy_viscosity(const GridSettings& settings, const GridState& state, G
             rate = std::max(
                 {rate, strained, lambda_2 * c_2 / c_1 * rates.strain / std::max(rates.rotation, 1e-300) * rate});
         }
-        s.eddy_viscosity[at(c)] = c_mu * energy * energy / rate;
+        s.stress.eddy_viscosity[at(c)] = c_mu * energy * energy / rate;
     });
     // none beyond walls: viscous.cpp takes the viscosity on a wall from there
     for (int side = 0; side < 2 * mesh.box.axes; ++side) {
         const SideKind kind = settings.side[at(side)].kind;
         const double share = kind == SideKind::no_slip || kind == SideKind::wall_function ? 0 : 1;
         for_ghosts(mesh.box, side, [&](std::int64_t ghost, std::int64_t inside, int, int, int, int) {
-            s.eddy_viscosity[at(ghost)] = share * s.eddy_viscosity[at(inside)];
+            s.stress.eddy_viscosity[at(ghost)] = share * s.stress.eddy_viscosity[at(inside)];
         });
     }
 }
@@ -189,7 +189,7 @@ void advance_turbulence(const GridSettings& settings, GridState& state, GridScra
     }
     std::vector<double> k_new = state.turbulent_energy, e_new = state.dissipation_rate;
     for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
-        if (!(s.mass[at(c)] > 0)) {
+        if (!(s.inertia.mass[at(c)] > 0)) {
             return;
         }
         const std::array<int, 3> place{i, j, k};

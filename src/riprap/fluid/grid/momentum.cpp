@@ -18,7 +18,7 @@ double surface_potential(const GridSettings& settings, const GridState& state, c
                          int a, std::int64_t f, const std::array<int, 3>& place) {
     const Mesh& mesh = settings.mesh;
     const auto on_plane = [&](std::int64_t c, const std::array<int, 3>& p) {
-        const CellPlane& plane = s.plane[at(c)];
+        const CellPlane& plane = s.moved.plane[at(c)];
         const double size = plane.n[0] * plane.n[0] + plane.n[1] * plane.n[1] + plane.n[2] * plane.n[2];
         double potential = 0;
         for (int b = 0; b < 3; ++b) {
@@ -70,15 +70,16 @@ void find_masses(const GridSettings& settings, const GridState& state, GridScrat
         last[at(a)] += 1;
     }
     for_box(box, first, last, [&](std::int64_t c, int, int, int) {
-        s.mass_before[at(c)] = s.capacity_before[at(c)] * density_of(settings, s.start_fraction[at(c)]);
-        s.mass[at(c)] = s.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
-        s.viscosity[at(c)] =
-            viscosity_of(settings, state.fraction[at(c)]) +
-            (s.eddy_viscosity.empty() ? 0.0 : density_of(settings, state.fraction[at(c)]) * s.eddy_viscosity[at(c)]);
-        s.fluidity[at(c)] = 1 / s.viscosity[at(c)];
+        s.inertia.mass_before[at(c)] = s.room.capacity_before[at(c)] * density_of(settings, s.start.fraction[at(c)]);
+        s.inertia.mass[at(c)] = s.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
+        s.stress.viscosity[at(c)] = viscosity_of(settings, state.fraction[at(c)]) +
+                                    (s.stress.eddy_viscosity.empty() ? 0.0
+                                                                     : density_of(settings, state.fraction[at(c)]) *
+                                                                           s.stress.eddy_viscosity[at(c)]);
+        s.stress.fluidity[at(c)] = 1 / s.stress.viscosity[at(c)];
     });
     if (settings.has_surface) {
-        reconstruct_surface(settings.mesh, state.fraction, s.plane);
+        reconstruct_surface(settings.mesh, state.fraction, s.moved.plane);
     }
 }
 
@@ -110,7 +111,8 @@ struct Prediction {
         double force = -surface_potential(settings, state, s, g, a, f, place) *
                        (settings.water.density - settings.air.density) * rise;
         if (settings.surface_tension > 0) {
-            const double below = s.curvature[at(f - settings.mesh.box.stride[at(a)])], above = s.curvature[at(f)];
+            const double below = s.stress.curvature[at(f - settings.mesh.box.stride[at(a)])],
+                         above = s.stress.curvature[at(f)];
             const double curvature = below != 0 && above != 0 ? 0.5 * (below + above) : below + above;
             force += settings.surface_tension * curvature * rise;
         }
@@ -122,9 +124,9 @@ struct Prediction {
         const Mesh& mesh = settings.mesh;
         const std::int64_t sa = mesh.box.stride[at(a)];
         const int p = place[at(a)];
-        double& predicted = s.predicted[at(a)][at(f)];
-        double& conductance = s.conductance.face[at(a)][at(f)];
-        if (is_given(p) || s.area[at(a)][at(f)] == 0) {
+        double& predicted = s.projection.predicted[at(a)][at(f)];
+        double& conductance = s.projection.conductance.face[at(a)][at(f)];
+        if (is_given(p) || s.room.area[at(a)][at(f)] == 0) {
             predicted = is_given(p) ? state.velocity[at(a)][at(f)] : s.open.body_velocity[at(a)][at(f)];
             conductance = 0;
             return;
@@ -132,22 +134,22 @@ struct Prediction {
         const double share_low = 0.5 * mesh.h(a, p - 1) / mesh.d(a, p), share_high = 1 - share_low;
         const double density = share_low * density_of(settings, state.fraction[at(f - sa)]) +
                                share_high * density_of(settings, state.fraction[at(f)]);
-        const FaceMedium medium =
-            face_medium(settings, s, f, sa, share_low, density, 0.5 * (s.viscosity[at(f - sa)] + s.viscosity[at(f)]));
+        const FaceMedium medium = face_medium(settings, s, f, sa, share_low, density,
+                                              0.5 * (s.stress.viscosity[at(f - sa)] + s.stress.viscosity[at(f)]));
         const double force = shear / medium.porosity + body_force(f, place, density);
-        const double start = s.start_of(a)[at(f)];
+        const double start = s.start.velocity(a)[at(f)];
         const double carried = start + (moved - start) / (1 + medium.added_mass);
         const double inertia = (1 + medium.added_mass) * density;
         const double speed = medium.quadratic > 0 ? filter_speed(settings, s, a, f) : 0;
         const double resistance = medium.porosity * (medium.linear + medium.quadratic * speed);
-        const double wall = s.open.has_bodies ? s.wall_drag[at(a)][at(f)] : 0;
+        const double wall = s.open.has_bodies ? s.stress.wall_drag[at(a)][at(f)] : 0;
         const double wall_velocity = s.open.has_bodies ? s.open.body_velocity[at(a)][at(f)] : 0;
         const double factor = medium.porosity / (inertia + dt * (resistance + wall));
         predicted = factor * (inertia * carried + dt * (force + wall * wall_velocity));
         // half a cell to a pressure on a side
         const int n = mesh.box.cells[at(a)];
         const double distance = p == 0 ? 0.5 * mesh.h(a, 0) : p == n ? 0.5 * mesh.h(a, n - 1) : mesh.d(a, p);
-        conductance = dt * factor * s.area[at(a)][at(f)] / distance;
+        conductance = dt * factor * s.room.area[at(a)][at(f)] / distance;
     }
 };
 

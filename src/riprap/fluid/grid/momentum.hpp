@@ -13,11 +13,11 @@ double viscosity_of(const GridSettings& settings, double fraction);
 /// Gravity and the acceleration of the frame at a time [m/s^2].
 Vec3 body_force(const GridSettings& settings, double time);
 
-/// Masses of cells before and after the transport of water, which went with scratch.water_flux [kg].
+/// Masses of cells before and after the transport of water, which went with scratch.moved.water_flux [kg].
 void find_masses(const GridSettings& settings, const GridState& state, GridScratch& scratch);
 
-/// Velocity before the pressure, and how much the pressure drives through faces (scratch.predicted,
-/// scratch.conductance):
+/// Velocity before the pressure, and how much the pressure drives through faces (scratch.projection.predicted,
+/// scratch.projection.conductance):
 ///
 ///     (1 + C_A) rho du/dt = [mass flux]-consistent transport + (1/n) div(tau) - R n u - grad P - (g.x) grad rho
 ///                           + sigma kappa grad alpha,      U = n u,

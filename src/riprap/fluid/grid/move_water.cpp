@@ -18,13 +18,14 @@ constexpr int flush_sweeps = 4;
 double outflow(const CellBox& box, const GridScratch& s, std::int64_t c) {
     double out = 0;
     for (int a = 0; a < box.axes; ++a) {
-        out += std::max(0.0, -s.flux[at(a)][at(c)]) + std::max(0.0, s.flux[at(a)][at(c + box.stride[at(a)])]);
+        out +=
+            std::max(0.0, -s.moved.flux[at(a)][at(c)]) + std::max(0.0, s.moved.flux[at(a)][at(c + box.stride[at(a)])]);
     }
     return out;
 }
 
 bool is_sliver(const CellBox& box, const GridScratch& s, std::int64_t c, double volume) {
-    const double capacity = std::min(s.capacity[at(c)], s.capacity_before[at(c)]);
+    const double capacity = std::min(s.room.capacity[at(c)], s.room.capacity_before[at(c)]);
     return capacity < 0.999 * volume && capacity < outflow(box, s, c) / most_flushed;
 }
 
@@ -32,7 +33,7 @@ bool is_sliver(const CellBox& box, const GridScratch& s, std::int64_t c, double 
 /// step sweeps.
 double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, int a, std::int64_t face, int place,
                double dt) {
-    const double u = s.carrier[at(a)][at(face)];
+    const double u = s.start.carrier[at(a)][at(face)];
     const std::int64_t stride = mesh.box.stride[at(a)];
     const std::int64_t donor = u > 0 ? face - stride : face;
     const double f = state.fraction[at(donor)];
@@ -44,33 +45,36 @@ double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, i
     if (swept < 1e-12) {
         return f;
     }
-    return u > 0 ? slab_fraction(s.plane[at(donor)], a, 0.5 - swept, 0.5)
-                 : slab_fraction(s.plane[at(donor)], a, -0.5, -0.5 + swept);
+    return u > 0 ? slab_fraction(s.moved.plane[at(donor)], a, 0.5 - swept, 0.5)
+                 : slab_fraction(s.moved.plane[at(donor)], a, -0.5, -0.5 + swept);
 }
 
 /// Fractions at the end of the step of slivers, which the step flushes: (alpha C + inflow of water)/(C + inflow).
 void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
-    std::vector<double>& end_fraction = s.end_fraction;
+    std::vector<double>& end_fraction = s.moved.end_fraction;
+    std::vector<double>& flushed = s.moved.flushed_fraction;
     end_fraction = state.fraction;
+    flushed.resize(end_fraction.size());
     for (int sweep = 0; sweep < flush_sweeps; ++sweep) {
         for_cells(box, [&](std::int64_t c, int i, int j, int k) {
             if (!is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
                 return;
             }
-            double water = state.fraction[at(c)] * s.capacity_before[at(c)], volume = s.capacity_before[at(c)];
+            double water = state.fraction[at(c)] * s.room.capacity_before[at(c)],
+                   volume = s.room.capacity_before[at(c)];
             for (int a = 0; a < box.axes; ++a) {
                 const std::int64_t stride = box.stride[at(a)];
-                const double low = std::max(0.0, s.flux[at(a)][at(c)]);
-                const double high = std::max(0.0, -s.flux[at(a)][at(c + stride)]);
+                const double low = std::max(0.0, s.moved.flux[at(a)][at(c)]);
+                const double high = std::max(0.0, -s.moved.flux[at(a)][at(c + stride)]);
                 water += low * end_fraction[at(c - stride)] + high * end_fraction[at(c + stride)];
                 volume += low + high;
             }
-            s.water[at(c)] = volume > 0 ? water / volume : state.fraction[at(c)];
+            flushed[at(c)] = volume > 0 ? water / volume : state.fraction[at(c)];
         });
         for_cells(box, [&](std::int64_t c, int i, int j, int k) {
             if (is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
-                end_fraction[at(c)] = s.water[at(c)];
+                end_fraction[at(c)] = flushed[at(c)];
             }
         });
     }
@@ -78,11 +82,11 @@ void flush_slivers(const GridSettings& settings, const GridState& state, GridScr
 
 void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
     for (int a = 0; a < settings.mesh.box.axes; ++a) {
-        if (s.flux[at(a)].empty()) {
-            s.flux[at(a)] = std::move(s.mass_flux[at(a)]);
+        if (s.moved.flux[at(a)].empty()) {
+            s.moved.flux[at(a)] = std::move(s.inertia.mass_flux[at(a)]);
         }
         for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
-            s.flux[at(a)][at(f)] = s.carrier[at(a)][at(f)] * s.area[at(a)][at(f)] * dt;
+            s.moved.flux[at(a)][at(f)] = s.start.carrier[at(a)][at(f)] * s.room.area[at(a)][at(f)] * dt;
         });
     }
 }
@@ -102,7 +106,7 @@ double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
         for (int k = first[2]; k < last[2]; ++k) {
             for (int j = first[1]; j < last[1]; ++j) {
                 for (int i = first[0]; i < last[0]; ++i) {
-                    sum += (side % 2 == 0 ? 1 : -1) * s.water_flux[at(a)][at(box.index(i, j, k))];
+                    sum += (side % 2 == 0 ? 1 : -1) * s.moved.water_flux[at(a)][at(box.index(i, j, k))];
                 }
             }
         }
@@ -115,12 +119,12 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     const std::int64_t stride = box.stride[at(a)];
-    fill_fraction_ghosts(settings, s.carrier, state.time, state.fraction);
-    reconstruct_surface(mesh, state.fraction, s.plane);
+    fill_fraction_ghosts(settings, s.start.carrier, state.time, state.fraction);
+    reconstruct_surface(mesh, state.fraction, s.moved.plane);
     for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-        const double volume = s.flux[at(a)][at(f)];
+        const double volume = s.moved.flux[at(a)][at(f)];
         if (volume == 0) {
-            s.water_flux[at(a)][at(f)] = 0;
+            s.moved.water_flux[at(a)][at(f)] = 0;
             return;
         }
         const std::array<int, 3> place{i, j, k};
@@ -133,16 +137,17 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
             d[at(a)] = p;
             flushed = is_sliver(box, s, donor, mesh.volume(d[0], d[1], d[2]));
         }
-        s.water_flux[at(a)][at(f)] =
-            volume * (flushed ? s.end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
+        s.moved.water_flux[at(a)][at(f)] =
+            volume * (flushed ? s.moved.end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
     });
     for_cells(box, [&](std::int64_t c, int, int, int) {
-        const double out = s.flux[at(a)][at(c + stride)] - s.flux[at(a)][at(c)];
-        const double water_out = s.water_flux[at(a)][at(c + stride)] - s.water_flux[at(a)][at(c)];
-        s.water[at(c)] += (s.colour[at(c)] != 0 ? out : 0) - water_out;
-        const double capacity = s.capacity_before[at(c)];
+        const double out = s.moved.flux[at(a)][at(c + stride)] - s.moved.flux[at(a)][at(c)];
+        const double water_out = s.moved.water_flux[at(a)][at(c + stride)] - s.moved.water_flux[at(a)][at(c)];
+        s.moved.water[at(c)] += (s.moved.colour[at(c)] != 0 ? out : 0) - water_out;
+        const double capacity = s.room.capacity_before[at(c)];
         // between directions a fraction may leave 0..1 only where solids move or leave slivers
-        state.fraction[at(c)] = capacity > 0 ? std::clamp(s.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
+        state.fraction[at(c)] =
+            capacity > 0 ? std::clamp(s.moved.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
     });
 }
 
@@ -153,35 +158,36 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
     find_fluxes(settings, s, dt);
     if (!settings.has_surface) {
         for (int a = 0; a < box.axes; ++a) {
-            s.water_flux[at(a)] = s.flux[at(a)];
+            s.moved.water_flux[at(a)] = s.moved.flux[at(a)];
         }
         return;
     }
     if (settings.vof == VofScheme::compressive) {
         move_water_compressive(settings, state, s, dt);
     } else {
-        for_cells(box, [&](std::int64_t c, int, int, int) { s.colour[at(c)] = state.fraction[at(c)] > 0.5 ? 1 : 0; });
+        for_cells(box,
+                  [&](std::int64_t c, int, int, int) { s.moved.colour[at(c)] = state.fraction[at(c)] > 0.5 ? 1 : 0; });
         if (s.open.has_bodies) {
             flush_slivers(settings, state, s);
         }
         for_cells(box, [&](std::int64_t c, int, int, int) {
-            s.water[at(c)] = state.fraction[at(c)] * s.capacity_before[at(c)];
+            s.moved.water[at(c)] = state.fraction[at(c)] * s.room.capacity_before[at(c)];
         });
         for (int turn = 0; turn < box.axes; ++turn) {
             const int a = static_cast<int>((turn + state.step) % box.axes);
             move_along(settings, state, s, a, dt);
         }
         for_cells(box, [&](std::int64_t c, int, int, int) {
-            const double capacity = s.capacity[at(c)];
+            const double capacity = s.room.capacity[at(c)];
             if (capacity > 0) {
-                const double grown = capacity - s.capacity_before[at(c)];
-                state.fraction[at(c)] = (s.water[at(c)] + (s.colour[at(c)] != 0 ? grown : 0)) / capacity;
+                const double grown = capacity - s.room.capacity_before[at(c)];
+                state.fraction[at(c)] = (s.moved.water[at(c)] + (s.moved.colour[at(c)] != 0 ? grown : 0)) / capacity;
             }
         });
     }
     state.water_volume += inflow_of_water(settings, s);
     settle_volume(settings, state, s);
-    fill_fraction_ghosts(settings, s.carrier, state.time + dt, state.fraction);
+    fill_fraction_ghosts(settings, s.start.carrier, state.time + dt, state.fraction);
 }
 
 }  // namespace riprap::fluid::grid

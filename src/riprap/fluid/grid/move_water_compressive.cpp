@@ -19,7 +19,7 @@ Fluxes face_fluxes(const GridSettings& settings, const std::vector<double>& f, c
                    std::int64_t face) {
     const CellBox& box = settings.mesh.box;
     const std::int64_t t = box.stride[at(a)];
-    const double volume = s.flux[at(a)][at(face)];
+    const double volume = s.moved.flux[at(a)][at(face)];
     const double below = f[at(face - t)], above = f[at(face)];
     const double up = volume > 0 ? below : above, down = volume > 0 ? above : below;
     const double far = volume > 0 ? f[at(face - 2 * t)] : f[at(face + t)];
@@ -47,27 +47,27 @@ Fluxes face_fluxes(const GridSettings& settings, const std::vector<double>& f, c
 void move_water_compressive(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     (void)dt;
     const CellBox& box = settings.mesh.box;
-    fill_fraction_ghosts(settings, s.carrier, state.time, state.fraction);
+    fill_fraction_ghosts(settings, s.start.carrier, state.time, state.fraction);
     const std::vector<double> old = state.fraction;
     std::array<std::vector<double>, 3> extra;  // high minus low
     for (int a = 0; a < box.axes; ++a) {
         extra[at(a)].assign(at(box.size), 0.0);
         for_faces(box, a, [&](std::int64_t face, int, int, int) {
             const Fluxes flux = face_fluxes(settings, old, s, a, face);
-            s.water_flux[at(a)][at(face)] = flux.low;
+            s.moved.water_flux[at(a)][at(face)] = flux.low;
             extra[at(a)][at(face)] = flux.high - flux.low;
         });
     }
     // Zalesak's limit: what comes in or leaves beyond the first-order flux keeps cells between 0 and 1
     std::vector<double> in_share(at(box.size), 0.0), out_share(at(box.size), 0.0);
     const auto after = [&](std::int64_t c) {
-        double out = 0, water = old[at(c)] * s.capacity_before[at(c)];
+        double out = 0, water = old[at(c)] * s.room.capacity_before[at(c)];
         for (int a = 0; a < box.axes; ++a) {
             const std::int64_t t = box.stride[at(a)];
-            out += s.flux[at(a)][at(c + t)] - s.flux[at(a)][at(c)];
-            water -= s.water_flux[at(a)][at(c + t)] - s.water_flux[at(a)][at(c)];
+            out += s.moved.flux[at(a)][at(c + t)] - s.moved.flux[at(a)][at(c)];
+            water -= s.moved.water_flux[at(a)][at(c + t)] - s.moved.water_flux[at(a)][at(c)];
         }
-        return water + old[at(c)] * (out + s.capacity[at(c)] - s.capacity_before[at(c)]);
+        return water + old[at(c)] * (out + s.room.capacity[at(c)] - s.room.capacity_before[at(c)]);
     };
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double in = 0, out = 0;
@@ -77,7 +77,7 @@ void move_water_compressive(const GridSettings& settings, GridState& state, Grid
             out += std::max(0.0, -low) + std::max(0.0, high);
         }
         const double water = after(c);
-        in_share[at(c)] = in > 0 ? std::clamp((s.capacity[at(c)] - water) / in, 0.0, 1.0) : 0;
+        in_share[at(c)] = in > 0 ? std::clamp((s.room.capacity[at(c)] - water) / in, 0.0, 1.0) : 0;
         out_share[at(c)] = out > 0 ? std::clamp(water / out, 0.0, 1.0) : 0;
     });
     for (int a = 0; a < box.axes; ++a) {
@@ -89,12 +89,12 @@ void move_water_compressive(const GridSettings& settings, GridState& state, Grid
             const double share = on_rim  ? 0
                                  : e > 0 ? std::min(in_share[at(face)], out_share[at(face - t)])
                                          : std::min(in_share[at(face - t)], out_share[at(face)]);
-            s.water_flux[at(a)][at(face)] += share * e;
+            s.moved.water_flux[at(a)][at(face)] += share * e;
         });
     }
     for_cells(box, [&](std::int64_t c, int, int, int) {
-        if (s.capacity[at(c)] > 0) {
-            state.fraction[at(c)] = after(c) / s.capacity[at(c)];
+        if (s.room.capacity[at(c)] > 0) {
+            state.fraction[at(c)] = after(c) / s.room.capacity[at(c)];
         }
     });
 }

@@ -48,14 +48,14 @@ Groups find_groups(const GridSettings& settings, const GridScratch& s) {
                 const int a = side / 2;
                 const bool is_high = side % 2 == 1;
                 const std::int64_t t = box.stride[at(a)], face = is_high ? c + t : c, beyond = is_high ? c + t : c - t;
-                if (!(s.area[at(a)][at(face)] > 0)) {
+                if (!(s.room.area[at(a)][at(face)] > 0)) {
                     continue;
                 }
                 if (place[at(a)] == (is_high ? box.cells[at(a)] - 1 : 0)) {
                     if (settings.side[at(side)].kind == SideKind::open) {
                         groups.is_open.back() = 1;
                     }
-                } else if (groups.of_cell[at(beyond)] < 0 && s.capacity[at(beyond)] > 0) {
+                } else if (groups.of_cell[at(beyond)] < 0 && s.room.capacity[at(beyond)] > 0) {
                     groups.of_cell[at(beyond)] = number;
                     cells.push_back(beyond);
                 }
@@ -66,7 +66,7 @@ Groups find_groups(const GridSettings& settings, const GridScratch& s) {
         for (int j = 0; j < box.cells[1]; ++j) {
             for (int i = 0; i < box.cells[0]; ++i) {
                 const std::int64_t c = box.index(i, j, k);
-                if (s.capacity[at(c)] > 0 && groups.of_cell[at(c)] < 0) {
+                if (s.room.capacity[at(c)] > 0 && groups.of_cell[at(c)] < 0) {
                     join(c, static_cast<std::int32_t>(groups.cells.size()));
                 }
             }
@@ -128,11 +128,11 @@ void balance_pockets(const std::vector<Pocket>& pockets, GridScratch& s) {
     for (const Pocket& pocket : pockets) {
         double sum = 0, volume = 0;
         for (const std::int64_t c : pocket.cells) {
-            sum += s.rhs[at(c)];
-            volume += s.capacity[at(c)];
+            sum += s.projection.right[at(c)];
+            volume += s.room.capacity[at(c)];
         }
         for (const std::int64_t c : pocket.cells) {
-            s.rhs[at(c)] -= sum / volume * s.capacity[at(c)];
+            s.projection.right[at(c)] -= sum / volume * s.room.capacity[at(c)];
         }
     }
 }
@@ -145,16 +145,16 @@ void level_pockets(const GridSettings& settings, GridState& state, const GridScr
     for (const Pocket& pocket : pockets) {
         double volume = 0, level = 0, mass = 0;
         for (const std::int64_t c : pocket.cells) {
-            volume += s.capacity[at(c)];
-            mass += s.capacity[at(c)] * density(c);
-            level += s.capacity[at(c)] * state.pressure[at(c)];
+            volume += s.room.capacity[at(c)];
+            mass += s.room.capacity[at(c)] * density(c);
+            level += s.room.capacity[at(c)] * state.pressure[at(c)];
         }
         double outside = 0, room = 0;
         for (const std::int64_t c : pocket.around) {  // p of the water there, less the weight of what the pocket holds
             const std::array<int, 3> place = place_of(mesh.box, c);
             const double potential = settings.has_surface ? dot(g, mesh.centre(place[0], place[1], place[2])) : 0;
-            outside += s.capacity[at(c)] * (state.pressure[at(c)] + (density(c) - mass / volume) * potential);
-            room += s.capacity[at(c)];
+            outside += s.room.capacity[at(c)] * (state.pressure[at(c)] + (density(c) - mass / volume) * potential);
+            room += s.room.capacity[at(c)];
         }
         const double shift = (room > 0 ? outside / room : 0) - level / volume;
         for (const std::int64_t c : pocket.cells) {

@@ -66,7 +66,7 @@ double filter_speed(const GridSettings& settings, const GridScratch& s, int a, s
     const std::int64_t sa = box.stride[at(a)];
     double square = 0;
     for (int b = 0; b < box.axes; ++b) {
-        const auto& u = s.carrier[at(b)];
+        const auto& u = s.start.carrier[at(b)];
         const std::int64_t t = box.stride[at(b)];
         const double v =
             b == a ? u[at(face)] : 0.25 * (u[at(face)] + u[at(face + t)] + u[at(face - sa)] + u[at(face - sa + t)]);

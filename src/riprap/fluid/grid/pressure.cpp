@@ -11,7 +11,7 @@ namespace riprap::fluid::grid {
 
 namespace {
 
-/// Of the first solve of a run [-].
+/// Tolerance of the first solve of a run [-].
 constexpr double first_tolerance = 1e-14;
 
 /// P = p - rho g.x on an open side, beyond which lies what the ghost cell holds [Pa].
@@ -49,7 +49,8 @@ void add_open_sides(const GridSettings& settings, const GridState& state, GridSc
             }
             if (layer == 0) {
                 const double p = side_pressure(settings, state, side, ghost, place, g);
-                s.rhs[at(inside)] += s.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
+                s.projection.right[at(inside)] +=
+                    s.projection.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
             }
         });
     }
@@ -64,16 +65,18 @@ void balance(const GridSettings& settings, GridScratch& s) {
         }
     }
     double sum = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.rhs[at(c)]; }, sum_of);
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.projection.right[at(c)]; }, sum_of);
     double volume = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.capacity[at(c)]; }, sum_of);
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.room.capacity[at(c)]; }, sum_of);
     for (const Pocket& pocket : s.pockets) {
         for (const std::int64_t c : pocket.cells) {
-            sum -= s.rhs[at(c)];
-            volume -= s.capacity[at(c)];
+            sum -= s.projection.right[at(c)];
+            volume -= s.room.capacity[at(c)];
         }
     }
-    for_cells(box, [&](std::int64_t c, int, int, int) { s.rhs[at(c)] -= sum * s.capacity[at(c)] / volume; });
+    for_cells(box, [&](std::int64_t c, int, int, int) {
+        s.projection.right[at(c)] -= sum * s.room.capacity[at(c)] / volume;
+    });
 }
 
 double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>& u, const GridScratch& s,
@@ -81,7 +84,7 @@ double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>&
     double sum = s.open.has_bodies ? s.open.displacement[at(c)] : 0;
     for (int a = 0; a < box.axes; ++a) {
         const std::int64_t t = box.stride[at(a)];
-        sum += s.area[at(a)][at(c + t)] * u[at(a)][at(c + t)] - s.area[at(a)][at(c)] * u[at(a)][at(c)];
+        sum += s.room.area[at(a)][at(c + t)] * u[at(a)][at(c + t)] - s.room.area[at(a)][at(c)] * u[at(a)][at(c)];
     }
     return sum;
 }
@@ -93,7 +96,7 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     const Vec3 g = body_force(settings, state.time + dt);
     // net_outflow sums in the same order for a fluid at rest as for one that moves: exact zeros stay zero
     for_cells(box, [&](std::int64_t c, int, int, int) {
-        s.rhs[at(c)] = s.capacity[at(c)] > 0 ? -net_outflow(box, s.predicted, s, c) : 0;
+        s.projection.right[at(c)] = s.room.capacity[at(c)] > 0 ? -net_outflow(box, s.projection.predicted, s, c) : 0;
     });
     add_open_sides(settings, state, s, dt);
     balance(settings, s);
@@ -101,10 +104,11 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double open = 0;
         for (int a = 0; a < box.axes; ++a) {
-            open += s.conductance.face[at(a)][at(c)] + s.conductance.face[at(a)][at(c + box.stride[at(a)])];
+            open += s.projection.conductance.face[at(a)][at(c)] +
+                    s.projection.conductance.face[at(a)][at(c + box.stride[at(a)])];
         }
         if (open == 0) {
-            s.rhs[at(c)] = 0;
+            s.projection.right[at(c)] = 0;
             state.pressure[at(c)] = 0;
         }
     });
@@ -112,11 +116,11 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
         for_ghosts(box, side,
                    [&](std::int64_t ghost, std::int64_t, int, int, int, int) { state.pressure[at(ghost)] = 0; });
     }
-    s.solver.set_operator(s.conductance);
+    s.projection.solver.set_operator(s.projection.conductance);
     // The first solve has no pressure to start from: an error there would leave waves for good.
     const double tolerance = state.step == 0 ? first_tolerance : settings.tolerance;
-    const linear::PoissonReport report =
-        s.solver.solve(s.conductance, s.rhs, state.pressure, tolerance, settings.longest_solve);
+    const linear::PoissonReport report = s.projection.solver.solve(s.projection.conductance, s.projection.right,
+                                                                   state.pressure, tolerance, settings.longest_solve);
     level_pockets(settings, state, s, s.pockets, state.time + dt);
     for (int side = 0; side < 2 * box.axes; ++side) {
         const bool is_open = settings.side[at(side)].kind == SideKind::open;
@@ -129,10 +133,10 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     for (int a = 0; a < box.axes; ++a) {
         const std::int64_t sa = box.stride[at(a)];
         for_faces(box, a, [&](std::int64_t f, int, int, int) {
-            const double area = s.area[at(a)][at(f)];
+            const double area = s.room.area[at(a)][at(f)];
             const double driven =
-                s.conductance.face[at(a)][at(f)] * (state.pressure[at(f)] - state.pressure[at(f - sa)]);
-            state.velocity[at(a)][at(f)] = s.predicted[at(a)][at(f)] - (area > 0 ? driven / area : 0);
+                s.projection.conductance.face[at(a)][at(f)] * (state.pressure[at(f)] - state.pressure[at(f - sa)]);
+            state.velocity[at(a)][at(f)] = s.projection.predicted[at(a)][at(f)] - (area > 0 ? driven / area : 0);
         });
     }
     return report;

@@ -131,7 +131,7 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
     return reduce_cells(
         box, Energy{},
         [&](std::int64_t c, int i, int j, int k) {
-            const double mass = scratch.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
+            const double mass = scratch.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
             double square = 0;
             for (int a = 0; a < box.axes; ++a) {
                 const auto& u = state.velocity[at(a)];
@@ -140,7 +140,7 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
             const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
             double potential = -mass * dot(settings.gravity, settings.mesh.centre(i, j, k));
             if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
-                potential -= (settings.water.density - settings.air.density) * scratch.capacity[at(c)] *
+                potential -= (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
                              dot(settings.gravity, moment_of_water(settings, state, c, {i, j, k}));
             }
             return Energy{0.5 * mass * square / (porosity * porosity), potential};

@@ -33,42 +33,86 @@ struct MediumFields {
         grain_size;  ///< in cells; linear in 1/m^2, quadratic 1/m
 };
 
-/// Buffers kept for speed, remade from Model and State at any time.
-struct GridScratch {
-    bool is_ready{false};
-    MediumFields medium;
-    OpenShares open;                                ///< at the end of the step
-    std::vector<Pocket> pockets;                    ///< that `open` leaves
-    std::vector<double> capacity, capacity_before;  ///< n theta V of cells [m^3]
+/// Room for fluid that stones and solids leave: written by set_open_shares, read by all stages.
+struct Room {
+    std::vector<double> capacity, capacity_before;  ///< n theta V of cells, now and at the last step [m^3]
     std::array<std::vector<double>, 3> area;        ///< open area of faces [m^2]
-    std::array<std::vector<double>, 3> carrier;     ///< velocity that transports, [m/s]
+
+    std::size_t bytes() const;
+};
+
+/// Fluid at the start of the step: written by begin_step; correct_step puts the mean velocity into `carrier`.
+struct StepStart {
+    std::vector<double> fraction;                      ///< [-]
+    std::array<std::vector<double>, 3> carrier;        ///< velocity that transports [m/s]
+    std::array<std::vector<double>, 3> pore_velocity;  ///< in the pores; empty where that is `carrier` [m/s]
+
+    /// Returns the velocity in the pores along an axis.
+    const std::vector<double>& velocity(int a) const {
+        const auto& given = pore_velocity[static_cast<std::size_t>(a)];
+        return given.empty() ? carrier[static_cast<std::size_t>(a)] : given;
+    }
+    std::size_t bytes() const;
+};
+
+/// Transport of water: written by move_water, read by find_masses and the momentum.
+struct Transport {
+    /// Volume through a face in the step [m^3]; its memory goes on to Inertia::mass_flux and back.
+    std::array<std::vector<double>, 3> flux;
     std::array<std::vector<double>, 3> water_flux;  ///< water through a face in the step, along +axis [m^3]
-    /// Volume through a face while water moves [m^3], then mass through it [kg]: one memory, of which one name is
-    /// empty.
-    std::array<std::vector<double>, 3> flux, mass_flux;
-    std::array<std::vector<double>, 3> predicted;  ///< velocity before the pressure [m/s]
+    std::vector<double> water;                      ///< in cells, between two directions [m^3]
+    std::vector<double> end_fraction;               ///< of slivers beside solids, at the end of the step [-]
+    std::vector<double> flushed_fraction;           ///< the same, one sweep further [-]
+    std::vector<double> settling;                   ///< fraction that a cell can take or give as volume settles [-]
+    std::vector<std::uint8_t> colour;               ///< colour function of the dilation term, 0 or 1
+    std::vector<CellPlane> plane;                   ///< surface in mixed cells
+
+    std::size_t bytes() const;
+};
+
+/// Masses as momentum is carried with them: written by find_masses.
+struct Inertia {
+    std::vector<double> mass, mass_before;         ///< in cells [kg]
+    std::array<std::vector<double>, 3> mass_flux;  ///< through a face in the step [kg]
+
+    std::size_t bytes() const;
+};
+
+/// Stresses: written by find_masses, find_curvature, find_wall_drag and the turbulence, read by predict_velocity.
+struct Stress {
+    std::vector<double> viscosity;                 ///< mu + mu_t in cells [Pa s]
+    std::vector<double> fluidity;                  ///< 1/viscosity [1/(Pa s)]
+    std::vector<double> eddy_viscosity;            ///< nu_t; empty in laminar flow [m^2/s]
+    std::vector<double> curvature;                 ///< of the surface in mixed cells; empty without tension [1/m]
     std::array<std::vector<double>, 3> wall_drag;  ///< 2 axes: shear of solids per velocity [kg/(m^3 s)]
-    /// In the pores at the begin of the step; empty where that is `carrier` [m/s].
-    std::array<std::vector<double>, 3> start_velocity;
-    std::vector<double> start_fraction;     ///< at the begin of the step
-    std::vector<double> end_fraction;       ///< of slivers beside solids, at the end of the step [-]
-    std::vector<double> water;              ///< in cells [m^3]
-    std::vector<std::uint8_t> colour;       ///< colour function of the dilation term, 0 or 1
-    std::vector<CellPlane> plane;           ///< surface in mixed cells
-    std::vector<double> mass, mass_before;  ///< in cells [kg]
-    std::vector<double> viscosity;          ///< mu + mu_t in cells [Pa s]
-    std::vector<double> fluidity;           ///< 1/viscosity [1/(Pa s)]
-    std::vector<double> eddy_viscosity;     ///< nu_t [m^2/s]
-    std::vector<double> curvature;          ///< of the surface in mixed cells; empty without tension [1/m]
-    std::vector<double> rhs;                ///< of the pressure equation
-    linear::FaceConductance conductance;    ///< of the pressure: volume per second that 1 Pa drives through a face
+
+    std::size_t bytes() const;
+};
+
+/// Pressure equation: written by predict_velocity and project_velocity.
+struct Projection {
+    std::array<std::vector<double>, 3> predicted;  ///< velocity before the pressure [m/s]
+    linear::FaceConductance conductance;           ///< volume per second that 1 Pa drives through a face
+    std::vector<double> right;                     ///< right-hand side
     linear::PoissonSolver solver;
 
     std::size_t bytes() const;
-    const std::vector<double>& start_of(int a) const {
-        const auto& given = start_velocity[static_cast<std::size_t>(a)];
-        return given.empty() ? carrier[static_cast<std::size_t>(a)] : given;
-    }
+};
+
+/// Buffers kept for speed, grouped by the stage that writes them; remade from Model and State at any time.
+struct GridScratch {
+    bool is_ready{false};
+    MediumFields medium;
+    OpenShares open;              ///< at the end of the step
+    std::vector<Pocket> pockets;  ///< that `open` leaves
+    Room room;
+    StepStart start;
+    Transport moved;
+    Inertia inertia;
+    Stress stress;
+    Projection projection;
+
+    std::size_t bytes() const;
 };
 
 }  // namespace riprap::fluid::grid

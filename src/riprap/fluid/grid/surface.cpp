@@ -84,7 +84,7 @@ void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, 
 double water_volume(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
     return reduce_cells(
         settings.mesh.box, 0.0,
-        [&](std::int64_t c, int, int, int) { return state.fraction[at(c)] * scratch.capacity[at(c)]; }, sum_of);
+        [&](std::int64_t c, int, int, int) { return state.fraction[at(c)] * scratch.room.capacity[at(c)]; }, sum_of);
 }
 
 namespace {
@@ -95,22 +95,24 @@ void settle_beside_surface(const GridSettings& settings, GridState& state, GridS
     const CellBox& box = settings.mesh.box;
     auto& f = state.fraction;
     const bool takes = missing > 0;
+    std::vector<double>& settling = s.moved.settling;
+    settling.resize(f.size());
     for_cells(box, [&](std::int64_t c, int, int, int) {
         bool is_beside = false;
         for (int a = 0; a < box.axes; ++a) {
             const std::int64_t t = box.stride[at(a)];
             for (const auto& [beside, face] : {std::pair{c - t, c}, std::pair{c + t, c + t}}) {
-                is_beside = is_beside || (s.area[at(a)][at(face)] > 0 && s.capacity[at(beside)] > 0 &&
+                is_beside = is_beside || (s.room.area[at(a)][at(face)] > 0 && s.room.capacity[at(beside)] > 0 &&
                                           (f[at(beside)] > 0.5) == takes);
             }
         }
-        s.water[at(c)] = is_beside ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
+        settling[at(c)] = is_beside ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
     });
     const double room = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.water[at(c)] * s.capacity[at(c)]; }, sum_of);
+        box, 0.0, [&](std::int64_t c, int, int, int) { return settling[at(c)] * s.room.capacity[at(c)]; }, sum_of);
     if (room > 0) {
         const double share = std::clamp(missing / room, -1.0, 1.0);
-        for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * s.water[at(c)]; });
+        for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * settling[at(c)]; });
     }
 }
 
@@ -127,7 +129,8 @@ void settle_volume(const GridSettings& settings, GridState& state, GridScratch& 
         const double missing = state.water_volume - water_volume(settings, state, scratch);
         const double room = reduce_cells(
             box, 0.0,
-            [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.capacity[at(c)]; }, sum_of);
+            [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)]; },
+            sum_of);
         if (!(room > 0)) {
             break;
         }

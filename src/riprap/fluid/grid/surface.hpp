@@ -18,9 +18,9 @@ std::array<double, 3> surface_normal(const CellBox& box, const std::vector<doubl
 /// Places the planes of all mixed cells and of the ghosts beside them.
 void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, std::vector<CellPlane>& plane);
 
-/// Moves the water with scratch.carrier for dt: state.fraction, scratch.water_flux, scratch.flux. Directions one after
-/// the other, in turn from step to step, with the dilation term of [Weymouth2010], which leaves fractions between 0 and
-/// 1 while the Courant number, summed over axes, is below 1/2. Volume by volume,
+/// Moves the water with scratch.start.carrier for dt: state.fraction, scratch.moved.water_flux, scratch.moved.flux.
+/// Directions one after the other, in turn from step to step, with the dilation term of [Weymouth2010], which leaves
+/// fractions between 0 and 1 while the Courant number, summed over axes, is below 1/2. Volume by volume,
 ///
 ///     (alpha C)_new = (alpha C)_old - sum of F_w + c (C_new - C_old + sum of F),   C = n theta V,
 ///

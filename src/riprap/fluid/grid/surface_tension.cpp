@@ -88,18 +88,18 @@ void find_curvature(const GridSettings& settings, const GridState& state, GridSc
     const Mesh& mesh = settings.mesh;
     const auto& f = state.fraction;
     for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
-        s.curvature[at(c)] = 0;
+        s.stress.curvature[at(c)] = 0;
         if (!is_mixed(f[at(c)])) {
             return;
         }
         const std::array<int, 3> place{i, j, k};
-        const auto& n = s.plane[at(c)].n;
+        const auto& n = s.moved.plane[at(c)].n;
         int a = 0;
         for (int b = 1; b < mesh.box.axes; ++b) {
             a = std::abs(n[at(b)]) > std::abs(n[at(a)]) ? b : a;
         }
         if (const auto by_heights = curvature_of_heights(mesh, f, c, a, place, n[at(a)] > 0)) {
-            s.curvature[at(c)] = *by_heights;
+            s.stress.curvature[at(c)] = *by_heights;
             return;
         }
         double divergence = 0;
@@ -114,9 +114,9 @@ void find_curvature(const GridSettings& settings, const GridState& state, GridSc
             divergence += (normal_component(mesh, f, c + t, b, high) - normal_component(mesh, f, c - t, b, low)) /
                           (2 * mesh.h(b, place[at(b)]));
         }
-        s.curvature[at(c)] = -divergence;
+        s.stress.curvature[at(c)] = -divergence;
     });
-    mirror_ghosts(mesh, s.curvature);
+    mirror_ghosts(mesh, s.stress.curvature);
 }
 
 }  // namespace riprap::fluid::grid

@@ -45,7 +45,8 @@ struct RowFluxes {
 RowFluxes fluxes_across(const GridScratch& s, const CellBox& box, const std::vector<double>& u, int a, int b,
                         std::int64_t start, int place, bool is_midpoint) {
     const std::int64_t t = box.stride[at(b)], sa = box.stride[at(a)];
-    const double *flux = s.mass_flux[at(b)].data() + start, *v = u.data() + start, *mass = s.mass.data() + start;
+    const double *flux = s.inertia.mass_flux[at(b)].data() + start, *v = u.data() + start,
+                 *mass = s.inertia.mass.data() + start;
     return {b == a ? flux - t : flux,
             b == a ? flux : flux - sa,
             v - 2 * t,
@@ -70,9 +71,9 @@ void find_mass_fluxes(const GridSettings& settings, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
     const double water = settings.water.density, air = settings.has_surface ? settings.air.density : 0;
     for (int a = 0; a < box.axes; ++a) {
-        s.mass_flux[at(a)] = std::move(s.flux[at(a)]);
-        const auto& wet = s.water_flux[at(a)];
-        auto& flux = s.mass_flux[at(a)];
+        s.inertia.mass_flux[at(a)] = std::move(s.moved.flux[at(a)]);
+        const auto& wet = s.moved.water_flux[at(a)];
+        auto& flux = s.inertia.mass_flux[at(a)];
         parallel::for_ranges(box.size, 4096, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) {
                 flux[at(i)] = water * wet[at(i)] + air * (flux[at(i)] - wet[at(i)]);
@@ -85,8 +86,8 @@ void carry_row(const GridSettings& settings, const GridScratch& s, const std::ve
                bool is_midpoint, std::int64_t start, int n, const std::array<int, 3>& place, double* moved) {
     const CellBox& box = settings.mesh.box;
     const std::int64_t sa = box.stride[at(a)];
-    const double *before = s.mass_before.data() + start, *after = s.mass.data() + start,
-                 *old = s.start_of(a).data() + start, *v = u.data() + start;
+    const double *before = s.inertia.mass_before.data() + start, *after = s.inertia.mass.data() + start,
+                 *old = s.start.velocity(a).data() + start, *v = u.data() + start;
     std::array<double, most_in_row + 1> low_mass, low, high_mass, high;
     Sums sums;
     for (int i = 0; i < n; ++i) {

@@ -6,8 +6,8 @@
 
 namespace riprap::fluid::grid {
 
-/// Turns scratch.flux into scratch.mass_flux: the mass that went through the faces of the mesh in the step, of water
-/// and air [kg].
+/// Turns scratch.moved.flux into scratch.inertia.mass_flux: the mass that went through the faces of the mesh in the
+/// step, of water and air [kg].
 void find_mass_fluxes(const GridSettings& settings, GridScratch& scratch);
 
 /// Pore velocity of a row of velocity cells after the transport alone, into `moved`:

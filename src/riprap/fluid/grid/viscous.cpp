@@ -39,8 +39,8 @@ struct EdgeStress {
     void find(std::int64_t start, int n, const std::array<int, 3>& place, int upper, double* stress) const {
         const CellBox& box = mesh.box;
         const std::int64_t t = box.stride[at(b)], sa = box.stride[at(a)];
-        const double *u = s.carrier[at(a)].data() + start, *v = s.carrier[at(b)].data() + start;
-        const double* const phi = s.fluidity.data() + start;
+        const double *u = s.start.carrier[at(a)].data() + start, *v = s.start.carrier[at(b)].data() + start;
+        const double* const phi = s.stress.fluidity.data() + start;
         // on a side, what its ghosts hold: no eddies on a wall
         const bool on_low = b != 0 && upper == 0, on_high = b != 0 && upper == box.cells[at(b)];
         const double *above = on_low ? phi - t : phi, *below = on_high ? phi : phi - t;
@@ -77,7 +77,7 @@ void viscous_row(const GridSettings& settings, const GridScratch& s, int a, std:
                  const std::array<int, 3>& place, double* force) {
     const Mesh& mesh = settings.mesh;
     const std::int64_t sa = mesh.box.stride[at(a)];
-    const double *u = s.carrier[at(a)].data() + start, *mu = s.viscosity.data() + start;
+    const double *u = s.start.carrier[at(a)].data() + start, *mu = s.stress.viscosity.data() + start;
     const double* const distance = s.open.has_bodies ? s.open.wall_distance[at(a)].data() + start : nullptr;
     {  // along the axis: 2 mu du/dx at the two centres
         RowArray low, high, between;
@@ -126,13 +126,13 @@ void find_wall_drag(const GridSettings& settings, GridScratch& s) {
         const std::int64_t sa = box.stride[at(a)];
         const auto& distance = s.open.wall_distance[at(a)];
         for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-            double& drag = s.wall_drag[at(a)][at(f)];
+            double& drag = s.stress.wall_drag[at(a)][at(f)];
             drag = 0;
-            if (s.area[at(a)][at(f)] == 0) {
+            if (s.room.area[at(a)][at(f)] == 0) {
                 return;
             }
             const std::array<int, 3> place{i, j, k};
-            const double mu = 0.5 * (s.viscosity[at(f - sa)] + s.viscosity[at(f)]);
+            const double mu = 0.5 * (s.stress.viscosity[at(f - sa)] + s.stress.viscosity[at(f)]);
             const double here = distance[at(f)];
             constexpr double far = 1e29;  // of faces that know no solid
             if (here > far) {

@@ -62,10 +62,10 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
     const double c = lattice.second_order() * settings.rest_density;
     const double f = lattice.first_order() * settings.particle_mass / settings.rest_density;
     const std::size_t first = entries.size();
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
         const std::int32_t body = w < bodies.of_wall.size() ? bodies.of_wall[w] : -1;
-        if (body < 0 || s.wall_mirrors[w] == 0) {
+        if (body < 0 || s.walls.mirrors[w] == 0) {
             continue;
         }
         const auto known = std::find_if(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
@@ -73,9 +73,9 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
         BodyEntry& entry = known != entries.end()
                                ? *known
                                : entries.emplace_back(BodyEntry{static_cast<std::int32_t>(i), body, {}, {}, {}});
-        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
         const Six u = to_six(d, cross(bodies.arm[w], d));
-        const double near = s.wall_share[w] * s.walls.weight(e);
+        const double near = s.walls.share[w] * s.around.walls.weight(e);
         const double slope = weight.over_square(norm_squared(d), near);
         for (std::size_t k = 0; k < 6; ++k) {
             entry.flux[k] += c * near * u[k];
@@ -90,7 +90,7 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
 void find_entries(const MpsSettings& settings, const LooseBodies& bodies, MpsScratchData& s) {
     BodiesInPressure& own = s.bodies;
     const MpsLattice lattice = settings.lattice();
-    const auto count = static_cast<std::int64_t>(s.predicted.size());
+    const auto count = static_cast<std::int64_t>(s.around.predicted.size());
     constexpr std::int64_t range = 1024;
     own.chunks.resize(at((count + range - 1) / range));
     parallel::for_ranges(count, range, [&](std::int64_t begin, std::int64_t end) {
@@ -144,8 +144,8 @@ void find_mobility(const LooseBodies& bodies, BodiesInPressure& own) {
 std::vector<Six> respond(const MpsScratchData& s, std::span<const double> pressure) {
     std::vector<Six> load(s.bodies.mobility.size(), Six{});
     for (const BodyEntry& entry : s.bodies.entries) {
-        const std::int32_t row = s.unknown[at(entry.particle)];
-        if (row < 0 || !(s.pressure[at(entry.particle)] > 0)) {
+        const std::int32_t row = s.equation.unknown[at(entry.particle)];
+        if (row < 0 || !(s.water.pressure[at(entry.particle)] > 0)) {
             continue;
         }
         for (std::size_t k = 0; k < 6; ++k) {
@@ -161,7 +161,7 @@ std::vector<Six> respond(const MpsScratchData& s, std::span<const double> pressu
 /// y += factor B a
 void add_flux(const MpsScratchData& s, const std::vector<Six>& acceleration, double factor, std::span<double> y) {
     for (const BodyEntry& entry : s.bodies.entries) {
-        const std::int32_t row = s.unknown[at(entry.particle)];
+        const std::int32_t row = s.equation.unknown[at(entry.particle)];
         for (std::size_t k = 0; k < 6 && row >= 0; ++k) {
             y[at(row)] += factor * entry.flux[k] * acceleration[at(entry.body)][k];
         }
@@ -171,9 +171,9 @@ void add_flux(const MpsScratchData& s, const std::vector<Six>& acceleration, dou
 /// A - B H L S
 struct Coupled {
     const MpsScratchData& s;
-    std::size_t size() const { return s.matrix.size(); }
+    std::size_t size() const { return s.equation.matrix.size(); }
     void multiply(std::span<const double> x, std::span<double> y) const {
-        s.matrix.multiply(x, y);
+        s.equation.matrix.multiply(x, y);
         add_flux(s, respond(s, x), -1, y);
     }
 };
@@ -189,12 +189,13 @@ bool correct_bodies(const MpsSettings& settings, const LooseBodies& bodies, std:
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         direct[b] = times(own.inverse[b], to_six(residual[b].linear, residual[b].angular));
     }
-    own.right.assign(s.matrix.size(), 0);
-    own.solution.resize(s.matrix.size());
+    own.right.assign(s.equation.matrix.size(), 0);
+    own.solution.resize(s.equation.matrix.size());
     add_flux(s, direct, 1, own.right);
     constexpr double tolerance = 1e-5;  // of a correction: Newton's method makes good what is left
-    const linear::SolveReport report = linear::solve_bicgstab(Coupled{s}, s.preconditioner, own.right, own.solution,
-                                                              {tolerance, 0, settings.max_iterations}, own.solver);
+    const linear::SolveReport report =
+        linear::solve_bicgstab(Coupled{s}, s.equation.preconditioner, own.right, own.solution,
+                               {tolerance, 0, settings.max_iterations}, own.solver);
     const std::vector<Six> follow = respond(s, own.solution);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto sum = [&](std::size_t k) { return direct[b][k] + follow[b][k]; };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+// Buffers of semi-implicit MPS, one entry per particle, grouped by the stage that writes them. Each group is made anew
+// in every step; only the lists of neighbours are kept for speed.
+
 #include <array>
 #include <vector>
 
@@ -9,58 +12,103 @@
 #include "riprap/fluid/mps/bodies_in_pressure.hpp"
 #include "riprap/fluid/mps/mps_neighbours.hpp"
 #include "riprap/fluid/mps/mps_step.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/linear/block_csr.hpp"
 #include "riprap/linear/incomplete_cholesky.hpp"
 
 namespace riprap::fluid {
 
-/// Buffers of a step, one entry per particle.
-struct MpsScratchData {
-    std::vector<Vec3> start_velocity;        ///< v_n [m/s]
-    std::vector<Vec3> predicted;             ///< r** [m]
-    std::vector<Vec3> predicted_walls;       ///< places of wall particles at the end of the step [m]
-    std::vector<Vec3> viscous_force;         ///< [N]
-    std::vector<double> approaching, share;  ///< of collisions
-    std::vector<Vec3> collision;             ///< change of velocity [m/s]
+/// Fluid until the pressure: written by predict and collide, read by the kick.
+struct MpsPrediction {
+    std::vector<Vec3> start_velocity;  ///< v_n [m/s]
+    std::vector<Vec3> viscous_force;   ///< [N]
+    // For collisions:
+    std::vector<double> approaching;  ///< neighbours that come nearer [-]
+    std::vector<double> share;        ///< of the change that each of them gives [-]
+    std::vector<Vec3> collision;      ///< change of velocity [m/s]
 
-    std::vector<double> density;           ///< n**/n_0 [-]
-    std::vector<std::uint8_t> surface;     ///< p = 0
-    std::vector<std::int32_t> unknown;     ///< number of a particle in the equation, -1 at the surface
-    std::vector<std::int32_t> particle;    ///< and back
-    std::vector<double> pressure;          ///< [Pa]
-    std::vector<Vec3> pressure_force;      ///< [N]
-    std::vector<double> ones, grip_share;  ///< constant fields of the sums
+    std::size_t bytes() const { return bytes_of(start_velocity, viscous_force, approaching, share, collision); }
+};
 
-    mps::Neighbours fluid, walls;  ///< of fluid particles at r**
+/// Walls as the water sees them: written by predict and collide, `head` and `start_velocity` by solve_pressure.
+struct MpsWalls {
+    std::vector<double> share;            ///< b, volume over that of a lattice place [-]
+    std::vector<double> grip_share;       ///< the same, 0 on slippery walls [-]
+    std::vector<double> mirrors;          ///< m: 1 = mirrors the pressure of the water, 0 = has one of its own [-]
+    std::vector<double> given;            ///< P, of walls with a pressure of their own [Pa]
+    std::vector<double> ones;             ///< a field of the sums, 1 everywhere
+    std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
+    std::vector<Vec3> viscous_force, collision_force;  ///< on the walls [N]
+    std::vector<Vec3> head;                            ///< rho_0 (g - a_w) [Pa/m]
+    std::vector<Vec3> start_velocity;                  ///< u_n + dt g [m/s]
+
+    std::size_t bytes() const {
+        return bytes_of(share, grip_share, mirrors, given, ones, mirrored_velocity, viscous_force, collision_force,
+                        head, start_velocity);
+    }
+};
+
+/// Sums over the water at every wall particle.
+struct MpsAtWalls {
+    std::vector<double> weight, pressure;  ///< of MpsWallAverages
+    std::vector<Vec3> moment, velocity;
+    std::vector<Vec3> slope, push;                              ///< of MpsPressureOnWalls, as is
+    std::vector<std::array<double, symmetric_numbers>> spread;  ///< sum of W/r^2 d d^T
+    double cell_weight{0}, slope_factor{0};                     ///< from sums to WaterAtWalls
+
+    std::size_t bytes() const { return bytes_of(weight, pressure, moment, velocity, slope, push, spread); }
+};
+
+/// Surroundings of the fluid particles at r**: written by set_up_pressure, read by all that follows.
+struct MpsSurroundings {
+    std::vector<Vec3> predicted;        ///< r** [m]
+    std::vector<Vec3> predicted_walls;  ///< places of wall particles at the end of the step [m]
+    mps::Neighbours fluid, walls;       ///< of every fluid particle
+    std::vector<double> density;        ///< n**/n_0 [-]
+    std::vector<std::uint8_t> surface;  ///< p = 0
+    std::vector<double> ones;           ///< a field of the sums, 1 everywhere
+
+    std::size_t bytes() const {
+        return bytes_of(predicted, predicted_walls, density, surface, ones) + fluid.bytes() + walls.bytes();
+    }
+};
+
+/// Pressure equation: written by set_up_pressure and solve_pressure.
+struct MpsEquation {
+    std::vector<std::int32_t> unknown;   ///< row of a particle, -1 at the surface
+    std::vector<std::int32_t> particle;  ///< of a row
     linear::BlockCsr<1> matrix;
     linear::IncompleteCholesky<1> preconditioner{8192};
     linear::PcgScratch solver;
     std::vector<double> right, solution;
-    mps::BodiesInPressure bodies;
-
-    std::vector<double> wall_share, wall_mirrors, wall_given;  ///< as of weakly compressible MPS
-    std::vector<double> wall_ones;
-    std::vector<Vec3> wall_head, wall_start;  ///< rho_0 (g - a_w) [Pa/m], u_n + dt g [m/s]
-    std::vector<double> wall_weight, wall_pressure;
-    std::vector<Vec3> wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity;
-    std::vector<std::array<double, symmetric_numbers>> wall_spread;
-    std::vector<Vec3> wall_viscous, wall_collision;  ///< [N]
-    double cell_weight{0}, slope_factor{0};
-
-    SweepScratch fluid_fluid;
-    SweepScratch fluid_walls{SweepScratch::sharing_buffers(fluid_fluid)};
-    SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
 
     std::size_t bytes() const {
-        return bytes_of(start_velocity, predicted, predicted_walls, viscous_force, approaching, share, collision,
-                        density, surface, unknown, particle, pressure, pressure_force, ones, grip_share, right,
-                        solution, wall_share, wall_mirrors, wall_given, wall_ones, wall_head, wall_start, wall_weight,
-                        wall_pressure, wall_moment, wall_velocity, wall_slope, wall_push, mirrored_velocity,
-                        wall_spread, wall_viscous, wall_collision) +
-               fluid.bytes() + walls.bytes() + matrix.bytes() + bodies.bytes() + preconditioner.bytes() +
-               solver.bytes() + fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
+        return bytes_of(unknown, particle, right, solution) + matrix.bytes() + preconditioner.bytes() + solver.bytes();
+    }
+};
+
+/// Pressure and its force: the first is that of the State until solve_pressure, the second follows for the kick.
+struct MpsWater {
+    std::vector<double> pressure;      ///< [Pa]
+    std::vector<Vec3> pressure_force;  ///< [N]
+
+    std::size_t bytes() const { return bytes_of(pressure, pressure_force); }
+};
+
+struct MpsScratchData {
+    MpsPrediction prediction;
+    MpsWalls walls;
+    MpsAtWalls at_walls;
+    MpsSurroundings around;
+    MpsEquation equation;
+    MpsWater water;
+    mps::BodiesInPressure bodies;
+    SweepLists lists;
+
+    std::size_t bytes() const {
+        return prediction.bytes() + walls.bytes() + at_walls.bytes() + around.bytes() + equation.bytes() +
+               water.bytes() + bodies.bytes() + lists.bytes();
     }
 };
 

@@ -28,36 +28,36 @@ Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
 /// Reactions of the conservative pressure forces, of viscosity and of collisions on walls, and the pressure there.
 void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity, MpsScratchData& s) {
     const auto count = walls.position.size();
-    mps::clear(s.wall_slope, count);
-    mps::clear(s.wall_push, count);
-    mps::clear(s.wall_spread, count);
-    s.ones.assign(s.predicted.size(), 1.0);
+    mps::clear(s.at_walls.slope, count);
+    mps::clear(s.at_walls.push, count);
+    mps::clear(s.at_walls.spread, count);
+    s.around.ones.assign(s.around.predicted.size(), 1.0);
     const auto at = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
     const auto spread = [&](std::size_t k) {
-        return FieldSink{count == 0 ? nullptr : s.wall_spread[0].data() + k, symmetric_numbers};
+        return FieldSink{count == 0 ? nullptr : s.at_walls.spread[0].data() + k, symmetric_numbers};
     };
-    mps::add_pair_sums(
-        settings, wcmps::MpsPressureOnWalls{settings.weight()}, {s.predicted_walls, {}},
-        {s.predicted, {field(s.ones), field(s.pressure)}},
-        {at(s.wall_slope, 0), at(s.wall_slope, 1), at(s.wall_slope, 2), at(s.wall_push, 0), at(s.wall_push, 1),
-         at(s.wall_push, 2), spread(0), spread(1), spread(2), spread(3), spread(4), spread(5)},
-        s.walls_fluid);
+    mps::add_pair_sums(settings, wcmps::MpsPressureOnWalls{settings.weight()}, {s.around.predicted_walls, {}},
+                       {s.around.predicted, {field(s.around.ones), field(s.water.pressure)}},
+                       {at(s.at_walls.slope, 0), at(s.at_walls.slope, 1), at(s.at_walls.slope, 2),
+                        at(s.at_walls.push, 0), at(s.at_walls.push, 1), at(s.at_walls.push, 2), spread(0), spread(1),
+                        spread(2), spread(3), spread(4), spread(5)},
+                       s.lists.walls_fluid);
     const MpsLattice lattice = settings.lattice();
     const double factor = lattice.first_order() * settings.particle_mass / settings.rest_density;
     walls.pressure.resize(count);
     walls.pressure_force.resize(count);
-    walls.viscous_force = s.wall_viscous;
+    walls.viscous_force = s.walls.viscous_force;
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        const double head = dot(gravity - walls.acceleration[w], s.wall_moment[w]);
-        const double seen = s.wall_weight[w] > 0 ? (s.wall_pressure[w] + head) / s.wall_weight[w] : 0;
-        walls.pressure[w] = s.wall_mirrors[w] == 0 ? s.wall_given[w] : std::max(0.0, seen);
-        const Vec3 carried = (1 + s.wall_mirrors[w]) * s.wall_push[w] + s.wall_given[w] * s.wall_slope[w] +
-                             times(s.wall_spread[w], s.wall_head[w]);
-        walls.pressure_force[w] = factor * s.wall_share[w] * carried + s.wall_collision[w];
+        const double head = dot(gravity - walls.acceleration[w], s.at_walls.moment[w]);
+        const double seen = s.at_walls.weight[w] > 0 ? (s.at_walls.pressure[w] + head) / s.at_walls.weight[w] : 0;
+        walls.pressure[w] = s.walls.mirrors[w] == 0 ? s.walls.given[w] : std::max(0.0, seen);
+        const Vec3 carried = (1 + s.walls.mirrors[w]) * s.at_walls.push[w] + s.walls.given[w] * s.at_walls.slope[w] +
+                             times(s.at_walls.spread[w], s.walls.head[w]);
+        walls.pressure_force[w] = factor * s.walls.share[w] * carried + s.walls.collision_force[w];
     });
-    s.slope_factor = lattice.first_order();
-    s.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
+    s.at_walls.slope_factor = lattice.first_order();
+    s.at_walls.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
 }
 
 struct Sums {
@@ -92,20 +92,21 @@ Sums kick(const MpsSettings& settings, ParticleState& state, const Vec3& gravity
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
-        const Vec3 start = s.start_velocity[i];
-        const Vec3 collided = state.velocity[i] - start - dt * (s.viscous_force[i] / m + gravity);
-        state.velocity[i] += (dt / m) * (s.pressure_force[i] + extra);
-        state.density[i] = density_of(settings, s.pressure[i]);
+        const Vec3 start = s.prediction.start_velocity[i];
+        const Vec3 collided = state.velocity[i] - start - dt * (s.prediction.viscous_force[i] / m + gravity);
+        state.velocity[i] += (dt / m) * (s.water.pressure_force[i] + extra);
+        state.density[i] = density_of(settings, s.water.pressure[i]);
         const Vec3 after = state.velocity[i], middle = 0.5 * (start + after);
         Sums sums;
         sums.kinetic = 0.25 * m * (norm_squared(start) + norm_squared(after));
         sums.potential = -m * dot(downward, state.position[i] + 0.25 * dt * (after - start));
-        sums.viscous = dt * dot(s.viscous_force[i], middle);
+        sums.viscous = dt * dot(s.prediction.viscous_force[i], middle);
         sums.collisions = m * dot(collided, middle);
-        sums.pressure = dt * dot(s.pressure_force[i], middle);
+        sums.pressure = dt * dot(s.water.pressure_force[i], middle);
         sums.external = dt * dot(extra + m * along, middle);
         sums.speed_squared = norm_squared(after);
-        sums.acceleration_squared = norm_squared((s.pressure_force[i] + s.viscous_force[i] + extra) / m + gravity);
+        sums.acceleration_squared =
+            norm_squared((s.water.pressure_force[i] + s.prediction.viscous_force[i] + extra) / m + gravity);
         sums.momentum = m * after;
         sums.extra = extra;
         return sums;
@@ -122,8 +123,8 @@ WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratchData& s
     const auto one = [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const Vec3 v = walls.velocity[w];
-        return WallPower{dot(walls.pressure_force[w] - s.wall_collision[w], v), dot(walls.viscous_force[w], v),
-                         dot(s.wall_collision[w], v)};
+        return WallPower{dot(walls.pressure_force[w] - s.walls.collision_force[w], v), dot(walls.viscous_force[w], v),
+                         dot(s.walls.collision_force[w], v)};
     };
     return parallel::reduce(walls.size(), WallPower{}, one, [](const WallPower& a, const WallPower& b) {
         return WallPower{a.pressure + b.pressure, a.viscous + b.viscous, a.collisions + b.collisions};
@@ -173,13 +174,13 @@ void load_walls(const MpsSettings& settings, const ParticleState& state, Boundar
     const int before = report.solve.iterations;
     report.solve = solve;
     report.solve.iterations += before;
-    report.unknowns = static_cast<std::int64_t>(s.particle.size());
+    report.unknowns = static_cast<std::int64_t>(s.equation.particle.size());
     if (!solve.is_converged()) {
         report.problem = fmt::format(
             "the pressure equation of {} unknowns is not solved at t = {:.6g} s: {} after {} iterations, residual "
             "{:.3g} where {:.3g} is asked for; a shorter step (fluid.courant), a larger fluid.tolerance or more "
             "fluid.max_iterations",
-            s.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
+            s.equation.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
             settings.tolerance);
     }
     load(settings, walls, g, s);
@@ -221,21 +222,21 @@ void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParti
 
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water) {
     const MpsScratchData& s = scratch.data();
-    const auto count = s.wall_weight.size();
+    const auto count = s.at_walls.weight.size();
     water.weight.resize(count);
     water.slope.resize(count);
     water.pressure.resize(count);
     parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        water.weight[w] = s.cell_weight * s.wall_weight[w];
-        water.slope[w] = -s.slope_factor * s.wall_slope[w];
+        water.weight[w] = s.at_walls.cell_weight * s.at_walls.weight[w];
+        water.slope[w] = -s.at_walls.slope_factor * s.at_walls.slope[w];
         water.pressure[w] =
-            s.wall_weight[w] > 0
-                ? std::max(0.0, (s.wall_pressure[w] + dot(gravity, s.wall_moment[w])) / s.wall_weight[w])
+            s.at_walls.weight[w] > 0
+                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment[w])) / s.at_walls.weight[w])
                 : 0;
     });
 }
 
-std::span<const std::uint8_t> surface_particles(const MpsScratch& scratch) { return scratch.data().surface; }
+std::span<const std::uint8_t> surface_particles(const MpsScratch& scratch) { return scratch.data().around.surface; }
 
 }  // namespace riprap::fluid

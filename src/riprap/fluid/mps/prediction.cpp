@@ -22,30 +22,32 @@ std::array<FieldSink, 3> sinks_of(std::vector<Vec3>& v) {
 void describe_walls(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     MpsScratchData& s) {
     const auto count = walls.position.size();
-    for (std::vector<double>* values : {&s.wall_share, &s.wall_mirrors, &s.wall_given, &s.grip_share}) {
+    for (std::vector<double>* values : {&s.walls.share, &s.walls.mirrors, &s.walls.given, &s.walls.grip_share}) {
         values->resize(count);
     }
-    s.wall_ones.assign(count, 1);
-    s.mirrored_velocity.resize(count);
-    clear(s.wall_weight, count);
-    clear(s.wall_pressure, count);
-    clear(s.wall_moment, count);
-    clear(s.wall_velocity, count);
+    s.walls.ones.assign(count, 1);
+    s.walls.mirrored_velocity.resize(count);
+    clear(s.at_walls.weight, count);
+    clear(s.at_walls.pressure, count);
+    clear(s.at_walls.moment, count);
+    clear(s.at_walls.velocity, count);
     const auto v = fields_of(state.velocity);
-    const auto m = sinks_of(s.wall_moment), u = sinks_of(s.wall_velocity);
+    const auto m = sinks_of(s.at_walls.moment), u = sinks_of(s.at_walls.velocity);
     add_pair_sums(settings, wcmps::MpsWallAverages{settings.weight(), settings.rest_density}, {walls.position, {}},
-                  {state.position, {v[0], v[1], v[2], field(s.pressure)}},
-                  {sink(s.wall_weight), sink(s.wall_pressure), m[0], m[1], m[2], u[0], u[1], u[2]}, s.walls_fluid);
+                  {state.position, {v[0], v[1], v[2], field(s.water.pressure)}},
+                  {sink(s.at_walls.weight), sink(s.at_walls.pressure), m[0], m[1], m[2], u[0], u[1], u[2]},
+                  s.lists.walls_fluid);
     const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
-        s.wall_share[w] = walls.volume[w] * per_volume;
-        s.wall_mirrors[w] = is_given ? 0 : 1;
-        s.wall_given[w] = is_given ? walls.given_pressure[w] : 0;
-        s.grip_share[w] = walls.is_slippery[w] != 0 ? 0 : s.wall_share[w];
-        s.mirrored_velocity[w] =
-            s.wall_weight[w] > 0 ? 2.0 * walls.velocity[w] - s.wall_velocity[w] / s.wall_weight[w] : walls.velocity[w];
+        s.walls.share[w] = walls.volume[w] * per_volume;
+        s.walls.mirrors[w] = is_given ? 0 : 1;
+        s.walls.given[w] = is_given ? walls.given_pressure[w] : 0;
+        s.walls.grip_share[w] = walls.is_slippery[w] != 0 ? 0 : s.walls.share[w];
+        s.walls.mirrored_velocity[w] = s.at_walls.weight[w] > 0
+                                           ? 2.0 * walls.velocity[w] - s.at_walls.velocity[w] / s.at_walls.weight[w]
+                                           : walls.velocity[w];
     });
 }
 
@@ -55,24 +57,26 @@ void add_viscosity(const MpsSettings& settings, const ParticleState& state, cons
     const MpsLattice lattice = settings.lattice();
     const double volume = settings.particle_mass / settings.rest_density;
     const double k = lattice.second_order() * settings.rest_density * settings.kinematic_viscosity * volume;
-    const auto v = fields_of(state.velocity), u = fields_of(s.mirrored_velocity);
-    const auto f = sinks_of(s.viscous_force), t = sinks_of(s.wall_viscous);
-    add_pair_sums_within(settings, Viscosity{settings.weight(), k}, {state.position, v}, f, s.fluid_fluid);
+    const auto v = fields_of(state.velocity), u = fields_of(s.walls.mirrored_velocity);
+    const auto f = sinks_of(s.prediction.viscous_force), t = sinks_of(s.walls.viscous_force);
+    add_pair_sums_within(settings, Viscosity{settings.weight(), k}, {state.position, v}, f, s.lists.fluid_fluid);
     add_pair_sums(settings, ViscosityFromWalls{settings.weight(), k}, {state.position, v},
-                  {walls.position, {u[0], u[1], u[2], field(s.grip_share)}}, f, s.fluid_walls);
+                  {walls.position, {u[0], u[1], u[2], field(s.walls.grip_share)}}, f, s.lists.fluid_walls);
     add_pair_sums(settings, wcmps::MpsViscosityOnWalls{settings.weight(), k},
-                  {walls.position, {u[0], u[1], u[2], field(s.grip_share)}}, {state.position, v}, t, s.walls_fluid);
+                  {walls.position, {u[0], u[1], u[2], field(s.walls.grip_share)}}, {state.position, v}, t,
+                  s.lists.walls_fluid);
 }
 
-/// Makes s.share the share over the number of approaching pairs, 0 where there is none; tells whether any is not.
+/// Makes s.prediction.share the share over the number of approaching pairs, 0 where there is none; tells whether any is
+/// not.
 bool find_shares(double share, MpsScratchData& s) {
-    s.share.resize(s.approaching.size());
+    s.prediction.share.resize(s.prediction.approaching.size());
     const double most = parallel::reduce(
-        static_cast<std::int64_t>(s.share.size()), 0.0,
+        static_cast<std::int64_t>(s.prediction.share.size()), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            s.share[i] = s.approaching[i] > 0.5 ? share / s.approaching[i] : 0;
-            return s.share[i];
+            s.prediction.share[i] = s.prediction.approaching[i] > 0.5 ? share / s.prediction.approaching[i] : 0;
+            return s.prediction.share[i];
         },
         [](double a, double b) { return std::max(a, b); });
     return most > 0;
@@ -80,7 +84,7 @@ bool find_shares(double share, MpsScratchData& s) {
 
 void add_collisions(ParticleState& state, const MpsScratchData& s) {
     parallel::for_each(state.size(), [&](std::int64_t i) {
-        state.velocity[static_cast<std::size_t>(i)] += s.collision[static_cast<std::size_t>(i)];
+        state.velocity[static_cast<std::size_t>(i)] += s.prediction.collision[static_cast<std::size_t>(i)];
     });
 }
 
@@ -89,22 +93,22 @@ void add_collisions(ParticleState& state, const MpsScratchData& s) {
 void predict(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
              double dt, MpsScratchData& s) {
     const auto count = state.position.size();
-    s.start_velocity = state.velocity;
-    s.pressure.resize(count);
+    s.prediction.start_velocity = state.velocity;
+    s.water.pressure.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.pressure[i] = pressure_of(settings, state.density[i]);
+        s.water.pressure[i] = pressure_of(settings, state.density[i]);
     });
-    clear(s.viscous_force, count);
-    clear(s.wall_viscous, walls.position.size());
-    clear(s.wall_collision, walls.position.size());
+    clear(s.prediction.viscous_force, count);
+    clear(s.walls.viscous_force, walls.position.size());
+    clear(s.walls.collision_force, walls.position.size());
     describe_walls(settings, state, walls, s);
     if (settings.kinematic_viscosity > 0) {
         add_viscosity(settings, state, walls, s);
     }
     parallel::for_each(state.size(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        state.velocity[i] += dt * (s.viscous_force[i] / settings.particle_mass + gravity);
+        state.velocity[i] += dt * (s.prediction.viscous_force[i] / settings.particle_mass + gravity);
     });
 }
 
@@ -114,30 +118,32 @@ void collide(const MpsSettings& settings, ParticleState& state, const BoundaryPa
     const double contact = std::pow(settings.collision_distance * settings.spacing, 2);
     const double tiny = 1e-8 * settings.spacing * settings.spacing;
     const auto v = fields_of(state.velocity);
-    clear(s.approaching, count);
-    add_pair_sums_within(settings, Approach{contact}, {state.position, v}, {sink(s.approaching)}, s.fluid_fluid);
+    clear(s.prediction.approaching, count);
+    add_pair_sums_within(settings, Approach{contact}, {state.position, v}, {sink(s.prediction.approaching)},
+                         s.lists.fluid_fluid);
     if (find_shares(0.5 * (1 + settings.collision_ratio), s)) {
-        clear(s.collision, count);
+        clear(s.prediction.collision, count);
         add_pair_sums_within(settings, wcmps::MpsCollision{contact, tiny},
-                             {state.position, {v[0], v[1], v[2], field(s.share)}}, sinks_of(s.collision),
-                             s.fluid_fluid);
+                             {state.position, {v[0], v[1], v[2], field(s.prediction.share)}},
+                             sinks_of(s.prediction.collision), s.lists.fluid_fluid);
         add_collisions(state, s);
     }
     const auto w = fields_of(walls.velocity);
-    clear(s.approaching, count);
-    add_pair_sums(settings, Approach{contact}, {state.position, v}, {walls.position, w}, {sink(s.approaching)},
-                  s.fluid_walls);
+    clear(s.prediction.approaching, count);
+    add_pair_sums(settings, Approach{contact}, {state.position, v}, {walls.position, w},
+                  {sink(s.prediction.approaching)}, s.lists.fluid_walls);
     if (find_shares(1 + settings.collision_ratio, s)) {
-        clear(s.collision, count);
-        const SweepSide<4> fluid{state.position, {v[0], v[1], v[2], field(s.share)}};
-        const SweepSide<4> solid{walls.position, {w[0], w[1], w[2], field(s.wall_ones)}};
-        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, fluid, solid, sinks_of(s.collision), s.fluid_walls);
-        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, solid, fluid, sinks_of(s.wall_collision),
-                      s.walls_fluid);
+        clear(s.prediction.collision, count);
+        const SweepSide<4> fluid{state.position, {v[0], v[1], v[2], field(s.prediction.share)}};
+        const SweepSide<4> solid{walls.position, {w[0], w[1], w[2], field(s.walls.ones)}};
+        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, fluid, solid, sinks_of(s.prediction.collision),
+                      s.lists.fluid_walls);
+        add_pair_sums(settings, CollisionWithWalls{contact, tiny}, solid, fluid, sinks_of(s.walls.collision_force),
+                      s.lists.walls_fluid);
         add_collisions(state, s);
         const double per_time = settings.particle_mass / dt;
         parallel::for_each(walls.size(),
-                           [&](std::int64_t i) { s.wall_collision[static_cast<std::size_t>(i)] *= per_time; });
+                           [&](std::int64_t i) { s.walls.collision_force[static_cast<std::size_t>(i)] *= per_time; });
     }
 }
 

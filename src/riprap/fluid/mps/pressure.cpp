@@ -16,34 +16,35 @@ void look_around(const MpsSettings& settings, const MpsLattice& lattice, std::si
     const Separation separation(settings.domain);
     double sum = 0;
     Vec3 moment{};
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        sum += s.fluid.weight(e);
-        moment += s.fluid.weight(e) * separation(s.predicted[i], s.predicted[s.fluid.index(e)]);
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        sum += s.around.fluid.weight(e);
+        moment +=
+            s.around.fluid.weight(e) * separation(s.around.predicted[i], s.around.predicted[s.around.fluid.index(e)]);
     }
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
-        const double weight = s.wall_share[w] * s.walls.weight(e);
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
+        const double weight = s.walls.share[w] * s.around.walls.weight(e);
         sum += weight;
-        moment += weight * separation(s.predicted[i], s.predicted_walls[w]);
+        moment += weight * separation(s.around.predicted[i], s.around.predicted_walls[w]);
     }
-    s.density[i] = sum / lattice.number_density;
-    const bool is_bare = s.density[i] < settings.surface_density;
-    s.surface[i] = is_bare && norm(moment) >= settings.surface_offset * settings.spacing * sum ? 1 : 0;
+    s.around.density[i] = sum / lattice.number_density;
+    const bool is_bare = s.around.density[i] < settings.surface_density;
+    s.around.surface[i] = is_bare && norm(moment) >= settings.surface_offset * settings.spacing * sum ? 1 : 0;
 }
 
 void number_unknowns(MpsScratchData& s) {
-    s.unknown.resize(s.surface.size());
-    parallel::for_each(static_cast<std::int64_t>(s.surface.size()), [&](std::int64_t i) {
-        s.unknown[static_cast<std::size_t>(i)] = s.surface[static_cast<std::size_t>(i)] != 0 ? 0 : 1;
+    s.equation.unknown.resize(s.around.surface.size());
+    parallel::for_each(static_cast<std::int64_t>(s.around.surface.size()), [&](std::int64_t i) {
+        s.equation.unknown[static_cast<std::size_t>(i)] = s.around.surface[static_cast<std::size_t>(i)] != 0 ? 0 : 1;
     });
-    const std::int32_t total = parallel::exclusive_scan<std::int32_t>(s.unknown, s.unknown);
-    s.particle.resize(static_cast<std::size_t>(total));
-    parallel::for_each(static_cast<std::int64_t>(s.surface.size()), [&](std::int64_t entry) {
+    const std::int32_t total = parallel::exclusive_scan<std::int32_t>(s.equation.unknown, s.equation.unknown);
+    s.equation.particle.resize(static_cast<std::size_t>(total));
+    parallel::for_each(static_cast<std::int64_t>(s.around.surface.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        if (s.surface[i] != 0) {
-            s.unknown[i] = -1;
+        if (s.around.surface[i] != 0) {
+            s.equation.unknown[i] = -1;
         } else {
-            s.particle[static_cast<std::size_t>(s.unknown[i])] = static_cast<std::int32_t>(i);
+            s.equation.particle[static_cast<std::size_t>(s.equation.unknown[i])] = static_cast<std::int32_t>(i);
         }
     });
 }
@@ -52,27 +53,27 @@ void number_unknowns(MpsScratchData& s) {
 template <class F>
 void for_couplings(const MpsScratchData& s, std::size_t i, const F& f) {
     bool has_self = false;
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        const std::size_t j = s.fluid.index(e);
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        const std::size_t j = s.around.fluid.index(e);
         if (j > i && !has_self) {
-            f(s.unknown[i], 0.0);
+            f(s.equation.unknown[i], 0.0);
             has_self = true;
         }
-        if (s.unknown[j] >= 0) {
-            f(s.unknown[j], s.fluid.weight(e));
+        if (s.equation.unknown[j] >= 0) {
+            f(s.equation.unknown[j], s.around.fluid.weight(e));
         }
     }
     if (!has_self) {
-        f(s.unknown[i], 0.0);
+        f(s.equation.unknown[i], 0.0);
     }
 }
 
 linear::BlockPattern pattern_of(const MpsScratchData& s) {
     linear::BlockPattern pattern;
-    pattern.start.assign(s.particle.size() + 1, 0);
-    const auto rows = static_cast<std::int64_t>(s.particle.size());
+    pattern.start.assign(s.equation.particle.size() + 1, 0);
+    const auto rows = static_cast<std::int64_t>(s.equation.particle.size());
     const auto particle = [&](std::int64_t row) {
-        return static_cast<std::size_t>(s.particle[static_cast<std::size_t>(row)]);
+        return static_cast<std::size_t>(s.equation.particle[static_cast<std::size_t>(row)]);
     };
     parallel::for_each_uneven(rows, 256, [&](std::int64_t row) {
         for_couplings(s, particle(row), [&](std::int32_t, double) { ++pattern.start[static_cast<std::size_t>(row)]; });
@@ -89,19 +90,19 @@ linear::BlockPattern pattern_of(const MpsScratchData& s) {
 void fill_matrix(const MpsSettings& settings, const MpsLattice& lattice, double dt, MpsScratchData& s) {
     const double c = lattice.second_order();
     const double compression = settings.rest_density * settings.compressibility / (dt * dt);
-    parallel::for_each_uneven(s.matrix.rows(), 256, [&](std::int64_t row) {
-        const auto i = static_cast<std::size_t>(s.particle[static_cast<std::size_t>(row)]);
+    parallel::for_each_uneven(s.equation.matrix.rows(), 256, [&](std::int64_t row) {
+        const auto i = static_cast<std::size_t>(s.equation.particle[static_cast<std::size_t>(row)]);
         double diagonal = compression;
-        for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-            diagonal += c * s.fluid.weight(e);
+        for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+            diagonal += c * s.around.fluid.weight(e);
         }
-        for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-            const std::size_t w = s.walls.index(e);
-            diagonal += (1 - s.wall_mirrors[w]) * c * s.wall_share[w] * s.walls.weight(e);
+        for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+            const std::size_t w = s.around.walls.index(e);
+            diagonal += (1 - s.walls.mirrors[w]) * c * s.walls.share[w] * s.around.walls.weight(e);
         }
-        std::int64_t entry = s.matrix.pattern().first(row);
+        std::int64_t entry = s.equation.matrix.pattern().first(row);
         for_couplings(s, i, [&](std::int32_t column, double weight) {
-            s.matrix.at(entry++, 0, 0) = column == row ? diagonal : -c * weight;
+            s.equation.matrix.at(entry++, 0, 0) = column == row ? diagonal : -c * weight;
         });
     });
 }
@@ -111,16 +112,17 @@ Vec3 conservative_force(const MpsSettings& settings, const Separation& separatio
                         const MpsScratchData& s) {
     const MpsWeight weight = settings.weight();
     Vec3 force{};
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        const std::size_t j = s.fluid.index(e);
-        const Vec3 d = separation(s.predicted[i], s.predicted[j]);
-        force += (s.pressure[i] + s.pressure[j]) * weight.over_square(norm_squared(d), s.fluid.weight(e)) * d;
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        const std::size_t j = s.around.fluid.index(e);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted[j]);
+        force += (s.water.pressure[i] + s.water.pressure[j]) *
+                 weight.over_square(norm_squared(d), s.around.fluid.weight(e)) * d;
     }
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
-        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
-        const double push = (1 + s.wall_mirrors[w]) * s.pressure[i] + s.wall_given[w] - dot(s.wall_head[w], d);
-        force += push * s.wall_share[w] * weight.over_square(norm_squared(d), s.walls.weight(e)) * d;
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
+        const double push = (1 + s.walls.mirrors[w]) * s.water.pressure[i] + s.walls.given[w] - dot(s.walls.head[w], d);
+        force += push * s.walls.share[w] * weight.over_square(norm_squared(d), s.around.walls.weight(e)) * d;
     }
     return force;
 }
@@ -130,15 +132,15 @@ Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, con
                      std::size_t i, const MpsScratchData& s) {
     const MpsWeight weight = settings.weight();
     const auto wall_pressure = [&](std::size_t w, const Vec3& d) {
-        return std::max(0.0, s.wall_mirrors[w] * s.pressure[i] + s.wall_given[w] - dot(s.wall_head[w], d));
+        return std::max(0.0, s.walls.mirrors[w] * s.water.pressure[i] + s.walls.given[w] - dot(s.walls.head[w], d));
     };
-    double least = s.pressure[i];
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        least = std::min(least, s.pressure[s.fluid.index(e)]);
+    double least = s.water.pressure[i];
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        least = std::min(least, s.water.pressure[s.around.fluid.index(e)]);
     }
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
-        least = std::min(least, wall_pressure(w, separation(s.predicted[i], s.predicted_walls[w])));
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
+        least = std::min(least, wall_pressure(w, separation(s.around.predicted[i], s.around.predicted_walls[w])));
     }
     Vec3 sum{};
     Mat3 moment = settings.domain.dimension == 2 ? Mat3::diagonal({0, 0, lattice.number_density}) : Mat3{};
@@ -147,14 +149,14 @@ Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, con
         sum += (pressure - least) * slope;
         moment = moment + outer(slope, d);
     };
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        const std::size_t j = s.fluid.index(e);
-        add(separation(s.predicted[i], s.predicted[j]), s.fluid.weight(e), s.pressure[j]);
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        const std::size_t j = s.around.fluid.index(e);
+        add(separation(s.around.predicted[i], s.around.predicted[j]), s.around.fluid.weight(e), s.water.pressure[j]);
     }
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
-        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
-        add(d, s.wall_share[w] * s.walls.weight(e), wall_pressure(w, d));
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
+        add(d, s.walls.share[w] * s.around.walls.weight(e), wall_pressure(w, d));
     }
     const double even = lattice.number_density / settings.domain.dimension;
     const bool is_regular = determinant(moment) > 1e-3 * lattice.number_density * even * even;
@@ -167,16 +169,17 @@ double divergence(const MpsSettings& settings, const ParticleState& state, const
                   const Separation& separation, std::size_t i) {
     const MpsWeight weight = settings.weight();
     double sum = 0;
-    for (std::int64_t e = s.fluid.first(i); e < s.fluid.end(i); ++e) {
-        const std::size_t j = s.fluid.index(e);
-        const Vec3 d = separation(s.predicted[i], s.predicted[j]);
-        sum += dot(state.velocity[i] - state.velocity[j], d) * weight.over_square(norm_squared(d), s.fluid.weight(e));
+    for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
+        const std::size_t j = s.around.fluid.index(e);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted[j]);
+        sum += dot(state.velocity[i] - state.velocity[j], d) *
+               weight.over_square(norm_squared(d), s.around.fluid.weight(e));
     }
-    for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-        const std::size_t w = s.walls.index(e);
-        const Vec3 d = separation(s.predicted[i], s.predicted_walls[w]);
-        sum += (1 + s.wall_mirrors[w]) * s.wall_share[w] * dot(state.velocity[i] - s.wall_start[w], d) *
-               weight.over_square(norm_squared(d), s.walls.weight(e));
+    for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+        const std::size_t w = s.around.walls.index(e);
+        const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
+        sum += (1 + s.walls.mirrors[w]) * s.walls.share[w] * dot(state.velocity[i] - s.walls.start_velocity[w], d) *
+               weight.over_square(norm_squared(d), s.around.walls.weight(e));
     }
     return sum;
 }
@@ -186,27 +189,27 @@ double divergence(const MpsSettings& settings, const ParticleState& state, const
 void set_up_pressure(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls, double dt,
                      MpsScratchData& s) {
     const auto count = state.position.size();
-    s.predicted.resize(count);
-    s.density.resize(count);
-    s.surface.resize(count);
+    s.around.predicted.resize(count);
+    s.around.density.resize(count);
+    s.around.surface.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t i) {
         const auto k = static_cast<std::size_t>(i);
-        s.predicted[k] = state.position[k] + 0.5 * dt * state.velocity[k];
+        s.around.predicted[k] = state.position[k] + 0.5 * dt * state.velocity[k];
     });
-    s.predicted_walls.resize(walls.position.size());
+    s.around.predicted_walls.resize(walls.position.size());
     parallel::for_each(walls.size(), [&](std::int64_t i) {
         const auto k = static_cast<std::size_t>(i);
-        s.predicted_walls[k] = walls.position[k] + 0.5 * dt * walls.velocity[k];
+        s.around.predicted_walls[k] = walls.position[k] + 0.5 * dt * walls.velocity[k];
     });
-    s.fluid.find(settings, s.predicted, s.predicted, true);
-    s.walls.find(settings, s.predicted, s.predicted_walls, false);
+    s.around.fluid.find(settings, s.around.predicted, s.around.predicted, true);
+    s.around.walls.find(settings, s.around.predicted, s.around.predicted_walls, false);
     const MpsLattice lattice = settings.lattice();
     parallel::for_each_uneven(state.size(), 256,
                               [&](std::int64_t i) { look_around(settings, lattice, static_cast<std::size_t>(i), s); });
     number_unknowns(s);
-    s.matrix.set_pattern(pattern_of(s));
+    s.equation.matrix.set_pattern(pattern_of(s));
     fill_matrix(settings, lattice, dt, s);
-    s.preconditioner.set_up(s.matrix);
+    s.equation.preconditioner.set_up(s.equation.matrix);
 }
 
 linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleState& state,
@@ -216,36 +219,39 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
     const double c = lattice.second_order();
     const double flow = settings.divergence_share * lattice.first_order() * settings.rest_density / dt;
     const double stiffness = settings.relaxation * settings.rest_density / (dt * dt);
-    s.wall_head.resize(walls.position.size());
-    s.wall_start.resize(walls.position.size());
+    s.walls.head.resize(walls.position.size());
+    s.walls.start_velocity.resize(walls.position.size());
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        s.wall_head[w] = s.wall_mirrors[w] * settings.rest_density * (gravity - walls.acceleration[w]);
-        s.wall_start[w] = walls.velocity[w] + s.wall_mirrors[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
+        s.walls.head[w] = s.walls.mirrors[w] * settings.rest_density * (gravity - walls.acceleration[w]);
+        s.walls.start_velocity[w] =
+            walls.velocity[w] + s.walls.mirrors[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
     });
-    s.right.resize(s.particle.size());
-    s.solution.resize(s.particle.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(s.particle.size()), 256, [&](std::int64_t entry) {
+    s.equation.right.resize(s.equation.particle.size());
+    s.equation.solution.resize(s.equation.particle.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(s.equation.particle.size()), 256, [&](std::int64_t entry) {
         const auto row = static_cast<std::size_t>(entry);
-        const auto i = static_cast<std::size_t>(s.particle[row]);
+        const auto i = static_cast<std::size_t>(s.equation.particle[row]);
         double flux = 0;
-        for (std::int64_t e = s.walls.first(i); e < s.walls.end(i); ++e) {
-            const std::size_t w = s.walls.index(e);
-            const double head = -dot(s.wall_head[w], separation(s.predicted[i], s.predicted_walls[w]));
-            flux += s.wall_share[w] * s.walls.weight(e) * (head + s.wall_given[w]);
+        for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
+            const std::size_t w = s.around.walls.index(e);
+            const double head = -dot(s.walls.head[w], separation(s.around.predicted[i], s.around.predicted_walls[w]));
+            flux += s.walls.share[w] * s.around.walls.weight(e) * (head + s.walls.given[w]);
         }
-        s.right[row] = stiffness * (s.density[i] - 1) + c * flux;
+        s.equation.right[row] = stiffness * (s.around.density[i] - 1) + c * flux;
         if (flow > 0) {
-            s.right[row] -= flow * divergence(settings, state, s, separation, i);
+            s.equation.right[row] -= flow * divergence(settings, state, s, separation, i);
         }
-        s.solution[row] = s.pressure[i];
+        s.equation.solution[row] = s.water.pressure[i];
     });
     const linear::PcgSettings solver{settings.tolerance, 0, settings.max_iterations};
-    const linear::SolveReport report =
-        linear::solve_pcg(s.matrix, s.preconditioner, s.right, s.solution, solver, s.solver);
-    parallel::for_each(static_cast<std::int64_t>(s.pressure.size()), [&](std::int64_t entry) {
+    const linear::SolveReport report = linear::solve_pcg(s.equation.matrix, s.equation.preconditioner, s.equation.right,
+                                                         s.equation.solution, solver, s.equation.solver);
+    parallel::for_each(static_cast<std::int64_t>(s.water.pressure.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.pressure[i] = s.unknown[i] >= 0 ? std::max(0.0, s.solution[static_cast<std::size_t>(s.unknown[i])]) : 0.0;
+        s.water.pressure[i] = s.equation.unknown[i] >= 0
+                                  ? std::max(0.0, s.equation.solution[static_cast<std::size_t>(s.equation.unknown[i])])
+                                  : 0.0;
     });
     return report;
 }
@@ -254,12 +260,12 @@ void find_pressure_forces(const MpsSettings& settings, MpsScratchData& s) {
     const MpsLattice lattice = settings.lattice();
     const Separation separation(settings.domain);
     const double factor = lattice.first_order() * settings.particle_mass / settings.rest_density;
-    s.pressure_force.resize(s.predicted.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(s.predicted.size()), 256, [&](std::int64_t entry) {
+    s.water.pressure_force.resize(s.around.predicted.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(s.around.predicted.size()), 256, [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.pressure_force[i] = factor * (settings.gradient == MpsGradient::conservative
-                                            ? conservative_force(settings, separation, i, s)
-                                            : corrected_force(settings, lattice, separation, i, s));
+        s.water.pressure_force[i] = factor * (settings.gradient == MpsGradient::conservative
+                                                  ? conservative_force(settings, separation, i, s)
+                                                  : corrected_force(settings, lattice, separation, i, s));
     });
 }
 

@@ -34,9 +34,9 @@ Outcome carry(int n, VofScheme scheme, const std::function<bool(const Vec3&)>& s
             for_faces(settings.mesh.box, a, [&](std::int64_t f, int i, int j, int) {
                 const double x = i * h, y = j * h;
                 const bool on_rim = (a == 0 ? i : j) % n == 0;
-                scratch.carrier[at(a)][at(f)] = on_rim   ? 0
-                                                : a == 0 ? (psi(x, y + h, t) - psi(x, y, t)) / h
-                                                         : -(psi(x + h, y, t) - psi(x, y, t)) / h;
+                scratch.start.carrier[at(a)][at(f)] = on_rim   ? 0
+                                                      : a == 0 ? (psi(x, y + h, t) - psi(x, y, t)) / h
+                                                               : -(psi(x + h, y, t) - psi(x, y, t)) / h;
             });
         }
         move_water(settings, state, scratch, dt);
