@@ -22,18 +22,34 @@ std::string two_blocks(const std::string& solid, bool is_planar) {
            box + "position = " + at("1.0") + "\n[solid]\n" + solid;
 }
 
+std::int64_t count_after_three_steps(const std::string& text) {
+    Simulation simulation(scene::read_case_text(text, "case.toml", "/nonexistent", {}));
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_TRUE(simulation.step(sim::Measure::energy).is_accepted());
+    }
+    return simulation.now().report->contact_count;
+}
+
 TEST(ContactCount, IsOfPairsNotOfPoints) {
     for (const std::string solid :
          {"method = \"distance_potential_dem\"\n", "contact = \"common_plane_soft\"\n", "method = \"explicit_dda\"\n",
           "method = \"implicit_dda\"\n", "method = \"planar_dda\"\n"}) {
         SCOPED_TRACE(solid);
-        Simulation simulation(scene::read_case_text(two_blocks(solid, solid.find("planar") != std::string::npos),
-                                                    "case.toml", "/nonexistent", {}));
-        for (int k = 0; k < 3; ++k) {
-            ASSERT_TRUE(simulation.step(sim::Measure::energy).is_accepted());
-        }
-        EXPECT_EQ(simulation.now().report->contact_count, 2);
+        EXPECT_EQ(count_after_three_steps(two_blocks(solid, solid.find("planar") != std::string::npos)), 2);
     }
+}
+
+TEST(ContactCount, IsOfBodiesNotOfTheirSpheres) {
+    EXPECT_EQ(count_after_three_steps(two_blocks("method = \"sphere_dem\"\n", false)), 2);
+}
+
+TEST(ContactCount, IsOfBodiesNotOfTheirParts) {
+    std::string text = two_blocks("method = \"distance_potential_dem\"\n", false);
+    const std::string box = "{ box = [1.0, 1.0, 1.0] }", part = "{ shape = { box = [0.5, 1.0, 1.0] }, position = [";
+    for (std::size_t at = text.find(box); at != std::string::npos; at = text.find(box)) {
+        text.replace(at, box.size(), "{ union = [" + part + "-0.25, 0, 0] }, " + part + "0.25, 0, 0] }] }");
+    }
+    EXPECT_EQ(count_after_three_steps(text), 2);
 }
 
 }  // namespace

@@ -91,7 +91,9 @@ TEST(Spheres, every_bad_list_is_told_of_at_its_place) {
     EXPECT_THAT(problems_of(with(planar_case, "SPHERES", "spheres = { ring = 9, mass_of = \"spheres\" }")),
                 ElementsAre(HasSubstr("no mass per metre of width")));
     EXPECT_THAT(problems_of(spheres("shell = 2"), {"solid.method=\"distance_potential_dem\""}),
-                ElementsAre(HasSubstr("this method meets bodies by their shapes")));
+                ElementsAre(AllOf(
+                    HasSubstr("'block' meets others by its spheres, and this method has no physics for spheres on"),
+                    HasSubstr("solid.method = \"sphere_dem\""))));
 }
 
 TEST(Spheres, one_that_sticks_out_is_warned_of) {

@@ -248,12 +248,13 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
 
 template <class Method, class Scratch>
 StageTimes times_of(const Scratch& scratch, StageTimes times) {
-    if constexpr (requires { scratch.times.find_pairs; }) {
-        times.find_pairs += scratch.times.find_pairs;
-        times.find_contacts += scratch.times.find_contacts;
-        times.contact_loads += scratch.times.contact_loads;
-        times.move_bodies += scratch.times.move_bodies;
-        times.measure += scratch.times.measure;
+    if constexpr (requires { Method::times(scratch); }) {
+        const solid::SolidTimes& of_method = Method::times(scratch);
+        times.find_pairs += of_method.find_pairs;
+        times.find_contacts += of_method.find_contacts;
+        times.contact_loads += of_method.contact_loads;
+        times.move_bodies += of_method.move_bodies;
+        times.measure += of_method.measure;
     }
     return times;
 }

@@ -189,9 +189,8 @@ const std::array scene_table{
     Quantity{{"max_potential", "-", 1, false, "of the deepest contact over the inscribed radius"},
              nullptr,
              reported<&StepReport::max_potential>},
-    Quantity{{"contact_count", "-", 1, false, "touching pairs: of convex parts, of spheres with sphere_dem"},
-             nullptr,
-             reported<&StepReport::contact_count>},
+    Quantity{
+        {"contact_count", "-", 1, false, "pairs of bodies that touch"}, nullptr, reported<&StepReport::contact_count>},
     Quantity{{"energy_residual", "J", 1, false, "what the energy ledger does not close by"},
              nullptr,
              measured<&Ledger::residual>},

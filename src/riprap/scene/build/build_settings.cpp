@@ -50,7 +50,7 @@ BodyId CaseBuild::body_named(const Value& name) {
 
 namespace {
 
-/// Its column: what the case calls it, or else BODY.QUANTITY.
+/// Returns the column of a probe: the name that the case gives it, else BODY.QUANTITY.
 std::string name_of_probe(const Value& table) {
     const Value* name = table.find("name");
     const Value* body = table.find("body");
@@ -332,6 +332,31 @@ void build_settings(CaseBuild& build) {
     model.solid = SolidMethods::read(get(root, "solid"), build.problems);
 }
 
+namespace {
+
+/// Says which pairs of kinds the method has no physics for, and which methods have one.
+solid::SceneProblem unanswered_problem(const sim::Model& model, const solid::UnansweredBody& unanswered) {
+    const auto name = [](solid::BodyKind kind) { return solid::kind_names[static_cast<std::size_t>(kind)]; };
+    std::string pairs, words;
+    for (const solid::BodyKind other : unanswered.others) {
+        pairs += fmt::format("{}{} on {}", pairs.empty() ? "" : " and for ", name(unanswered.kind), name(other));
+    }
+    sim::Solids::for_each([&]<class Solid>() {
+        const bool has_all = std::ranges::all_of(unanswered.others, [&](solid::BodyKind other) {
+            return solid::answers(solid::pairs_of<Solid>(), unanswered.kind, other);
+        });
+        if (has_all) {
+            words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", Solid::Settings::method_name);
+        }
+    });
+    return {unanswered.body,
+            fmt::format("'{}' meets others by its {}, and this method has no physics for {}",
+                        model.bodies.name(unanswered.body), name(unanswered.kind), pairs),
+            words.empty() ? "no method has" : "solid.method = " + words};
+}
+
+}  // namespace
+
 void check_solid_method(CaseBuild& build) {
     const sim::Model& model = build.model;
     const solid::SolidScene scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
@@ -342,11 +367,9 @@ void check_solid_method(CaseBuild& build) {
             if constexpr (requires { Solid::problems_of(scene, settings, build.state.bodies); }) {
                 found = Solid::problems_of(scene, settings, build.state.bodies);
             }
-            if constexpr (!requires { Solid::takes_spheres; }) {
-                for (const body::GivenSpheres& given : model.spheres) {
-                    found.push_back({given.body, "this method meets bodies by their shapes, not by spheres",
-                                     "leave out 'spheres', or solid.method = \"sphere_dem\""});
-                }
+            for (const solid::UnansweredBody& body : solid::unanswered_bodies(
+                     model.bodies, solid::kinds_of<Solid>(scene, settings), solid::pairs_of<Solid>())) {
+                found.push_back(unanswered_problem(model, body));
             }
             return found;
         });

@@ -44,7 +44,7 @@ void add_materials(const SolidScene& scene, const affine::Elasticity& elasticity
     }
 }
 
-/// Where a body stands at the start, as far as that decides the outline of a half-space: those do not fall.
+/// Pose of a body at the start, as far as that decides the outline of a half-space: those do not fall.
 Pose pose_of_half_space(const SolidScene& scene, const body::BodyState& bodies, std::int32_t b) {
     return scene.bodies.drive[at(b)] == body::Drive::driven ? driven_state(scene.bodies, BodyId{b}, 0).pose
                                                             : Pose{bodies.position[at(b)], bodies.orientation[at(b)]};

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <string_view>
-
-#include "riprap/contact/narrowphase/hull.hpp"
-#include "riprap/contact/pipeline.hpp"
 #include "riprap/core/fields.hpp"
 #include "riprap/core/step.hpp"
+#include "riprap/solid/faces_on_faces.hpp"
 #include "riprap/solid/solid_scene.hpp"
-#include "riprap/solid/time_step.hpp"
 
 namespace riprap::solid {
 
@@ -19,14 +14,11 @@ class PolyhedralDem {
  public:
     using Settings = DemSettings;
     using Fields = NoFields;
+    using Physics = PairPhysics<FacesOnFaces>;
     struct Scratch {
-        contact::ContactPipeline pipeline;
-        std::vector<contact::HullTopology> topologies;  ///< by shape, for the common plane: a function of Model
-        body::Loads loads;                              ///< of contacts, in the last piece
+        FacesOnFaces::Scratch faces;
         body::BodyKinematics kinematics;
         body::PointLoadSum point_loads;
-        SolidTimes times;
-        std::optional<StepLimit> limit;  ///< a function of Model; set when it is first asked for
         std::size_t bytes() const;
     };
 
@@ -38,16 +30,20 @@ class PolyhedralDem {
         : scene_(&scene), settings_(&settings), state_(state), scratch_(&scratch) {}
 
     /// Returns 2/omega_max of bodies covered by neighbours all around (time_step_bound).
-    StepLimit limit() const;
+    StepLimit limit() const { return faces().limit(); }
     /// Moves the bodies over a piece of a step under loads that are held over it.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
 
     /// Contacts of the last piece, for output; valid until the next.
-    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.pipeline.rows(); }
+    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.faces.pipeline.rows(); }
+    /// Seconds spent per stage so far.
+    static const SolidTimes& times(const Scratch& scratch) { return scratch.faces.times; }
     /// Sum of the contact forces and of their moments on every body in the last piece.
-    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+    static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.faces.loads; }
 
  private:
+    FacesOnFaces faces() const { return {*scene_, *settings_, state_, scratch_->faces}; }
+
     const SolidScene* scene_;
     const DemSettings* settings_;
     SolidState state_;

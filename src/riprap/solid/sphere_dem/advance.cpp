@@ -3,33 +3,35 @@
 
 #include <limits>
 
-#include "riprap/core/index.hpp"
-#include "riprap/solid/sphere_dem/find.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
-#include "riprap/solid/sphere_dem/respond.hpp"
 #include "riprap/solid/sphere_dem/share.hpp"
-#include "riprap/solid/sphere_dem/walls.hpp"
+#include "riprap/solid/sphere_dem/sphere_physics.hpp"
 
 namespace riprap::solid::sphere_dem {
 
 ContactSums evaluate_contacts(const SphereModel& model, double time, double sliding_time, const body::BodyState& bodies,
-                              SphereState& state, SphereScratch& scratch) {
+                              SphereState& state, SphereScratch& scratch, FacesOnFaces* faces, bool with_energy) {
     update_sphere_kinematics(model.bodies, bodies, time, scratch.kinematics);
     place(model, bodies, scratch);
-    const double lost = find_contacts(model, state, scratch);
-    find_walls(model, scratch);
+    Meeting meeting{model, bodies, sliding_time, with_energy, state, scratch, faces};
+    SpherePhysics::for_each([&]<class P>() { P::find(meeting); });
     share_contacts(model, state, scratch);
-    ContactSums sums = respond(model, bodies, sliding_time, state, scratch);
-    gather_loads(model, bodies, scratch);
-    sums += respond_to_walls(model, bodies, sliding_time, state, scratch);
-    sums.friction_loss += lost;
+    SpherePhysics::for_each([&]<class P>() { P::respond(meeting); });
+    ContactSums& sums = meeting.sums;
+    sums.friction_loss += meeting.lost;
     ++state.evaluations;
     scratch.evaluations = state.evaluations;
     state.friction_loss += sums.friction_loss;
     state.damping_loss += sums.damping_loss;
     state.rolling_loss += sums.rolling_loss;
     return sums;
+}
+
+std::int64_t count_touching(const SphereModel& model, const SphereState& state) {
+    std::int64_t count = 0;
+    SpherePhysics::for_each([&]<class P>() { count += P::count(model, state); });
+    return count;
 }
 
 SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::LoadView& external,
@@ -40,7 +42,7 @@ SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::
     const std::int64_t searches = scratch.pairs.rebuild_count();
     report.contacts = evaluate_contacts(model, middle, 0.5 * (times.previous + times.dt), bodies, state, scratch);
     report.has_searched = scratch.pairs.rebuild_count() != searches;
-    report.contact_count = static_cast<std::int64_t>(state.contacts.size() + state.walls.size());
+    report.contact_count = count_touching(model, state);
     const bool is_first = state.evaluations == 1;
     const KickTimes kick_times{
         middle, is_first ? -std::numeric_limits<double>::infinity() : times.begin - 0.5 * times.previous, times.dt};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "riprap/solid/explicit_dem.hpp"
+#include "riprap/solid/faces_on_faces.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 #include "riprap/solid/sphere_dem/sphere_scratch.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
@@ -30,7 +31,12 @@ SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::
                      const StepTimes& times, body::BodyState& bodies, SphereState& state, SphereScratch& scratch);
 
 /// Contact loads at the poses of `bodies` into `scratch.loads`; springs advance by the time since the last evaluation.
+/// @param faces  meets bodies without spheres with each other; nullptr where none of them can move
 ContactSums evaluate_contacts(const SphereModel& model, double time, double sliding_time, const body::BodyState& bodies,
-                              SphereState& state, SphereScratch& scratch);
+                              SphereState& state, SphereScratch& scratch, FacesOnFaces* faces = nullptr,
+                              bool with_energy = false);
+
+/// Counts the pairs of bodies of which one has spheres and that touch.
+std::int64_t count_touching(const SphereModel& model, const SphereState& state);
 
 }  // namespace riprap::solid::sphere_dem

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "riprap/contact/pipeline.hpp"
 #include "riprap/core/account.hpp"
 #include "riprap/core/step.hpp"
+#include "riprap/solid/faces_on_faces.hpp"
 #include "riprap/solid/solid_scene.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+#include "riprap/solid/sphere_dem/sphere_physics.hpp"
 #include "riprap/solid/sphere_dem/sphere_scratch.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
 
@@ -22,20 +21,14 @@ class SphereDem {
  public:
     using Settings = SphereDemSettings;
     using Fields = sphere_dem::SphereState;
-    /// Bodies that are no spheres, where they may move: they meet each other as in PolyhedralDem.
-    struct Polyhedra {
-        bool are_there{false};
-        std::vector<std::uint8_t> left_out;  ///< per body: spheres stand for it
-        contact::ContactPipeline pipeline;
-        body::Loads loads;               ///< of their contacts with each other, in the last piece
-        std::optional<StepLimit> limit;  ///< a function of Model
-    };
+    using Physics = sphere_dem::SpherePhysics;
     struct Scratch {
         sphere_dem::SphereSet spheres;  ///< a function of Model; made when they are first asked for
         sphere_dem::TriangleSet triangles;
         contact::ContactTable table;
         sphere_dem::SphereScratch buffers;
-        Polyhedra polyhedra;
+        FacesOnFaces::Scratch faces;
+        bool do_faces_meet{false};  ///< a body without spheres may move
         body::PointLoadSum point_loads;
         bool is_built{false};
         std::size_t bytes() const;
@@ -48,7 +41,8 @@ class SphereDem {
     static double smallest_stand_in(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                                     const Settings& settings);
 
-    static constexpr bool takes_spheres = true;  ///< of bodies that a case gives lists
+    /// Returns what every body meets others by (solid/pair_physics.hpp).
+    static std::vector<BodyKind> kinds_of(const SolidScene& scene, const Settings& settings);
     /// Refuses moduli that make the run take more steps than anybody waits for.
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& state);
@@ -64,17 +58,16 @@ class SphereDem {
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
-    /// Contacts of polyhedra with each other in the last piece; valid until the next.
-    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.polyhedra.pipeline.rows(); }
+    /// Contacts of faces with faces in the last piece; valid until the next.
+    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.faces.pipeline.rows(); }
 
  private:
     sphere_dem::SphereModel model() const;
-    contact::ContactScene polyhedra_scene() const;
-    /// Adds the loads of polyhedra on each other. @returns the friction loss of springs that were lost [J]
-    double meet_polyhedra(double sliding_time, bool with_energy);
+    FacesOnFaces faces() const { return {*scene_, faces_settings_, state_, scratch_->faces}; }
 
     const SolidScene* scene_;
     const Settings* settings_;
+    DemSettings faces_settings_;  ///< of bodies without spheres, and of the motion of all
     SolidState state_;
     Fields* fields_;
     Scratch* scratch_;

@@ -37,10 +37,12 @@ void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const V
 
 void SphereSet::finish(std::int32_t body_count) {
     begin.assign(at(body_count) + 1, 0);
+    has_clusters = false;
     for (const std::int32_t b : body) {
         ++begin[at(b) + 1];
     }
     for (std::size_t b = 0; b < at(body_count); ++b) {
+        has_clusters = has_clusters || begin[b + 1] > 1;
         begin[b + 1] += begin[b];
     }
     flat_count.assign(at(body_count), 0);

@@ -20,13 +20,14 @@ struct SphereSet {
     /// Per body: most spheres that a plane across a body axis touches at once, within a tenth of their radius; see
     /// finish.
     std::vector<std::int32_t> flat_count;
+    bool has_clusters{false};  ///< some body has several spheres; see finish
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
     std::int32_t count_of(std::int32_t of) const {
         return begin[static_cast<std::size_t>(of) + 1] - begin[static_cast<std::size_t>(of)];
     }
     void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {});
-    /// Fills `begin` and `flat_count`; call once all spheres are added, in the order of their bodies.
+    /// Fills `begin`, `flat_count` and `has_clusters`; call once all spheres are added, in the order of their bodies.
     void finish(std::int32_t body_count);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/solid/polyhedral_dem/contact_sums.hpp"
+#include "riprap/solid/contact_sums.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Several physics of contact in one scene, chosen by the kinds of the two bodies that meet.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "riprap/solid/solid_scene.hpp"
+
+namespace riprap::solid {
+
+/// Stand-in by which a body meets others.
+enum class BodyKind : std::uint8_t {
+    faces,    ///< its shape: convex parts, half-spaces, ground
+    spheres,  ///< spheres that a case lists or that a method lets stand for it
+};
+inline constexpr std::array<std::string_view, 2> kind_names{"faces", "spheres"};
+
+/// Two kinds of bodies, in either order.
+struct PairOfKinds {
+    BodyKind a, b;
+    constexpr bool is(BodyKind x, BodyKind y) const { return (a == x && b == y) || (a == y && b == x); }
+};
+
+/// Tells whether a list has a pair of kinds.
+constexpr bool answers(std::span<const PairOfKinds> pairs, BodyKind a, BodyKind b) {
+    for (const PairOfKinds& pair : pairs) {
+        if (pair.is(a, b)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The physics of contact of a solid method: one line registers a physics. Each is a struct that says between which
+/// `kinds` of bodies it acts, and has the verbs that the step of the method calls for all of them. A method without
+/// such a list meets faces with faces.
+template <class... Physics>
+struct PairPhysics {
+    static constexpr std::array<PairOfKinds, sizeof...(Physics)> kinds{Physics::kinds...};
+
+    /// Calls work.template operator()<P>() for every physics, in the order of the list.
+    template <class Work>
+    static void for_each(const Work& work) {
+        (work.template operator()<Physics>(), ...);
+    }
+
+ private:
+    static constexpr bool is_once_each() {
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            if (answers(std::span(kinds).first(i), kinds[i].a, kinds[i].b)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    static_assert(is_once_each(), "two physics for one pair of kinds");
+};
+
+inline constexpr std::array faces_alone{PairOfKinds{BodyKind::faces, BodyKind::faces}};
+
+/// Returns the pairs of kinds for which a solid method has a physics.
+template <class Solid>
+constexpr std::span<const PairOfKinds> pairs_of() {
+    if constexpr (requires { Solid::Physics::kinds; }) {
+        return Solid::Physics::kinds;
+    } else {
+        return faces_alone;
+    }
+}
+
+/// Returns the kind of every body: spheres where the case lists them, else faces.
+std::vector<BodyKind> kinds_by_lists(const SolidScene& scene);
+
+/// Returns what a method says of itself, `kinds_of(scene, settings)`, else kinds_by_lists.
+template <class Solid>
+std::vector<BodyKind> kinds_of(const SolidScene& scene, const typename Solid::Settings& settings) {
+    if constexpr (requires { Solid::kinds_of(scene, settings); }) {
+        return Solid::kinds_of(scene, settings);
+    } else {
+        return kinds_by_lists(scene);
+    }
+}
+
+/// A body whose kind meets another in the scene, one of them able to move, without a physics for that pair.
+struct UnansweredBody {
+    BodyId body;  ///< first of its kind
+    BodyKind kind;
+    std::vector<BodyKind> others;
+};
+std::vector<UnansweredBody> unanswered_bodies(const body::BodySet& bodies, std::span<const BodyKind> kinds,
+                                              std::span<const PairOfKinds> pairs);
+
+}  // namespace riprap::solid

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/sphere_dem/sphere_physics.hpp"
+
+#include "riprap/contact/count_pairs.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/solid/sphere_dem/find.hpp"
+#include "riprap/solid/sphere_dem/place.hpp"
+#include "riprap/solid/sphere_dem/respond.hpp"
+#include "riprap/solid/sphere_dem/walls.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+void SpheresOnSpheres::find(Meeting& meeting) {
+    meeting.lost += find_contacts(meeting.model, meeting.state, meeting.scratch);
+}
+
+void SpheresOnSpheres::respond(Meeting& meeting) {
+    meeting.sums +=
+        sphere_dem::respond(meeting.model, meeting.bodies, meeting.sliding_time, meeting.state, meeting.scratch);
+    gather_loads(meeting.model, meeting.bodies, meeting.scratch);
+}
+
+std::int64_t SpheresOnSpheres::count(const SphereModel& model, const SphereState& state) {
+    if (!model.spheres.has_clusters) {
+        return static_cast<std::int64_t>(state.contacts.size());
+    }
+    const auto body_of = [&](std::int32_t sphere) { return model.spheres.body[at(sphere)]; };
+    return contact::count_body_pairs(state.contacts.pair, model.bodies.size(), body_of, body_of);
+}
+
+void SpheresOnFaces::find(Meeting& meeting) { find_walls(meeting.model, meeting.scratch); }
+
+void SpheresOnFaces::respond(Meeting& meeting) {
+    meeting.sums +=
+        respond_to_walls(meeting.model, meeting.bodies, meeting.sliding_time, meeting.state, meeting.scratch);
+}
+
+std::int64_t SpheresOnFaces::count(const SphereModel& model, const SphereState& state) {
+    return contact::count_body_pairs(
+        state.walls.pair, model.bodies.size(), [&](std::int32_t sphere) { return model.spheres.body[at(sphere)]; },
+        [&](std::int32_t wall) { return wall_body(model, wall); });
+}
+
+void FacesAmongSpheres::find(Meeting& meeting) {
+    if (meeting.faces != nullptr) {
+        meeting.faces->find();
+    }
+}
+
+void FacesAmongSpheres::respond(Meeting& meeting) {
+    if (meeting.faces == nullptr) {
+        return;
+    }
+    body::Loads& loads = meeting.scratch.loads;
+    meeting.faces->respond(meeting.scratch.kinematics, meeting.sliding_time, meeting.with_energy);
+    const body::Loads& faces = meeting.faces->loads();
+    for (std::size_t b = 0; b < loads.force.size(); ++b) {
+        loads.force[b] += faces.force[b];
+        loads.torque[b] += faces.torque[b];
+    }
+}
+
+}  // namespace riprap::solid::sphere_dem
