@@ -2,6 +2,7 @@
 #include "riprap/validation/registry.hpp"
 
 #include <array>
+#include <vector>
 
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/dda/planar_cases.hpp"
@@ -17,7 +18,11 @@
 
 namespace riprap::validation {
 
-std::span<const ValidationCase> all_cases() {
+namespace {
+
+// One table per suite; those of dda and ding in space come before those in the plane.
+
+std::span<const ValidationCase> zhao_cases() {
     static constexpr std::array cases{
         ValidationCase{"zhao", "golden_values", "Contact of two blocks: energy, force and moment to ten digits", false,
                        zhao::golden_values},
@@ -46,6 +51,12 @@ std::span<const ValidationCase> all_cases() {
                        zhao::wedge_static},
         ValidationCase{"zhao", "wedge_dynamic", "A wedge on a shaken slope slides, stops and rests", false,
                        zhao::wedge_dynamic},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> rigid_cases() {
+    static constexpr std::array cases{
         ValidationCase{"rigid", "free_flight", "Free fall; a spinning projectile", false, rigid::free_flight},
         ValidationCase{"rigid", "axis_flip", "A free body tumbles about its middle axis", false, rigid::axis_flip},
         ValidationCase{"rigid", "pendulum", "A pendulum on a knife edge", false, rigid::pendulum},
@@ -73,6 +84,12 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"rigid", "granular_column", "Columns of grains collapse and run out (Lube et al.)", true,
                        rigid::granular_column},
         ValidationCase{"rigid", "arch", "A semicircular arch stands or falls", false, rigid::arch},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> water_cases() {
+    static constexpr std::array cases{
         ValidationCase{"water", "still_tank", "Water at rest stays at rest", false, water::still_tank},
         ValidationCase{"water", "submerged_square", "Buoyancy of a square held under water", false,
                        water::submerged_square},
@@ -117,6 +134,12 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"water", "wedge_slamming", "A wedge goes through a surface", false, water::wedge_slamming},
         ValidationCase{"water", "other_schemes", "The scheme of Mueller and penalty walls", false,
                        water::other_schemes},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> mikola_cases() {
+    static constexpr std::array cases{
         ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
                        mikola::sliding_wedge},
         ValidationCase{"mikola", "wedge_methods", "The wedge into water by rigid polyhedra and by three DDAs", false,
@@ -132,6 +155,12 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"mikola", "rotating_block", "A block turns many times", false, mikola::rotating_block},
         ValidationCase{"mikola", "bar_waves", "A pulse in a bar of blocks; restitution; critical step", false,
                        mikola::bar_waves},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> ding_in_space_cases() {
+    static constexpr std::array cases{
         ValidationCase{"ding", "free_fall_3d", "3D-DDA: free fall and tumbling", false, ding::free_fall_3d},
         ValidationCase{"ding", "incline_3d", "3D-DDA: a block on an incline", false, ding::incline_3d},
         ValidationCase{"ding", "arch_3d", "3D-DDA: an arch against the same in two dimensions", false, ding::arch_3d},
@@ -139,6 +168,12 @@ std::span<const ValidationCase> all_cases() {
                        ding::dam_uplift},
         ValidationCase{"ding", "gravity_dam", "3D-DDA: a cracked gravity dam as the water rises", false,
                        ding::gravity_dam},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> dda_in_space_cases() {
+    static constexpr std::array cases{
         ValidationCase{"dda", "rock_wedges_3d", "3D-DDA: wedges on two joint planes hold or slide (Hoek and Bray)",
                        false, dda::rock_wedges_3d},
         ValidationCase{"dda", "sliding_block_3d", "3D-DDA: a block on an incline slides, holds, stops", false,
@@ -146,6 +181,12 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"dda", "stack_3d", "3D-DDA: stacked blocks carry their weight", false, dda::stack_3d},
         ValidationCase{"dda", "rocking_3d", "3D-DDA: a block rocks from one edge to the other (Housner)", false,
                        dda::rocking_3d},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> mellado_cases() {
+    static constexpr std::array cases{
         ValidationCase{"mellado", "normal_impact", "Spheres meet spheres and planes (Hertz; Chung and Ooi)", false,
                        mellado::normal_impact},
         ValidationCase{"mellado", "oblique_impact", "A sphere meets a plane at an angle, or spinning (Chung and Ooi)",
@@ -181,6 +222,12 @@ std::span<const ValidationCase> all_cases() {
                        mellado::six_cubes},
         ValidationCase{"mellado", "sinking_cube", "A cube of spheres sinks in water by MPS", false,
                        mellado::sinking_cube},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> grid_cases() {
+    static constexpr std::array cases{
         ValidationCase{"grid", "cavity", "Flow in a box whose lid moves (Ghia and others)", false, grid::cavity},
         ValidationCase{"grid", "poiseuille", "Flow between plates starts under a body force", false, grid::poiseuille},
         ValidationCase{"grid", "couette", "Flow between plates starts with one of them", false, grid::couette},
@@ -221,6 +268,12 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"grid", "sinking_block", "A block sinks (Qiu and others)", true, water::sinking_block},
         ValidationCase{"grid", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", true,
                        grid::dam_break_obstacle},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> dda_in_plane_cases() {
+    static constexpr std::array cases{
         ValidationCase{"dda", "planar_rotation", "A deformable block turns 100 times", false, dda::planar_rotation},
         ValidationCase{"dda", "planar_pendulum", "A square pinned at a corner swings", false, dda::planar_pendulum},
         ValidationCase{"dda", "planar_incline", "A block on an incline slides, holds, stops", false,
@@ -248,6 +301,12 @@ std::span<const ValidationCase> all_cases() {
                        dda::planar_cantilever},
         ValidationCase{"dda", "planar_disc", "A disc of bonded triangles pressed across its diameter", true,
                        dda::planar_disc},
+    };
+    return cases;
+}
+
+std::span<const ValidationCase> ding_in_plane_cases() {
+    static constexpr std::array cases{
         ValidationCase{"ding", "solitary_profile", "A solitary wave on a flat bed, three meshes", false,
                        ding::solitary_profile},
         ValidationCase{"ding", "caisson_pressure", "A solitary wave hits a caisson behind stones", true,
@@ -283,6 +342,21 @@ std::span<const ValidationCase> all_cases() {
         ValidationCase{"ding", "planar_arch", "Seven voussoirs without friction sink", false, ding::planar_arch},
         ValidationCase{"ding", "planar_dam", "The top of a dam slides as the water rises", false, ding::planar_dam},
     };
+    return cases;
+}
+
+}  // namespace
+
+std::span<const ValidationCase> all_cases() {
+    static const std::vector<ValidationCase> cases = [] {
+        std::vector<ValidationCase> all;
+        for (const std::span<const ValidationCase> suite :
+             {zhao_cases(), rigid_cases(), water_cases(), mikola_cases(), ding_in_space_cases(), dda_in_space_cases(),
+              mellado_cases(), grid_cases(), dda_in_plane_cases(), ding_in_plane_cases()}) {
+            all.insert(all.end(), suite.begin(), suite.end());
+        }
+        return all;
+    }();
     return cases;
 }
 
