@@ -48,7 +48,7 @@ std::vector<GeometryProblem> check(const Polyhedron& region, std::span<const Joi
     return problems;
 }
 
-/// Where the joints of one set cross its normal.
+/// Positions of the joints of one set along its normal.
 class JointPositions {
  public:
     JointPositions(const JointSet& set, std::uint64_t key) : set_(set), key_(key) {}

@@ -10,7 +10,7 @@
 
 namespace riprap::run {
 
-/// Where a run stood, with all that has been counted of it.
+/// Point that a run had reached, with all that has been counted of it.
 struct Standing {
     sim::State state;
     std::vector<double> expects;  ///< of ExpectWatch::save

@@ -38,7 +38,7 @@ std::vector<double> row_of(double time, const std::vector<sim::Column>& columns,
 
 std::string frame_tag(std::size_t number) { return fmt::format("{:06}", number); }
 
-/// Whether the fluid is a field that is drawn.
+/// Tells whether the fluid is a field that is drawn.
 bool shows_water(const sim::Model& model) {
     return sim::Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings&) {
         return requires(coupling::FluidScene s, typename Fluid::Settings set, typename Fluid::Fields f) {

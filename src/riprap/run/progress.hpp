@@ -31,7 +31,7 @@ class Progress {
 
  private:
     std::string line(std::int64_t step, std::int64_t steps_left, double time) const;
-    /// Of what this process set out to do.
+    /// Returns the tenths of the steps of this process that are done.
     int tenths_done(std::int64_t step, std::int64_t steps_left) const;
     void print(std::int64_t step, std::int64_t steps_left, double time);
 

@@ -50,7 +50,7 @@ struct RunRecord {
     }
 };
 
-/// Where a run continues.
+/// Point from which a run continues.
 struct Restart {
     sim::State state;
     RunRecord record;

@@ -59,8 +59,8 @@ class Simulation {
     sim::TimeStepBound step_bound() { return sim::step_bound(model(), state_); }
     std::string fixed_step_problem() { return sim::fixed_step_problem(model(), state_); }
 
-    /// Where to stop: a time [s], and a number of steps in all (-1 = no limit). An automatic step is chosen so that the
-    /// last one meets the end.
+    /// End of the run: a time [s], and a number of steps in all (-1 = no limit). An automatic step is chosen so that
+    /// the last one meets the end.
     void set_end(double end, std::int64_t max_steps);
     double end() const { return model().time.end; }
     std::int64_t max_steps() const { return model().time.max_steps; }

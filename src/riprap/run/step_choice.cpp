@@ -20,7 +20,7 @@ double thinnest_of(const sim::Model& model) {
     return std::min(solid::smallest_radius(model.bodies, model.shapes), sim::smallest_stand_in(model));
 }
 
-/// Whether bodies may approach each other in a step by as much as may not be; true too where they only seem to.
+/// Tells whether bodies may approach each other in a step by more than is allowed; true too where they only seem to.
 bool can_come_near(const sim::Model& model, const sim::State& state, double dt) {
     return dt * solid::approach_limit(model.bodies, model.shapes, state.bodies) >
            solid::most_approach * thinnest_of(model);

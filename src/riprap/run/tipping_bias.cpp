@@ -164,7 +164,7 @@ std::optional<TippingBias> largest_tipping_bias(const sim::Model& model, const s
             continue;
         }
         const Standing standing = stand(model, state, part, down);
-        // Of a body of several parts the lowest one carries it.
+        // The lowest part of a body carries it.
         if (!ordered.empty() && ordered.back().body.value == part.body.value) {
             if (standing.width > 0 && standing.low < ordered.back().low) {
                 ordered.back() = standing;

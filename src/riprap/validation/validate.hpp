@@ -22,7 +22,7 @@ struct ValidateOptions {
     std::function<void(const std::string&)> after_case{};  ///< is given all results so far, as JSON, where it is set
 };
 
-/// Where <suite>/<case> have their case files and words.
+/// Folder in which <suite>/<case> have their case files and words.
 std::filesystem::path case_folder(const ValidateOptions& options);
 
 /// Runs the selected cases in order, each for itself: one that throws becomes a failed result and the next one runs.

@@ -31,7 +31,7 @@ constexpr int moments_to_leave = 60;
 constexpr const char* words_of_browser = "stderr";  // the file, in its folder
 constexpr std::size_t told_words = 1000;            // bytes, the last ones
 
-/// Where Chromium expects its pipes.
+/// File descriptors at which Chromium expects its pipes.
 constexpr int read_end = 3, write_end = 4, beyond = 10;
 
 struct Pipe {

@@ -203,7 +203,7 @@ class Packer {
             {{"name", name}, {"chunk", chunk}, {"rows", (rows + stride - 1) / stride}, {"columns", columns}});
     }
 
-    /// Of the page: its program, its contents, and what is packed so far.
+    /// Returns the bytes of the page: its program, its contents, and what is packed so far.
     double bytes_without_water() const {
         const std::string contents = contents_json();
         const auto escaped = static_cast<std::size_t>(std::count(contents.begin(), contents.end(), '<'));
@@ -247,7 +247,7 @@ class Packer {
                   {"stride", water.stride}};
     }
 
-    /// Of many notices the first ones and how many there are.
+    /// Keeps the first of many notices and their number.
     void shorten_notices() {
         std::vector<std::string>& notices = content_.notices;
         if (notices.size() > told_notices) {

@@ -338,7 +338,7 @@ void read_status(RecordedRun& run, const run::RunFolder& folder) {
 
 bool holds_run(const fs::path& path) { return is_there(run::RunFolder{path}.ticket()); }
 
-/// Where `riprap run` puts a case when it is not told otherwise.
+/// Folder in which `riprap run` puts a case by default.
 fs::path usual_folder(const std::string& name) { return fs::path("runs") / name; }
 
 /// The run that the name of a case means, if there is one.

@@ -10,7 +10,7 @@ namespace {
 constexpr double same_place = 1e-6;  // of the size of what is free
 constexpr double near_share = 0.2;   // of the size of what is free: driven bodies are shown as far around it
 
-/// What a shape fills at a pose.
+/// Returns the box that a shape fills at a pose.
 Box box_of(const DrawnShape& shape, const double* pose) {
     Box box;
     for (const Vec3& corner : shape.corners) {

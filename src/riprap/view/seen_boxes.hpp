@@ -20,7 +20,7 @@ struct Box {
     }
     bool is_empty() const { return low.x > high.x; }
     double length() const { return is_empty() ? 0 : norm(high - low); }
-    /// Whether all of it lies within `by` of the other one [m].
+    /// Tells whether all of the box lies within `by` of the other one [m].
     bool is_near(const Box& other, double by) const {
         const Vec3 reach{by, by, by};
         const Vec3 below = other.low - reach - low, above = high - other.high - reach;
@@ -51,7 +51,7 @@ class SeenBoxes {
     Found find() const;
 
  private:
-    /// What one body was seen to fill.
+    /// Boxes that one body was seen to fill.
     struct Path {
         Box start, all;
         bool is_free{false}, moves{false};

@@ -64,7 +64,7 @@ class Lattice {
 
  private:
     void add(const Vec3& x, float speed) {
-        // Of integral one over the support, in space and in the plane.
+        // Scaled to an integral of one over the support, in space and in the plane.
         constexpr double radius = support;
         const double scale = is_planar_ ? 4 / (std::numbers::pi * radius * radius)
                                         : 315 / (64 * std::numbers::pi * radius * radius * radius);

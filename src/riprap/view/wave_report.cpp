@@ -149,7 +149,7 @@ void separate(double depth, double gravity, WaveReport& report) {
     }
 }
 
-/// What the spectrum of a record and the heights of its waves say.
+/// Reports the spectrum of a record and the heights of its waves.
 void set_shares(const Record& record, GaugeWaves& gauge) {
     constexpr std::int64_t waves_in_band = 40;  // smoother with more waves, and a fortieth of the peak wide at most
     const int bands = static_cast<int>(std::max<std::int64_t>(1, gauge.waves.count / waves_in_band));

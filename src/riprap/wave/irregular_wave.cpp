@@ -111,7 +111,7 @@ IrregularWave jonswap_sea(double significant_height, double peak_period, double 
 IrregularWave sea_of(const Spectrum& spectrum, double depth, double gravity, int component_count, std::uint64_t seed) {
     return components_of(cumulative(spectrum), spectrum.significant_height(), depth, gravity, component_count, seed,
                          [&](std::size_t i, double share) {
-                             // Where in the interval the integral of a line from S_a to S_b is that share of it.
+                             // Place in the interval where the integral of a line from S_a to S_b is that share of it.
                              const double a = spectrum.density[i], b = spectrum.density[i + 1], sum = share * (a + b);
                              const double place = sum / (a + std::sqrt(a * a + (b - a) * sum));
                              return spectrum.frequency[i] + place * (spectrum.frequency[i + 1] - spectrum.frequency[i]);

@@ -24,11 +24,12 @@ struct StrokeHarmonic {
 /// height_over_stroke.
 std::vector<StrokeHarmonic> first_order_stroke(const IrregularWave& sea);
 
-/// What a piston does besides, so that no free waves of the sums and differences of the frequencies leave it: the bound
-/// ones go with the sea by themselves. The potential to second order of all pairs of progressive and evanescent
-/// modes is projected on the progressive mode of the pair's frequency, as in [Schaffer1996]. With W = w_n +- w_m,
-/// W^2 = g K0 tanh K0 d, modes k_j of w_n and k_l of w_m (imaginary ones evanescent; for a difference those of w_m are
-/// -k_l* and -w_m), K = k_j + k_l and amplitudes a_j = i X c_j, c_j = 4 sinh^2 k_j d/(2 k_j d + sinh 2 k_j d),
+/// Second-order part of the motion of a piston, so that no free waves of the sums and differences of the frequencies
+/// leave it: the bound ones go with the sea by themselves. The potential to second order of all pairs of progressive
+/// and evanescent modes is projected on the progressive mode of the pair's frequency, as in [Schaffer1996]. With W =
+/// w_n +- w_m, W^2 = g K0 tanh K0 d, modes k_j of w_n and k_l of w_m (imaginary ones evanescent; for a difference those
+/// of w_m are -k_l* and -w_m), K = k_j + k_l and amplitudes a_j = i X c_j, c_j = 4 sinh^2 k_j d/(2 k_j d + sinh 2 k_j
+/// d),
 ///
 ///     X_2 = -i K0^2/W^3 1/2 sum over both orders of (sum_l -i g X_n a_l k_l^2/w_m (w_m^2 - W^2)/(k_l^2 - K0^2)
 ///                                                    + sum_jl -i K R_jl/(K^2 - K0^2)),

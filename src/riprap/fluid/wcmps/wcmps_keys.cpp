@@ -19,7 +19,7 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                 number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10),
                        "Exponent of the Tait equation."),
                 number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
-                       "Of the fluid."),
+                       "Kinematic viscosity of the fluid."),
                 number(&S::density_diffusion, "density_diffusion", dimension::plain, between(0, 1),
                        "Strength of the diffusion of number density."),
                 boolean(&S::diffuses_hydrostatic, "diffuses_hydrostatic",

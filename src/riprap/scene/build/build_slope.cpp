@@ -89,7 +89,7 @@ std::optional<Slope> read_slope(CaseBuild& build, const Value& table) {
     return slope;
 }
 
-/// Where units of one layer stand on the slope, up it and across, and how they are turned.
+/// Places of the units of one layer, up the slope and across it, and their orientations.
 struct Spot {
     double along, across;
     Quat orientation;

@@ -23,7 +23,8 @@ const Table& load_table() {
         {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
          {"at",
           {vector(dimension::length)},
-          "Where it acts, in the frame of the shape (grows with the scales of repeat); the centre of mass when not "
+          "Point of application, in the frame of the shape (grows with the scales of repeat); the centre of mass when "
+          "not "
           "given.",
           {}},
          {"start", {number(dimension::time, non_negative())}, "No force before.", Value::of(0.0)},
@@ -44,7 +45,7 @@ const Table& repeat_table() {
          {"pitch", {vector(dimension::length)}, "Distance between neighbours along x, y and z.", Value::of(Vec3{})},
          {"orientation",
           {form::table(orientation_table)},
-          "How the lattice is turned, such as along a slope, about the first copy; copies stay turned as the body is, "
+          "Orientation of the lattice, such as along a slope, about the first copy; copies stay turned as the body is, "
           "and "
           "jitter goes along the axes of the world. What turn says comes after it.",
           {}},
@@ -86,7 +87,7 @@ const Table& spheres_table() {
          {"units", {form::choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")},
          {"shell",
           {integer(1, 200)},
-          "Of a box: so many spheres along its shortest edge, all but those inside, flush with its faces.",
+          "Shell of a box: so many spheres along its shortest edge, all but those inside, flush with its faces.",
           {}},
          {"fill",
           {number(dimension::length, positive())},
@@ -95,7 +96,7 @@ const Table& spheres_table() {
           {}},
          {"ring",
           {integer(3, 10'000)},
-          "Of a disc in a planar scene: so many spheres around it, whose outermost points lie on its circle.",
+          "Ring of a disc in a planar scene: so many spheres around it, whose outermost points lie on its circle.",
           {}},
          {"ring_radius",
           {number(dimension::length, positive())},
@@ -127,7 +128,8 @@ const Table& body_table() {
          {"density", {number(dimension::density, positive())}, "Instead of that of the material.", {}},
          {"mass",
           {number({0, 1, 0, 0}, positive())},
-          "Of one body, its density following from the volume of its shape; per metre of width in a planar scene. Not "
+          "Mass of one body, its density following from the volume of its shape; per metre of width in a planar scene. "
+          "Not "
           "with density.",
           {}},
          {"spheres", {form::table(spheres_table)}, "Spheres that stand for it; of sphere_dem alone.", {}},

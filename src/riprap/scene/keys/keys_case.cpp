@@ -44,17 +44,18 @@ const Table& spread_table() {
 }
 
 const Table& fixed_point_table() {
-    static const Table table{"fixed_point",
-                             "[[fixed_point]]",
-                             "A point of a block that a stiff spring holds where it is at the start; the block may "
-                             "turn about it and strain. "
-                             "Of solid.method planar_dda and implicit_dda.",
-                             {{"body", {text()}, "Name of the body, \"NAME[17]\" for one of many.", {}, true},
-                              {"at", {vector(dimension::length)}, "The point, where it is at the start.", {}, true},
-                              {"stiffness",
-                               {number(dimension::stiffness, positive())},
-                               "Of the spring, in every direction; a hundred contact stiffnesses when not given.",
-                               {}}}};
+    static const Table table{
+        "fixed_point",
+        "[[fixed_point]]",
+        "A point of a block that a stiff spring holds where it is at the start; the block may "
+        "turn about it and strain. "
+        "For solid.method planar_dda and implicit_dda.",
+        {{"body", {text()}, "Name of the body, \"NAME[17]\" for one of many.", {}, true},
+         {"at", {vector(dimension::length)}, "The point, where it is at the start.", {}, true},
+         {"stiffness",
+          {number(dimension::stiffness, positive())},
+          "Stiffness of the spring, in every direction; a hundred contact stiffnesses when not given.",
+          {}}}};
     return table;
 }
 
@@ -67,7 +68,7 @@ const Table& bolt_table() {
         {{"bodies", {list(text(), 2, 2)}, "Names of the bodies at its ends; one may be fixed.", {}, true},
          {"ends",
           {list(vector(dimension::length), 2, 2)},
-          "Where its ends are at the start, in the same order.",
+          "Ends of the bolt at the start, in the order of the bodies.",
           {},
           true},
          {"stiffness", {number(dimension::stiffness, positive())}, "E A / l of the bolt.", {}, true},
@@ -82,7 +83,7 @@ Table rows_of_case() {
     return {
         "case",
         "(top of the file)",
-        "What the experiment is, how long it lasts and how time advances.",
+        "Title and length of the experiment, and how time advances.",
         {{"title", {text()}, "One line that says what the case shows.", Value::of("")},
          {"dimension",
           {integer(2, 3)},
@@ -193,7 +194,7 @@ const Table& material_table() {
     static const Table table{
         "material",
         "[material.NAME]",
-        "What a block is made of and how its surface behaves. Contact values of two materials follow from [contact].",
+        "Substance of a block and behaviour of its surface. Contact values of two materials follow from [contact].",
         {{"density", {number(dimension::density, positive())}, "Mass per volume of solid.", {}, true},
          {"normal_stiffness",
           {number(dimension::pressure, positive())},
@@ -253,7 +254,8 @@ const Table& contact_table() {
     static const Table table{
         "contact",
         "[contact]",
-        "How the values of two materials become those of a contact. Codes differ silently here, so the rules must be "
+        "Rules by which the values of two materials become those of a contact. Codes differ silently here, so the "
+        "rules must be "
         "given where materials differ. Stiffness ratio and damping use the mean.",
         {{"friction_mixing",
           {choice(mixing_rules())},
@@ -273,7 +275,7 @@ const Table& contact_table() {
 }
 
 const Table& solid_table() {
-    static const Table table = with_methods({"solid", "[solid]", "How solids move and touch.", {}},
+    static const Table table = with_methods({"solid", "[solid]", "Motion and contact of solids.", {}},
                                             "Method by which blocks move.", SolidMethods::all(), {});
     return table;
 }

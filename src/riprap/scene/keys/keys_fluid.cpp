@@ -82,7 +82,7 @@ const Table& fluid_wave_table() {
         "[[fluid.wave]]",
         "Waves that come in through a side of the domain, by theory (docs/theory/waves.md), or a side that lets waves "
         "out.",
-        {{"towards", {way}, "Where the waves go: \"x\" comes in through the low side along x.", {}, true},
+        {{"towards", {way}, "Direction of the waves: \"x\" comes in through the low side along x.", {}, true},
          {"wave",
           {choice(side_waves())},
           "Steady waves of finite height, by the stream function or to Stokes' second order; one solitary wave of any "
@@ -91,7 +91,7 @@ const Table& fluid_wave_table() {
           Value::of("regular")},
          {"height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0.", {}},
          {"depth", {number(dimension::length, positive())}, "Depth of still water at the side.", {}, true},
-         {"period", {number(dimension::time, positive())}, "Of regular waves; of a sea that of its peak.", {}},
+         {"period", {number(dimension::time, positive())}, "Period of regular waves; peak period of a sea.", {}},
          {"absorb", {boolean()}, "Long waves that arrive at the side go out: kd below pi/10.", Value::of(false)},
          {"crest_time",
           {number(dimension::time, non_negative())},
@@ -146,7 +146,7 @@ const Table& fluid_inflow_table() {
          {"low", {vector(dimension::length)}, "A corner.", {}, true},
          {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
          {"towards", {way}, "The way the water goes.", {}, true},
-         {"speed", {number(dimension::velocity, positive())}, "Of the water that enters.", {}, true},
+         {"speed", {number(dimension::velocity, positive())}, "Speed of the water that enters.", {}, true},
          {"ramp", {number(dimension::time, non_negative())}, "Time in which the speed grows from 0.", Value::of(0.0)},
          {"level",
           {number(dimension::length)},

@@ -79,7 +79,7 @@ const Table& slope_table() {
         "before it: by spheres around their parts, so that they touch nowhere yet. The top-level `settle` lets them "
         "come "
         "to rest.",
-        {{"shape", {form::table(shape_table)}, "Of a unit.", {}, true},
+        {{"shape", {form::table(shape_table)}, "Shape of a unit.", {}, true},
          {"from",
           {vector(dimension::length)},
           "Foot of the slope; in space its end at which the layer begins.",
@@ -88,7 +88,7 @@ const Table& slope_table() {
          {"to", {vector(dimension::length)}, "Head of the slope, up from there.", {}, true},
          {"width",
           {number(dimension::length, positive())},
-          "Of the layer along the breakwater, to the left of who looks up the slope; not in planar scenes.",
+          "Width of the layer along the breakwater, to the left when one looks up the slope; not in planar scenes.",
           {}},
          {"layers", {integer(1, 16)}, "Layers of units.", Value::of(2)},
          {"packing_density",
@@ -104,7 +104,10 @@ const Table& slope_table() {
           {form::table(orientation_table)},
           "Turn of the units of the lowest layer, x up the slope, normal to it y in planar scenes, else z.",
           {}},
-         {"upper_orientation", {form::table(orientation_table)}, "Of units of the other layers; as the lowest.", {}},
+         {"upper_orientation",
+          {form::table(orientation_table)},
+          "Orientation of units of the other layers; as the lowest when not given.",
+          {}},
          {"seed", {integer(0, 9e15)}, "Own seed; otherwise from the seed of the case and the name.", {}}}};
     return table;
 }
@@ -164,7 +167,10 @@ const Table& rock_mass_table() {
          {"material", {form::name()}, "Name of the material of all blocks.", {}, true},
          {"region", {form::table(shape_table)}, "A convex shape.", {}, true},
          {"position", {vector(dimension::length)}, "Position of the origin of the region.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "How the region is turned; joints do not turn with it.", {}},
+         {"orientation",
+          {form::table(orientation_table)},
+          "Orientation of the region; joints do not turn with it.",
+          {}},
          {"seed", {integer(0, 9e15)}, "Own seed (persistence); otherwise from the seed of the case and the name.", {}},
          {"minimum_volume",
           {number({3, 0, 0, 0}, non_negative())},

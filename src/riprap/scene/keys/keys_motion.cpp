@@ -106,15 +106,19 @@ const Table& wave_maker_table() {
           {number(dimension::time, non_negative())},
           "Time over which the stroke grows; two periods when not given.",
           {}},
-         {"spectrum", {choice(spectra())}, "Of a sea.", Value::of("jonswap")},
+         {"spectrum", {choice(spectra())}, "Spectrum of a sea.", Value::of("jonswap")},
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
          {"spectrum_file",
           {path()},
-          "Of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and 'period'; "
+          "Spectrum of a sea from a CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and "
+          "'period'; "
           "scaled "
           "to 'height' where that is given.",
           {}},
-         {"seed", {integer(0, 1e15)}, "Of the phases of a sea.", Value::of(std::int64_t{1})},
+         {"seed",
+          {integer(0, 1e15)},
+          "Number that the random phases of a sea follow from.",
+          Value::of(std::int64_t{1})},
          {"second_order",
           {boolean()},
           "A sea goes without free waves of the sums and differences of its frequencies; false: by linear theory.",

@@ -44,7 +44,7 @@ const Table& probe_table() {
           {}},
          {"quantity",
           {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
-          "What is recorded. A list makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is a name.",
+          "Quantity to record. A list makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is a name.",
           {},
           true}}};
     return table;
@@ -96,7 +96,7 @@ const Table& damage_table() {
          {"distance", {number(dimension::length, positive())}, "D_n when not given.", {}},
          {"width",
           {number(dimension::length, positive())},
-          "Of the layer along the breakwater; a planar scene is one strip.",
+          "Width of the layer along the breakwater; a planar scene is one strip.",
           {}}}};
     return table;
 }
@@ -123,7 +123,7 @@ const Table& output_table() {
         keys.push_back({"probe", {table_list(probe_table)}, "Time histories.", Value::array()});
         keys.push_back({"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()});
         keys.push_back({"damage", {table_list(damage_table)}, "Damage of armour layers.", Value::array()});
-        return Table{"output", "[output]", "What is written and watched, and how often.", keys};
+        return Table{"output", "[output]", "Files to write, quantities to watch, and how often.", keys};
     }();
     return table;
 }
@@ -143,7 +143,7 @@ const Table& expect_table() {
           true},
          {"reduce",
           {choice({sim::reduces.begin(), sim::reduces.end()})},
-          "How the column becomes one number. extreme: the lowest or the highest, whichever is farther from zero, "
+          "Reduction of the column to one number. extreme: the lowest or the highest, whichever is farther from zero, "
           "with its sign.",
           Value::of("last")},
          {"from",

@@ -26,7 +26,7 @@ const Table& trace_set_table() {
           Value::of(0.0)},
          {"length",
           {number(dimension::length, positive())},
-          "Of one joint; without it joints run through the whole section.",
+          "Length of one joint; without it joints run through the whole section.",
           {}},
          {"bridge",
           {number(dimension::length, non_negative())},

@@ -60,7 +60,8 @@ const Table& armour_table() {
           {}},
          {"mass",
           {number({0, 1, 0, 0}, positive())},
-          "Of one unit, D_n following from the density of the body, such as \"10 t\"; in planar scenes per metre of "
+          "Mass of one unit, D_n following from the density of the body, such as \"10 t\"; in planar scenes per metre "
+          "of "
           "width. For [[body]] and [[pack]].",
           {}}},
         {{GroupRule::exactly_one, {"nominal_diameter", "mass"}}}};
@@ -112,7 +113,8 @@ const Table& terrain_table() {
          {"resolution", {length}, "Distance of grid points; that of the file when not given.", {}},
          {"thickness",
           {length},
-          "Of the solid below, as far as blocks feel it; a share of it is how deep they may sink in. Twice the "
+          "Thickness of the solid below, as far as blocks feel it; a share of it is how deep they may sink in. Twice "
+          "the "
           "distance of the points when not given.",
           {}}},
         {{GroupRule::exactly_one, {"file", "profile"}}}};
@@ -135,7 +137,8 @@ const Table& mesh_table() {
          {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
          {"thickness",
           {length},
-          "Of the solid behind the triangles, as far as blocks feel it; at most half of what a closed surface has.",
+          "Thickness of the solid behind the triangles, as far as blocks feel it; at most half of what a closed "
+          "surface has.",
           {},
           true}}};
     return table;
@@ -148,8 +151,8 @@ const Table& union_part_table() {
         "One convex part of a rigid union. Parts may touch, in whole faces, but not overlap; together they make one "
         "body.",
         {{"shape", {form::table(shape_table)}, "A convex shape.", {}, true},
-         {"position", {vector(dimension::length)}, "Of the part in the frame of the body.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "Of the part in the frame of the body.", {}}}};
+         {"position", {vector(dimension::length)}, "Position of the part in the frame of the body.", Value::of(Vec3{})},
+         {"orientation", {form::table(orientation_table)}, "Orientation of the part in the frame of the body.", {}}}};
     return table;
 }
 
@@ -167,9 +170,9 @@ const Table& cylinder_table() {
     static const Table table{"shape.cylinder",
                              "shape = { cylinder = { ... } }",
                              "A cylinder along z, about its centre, as a prism with its volume.",
-                             {{"radius", {length}, "Of the circle.", {}, true},
+                             {{"radius", {length}, "Radius of the circle.", {}, true},
                               {"height", {length}, "Along z; half of it to either side.", {}, true},
-                              {"sides", {integer(8, 64)}, "Of the prism.", Value::of(std::int64_t{32})}}};
+                              {"sides", {integer(8, 64)}, "Sides of the prism.", Value::of(std::int64_t{32})}}};
     return table;
 }
 
@@ -262,7 +265,7 @@ const Table& shape_table() {
 const Table& orientation_table() {
     static const Table table{"orientation",
                              "orientation = { ... }",
-                             "How the body is turned from its own axes to those of the world. One way of saying it.",
+                             "Rotation of the body from its own axes to those of the world, in one of these forms.",
                              {{"axis_angle", {form::table(orientation_axis_table)}, "A turn about an axis.", {}},
                               {"angle", {number(dimension::angle)}, "A turn about z; the way of planar scenes.", {}},
                               {"euler",

@@ -13,7 +13,7 @@ namespace riprap::scene {
 
 namespace {
 
-/// How far a body reaches along the axes at a pose.
+/// Extent of a body along the axes at a pose.
 geometry::Range reach_of(const CaseBuild& build, BodyId body, const Pose& pose, int axis) {
     const body::BodySet& bodies = build.model.bodies;
     const auto b = static_cast<std::size_t>(body.value);

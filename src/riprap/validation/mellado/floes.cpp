@@ -66,7 +66,7 @@ double level_at_wall(const WaterTrial& trial, double near) {
     return level;
 }
 
-/// Of the water, by its densities [m^3].
+/// Volume of the water, by its densities [m^3].
 double volume_of(const WaterTrial& trial) {
     double volume = 0;
     for (const double density : trial.state().fluid.density) {

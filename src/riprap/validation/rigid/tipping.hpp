@@ -11,7 +11,7 @@ struct StandingBlock {
     double density;        ///< [kg/m^3]
     double stiffness;      ///< k_n [Pa]
 
-    /// Its foot: a half-space has no field of its own, so K = k_n/r of the block alone.
+    /// Foot of the block: a half-space has no field of its own, so K = k_n/r of the block alone.
     contact::ElasticFoot foot() const;
 };
 

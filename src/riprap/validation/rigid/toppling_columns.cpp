@@ -19,7 +19,7 @@ constexpr int count = 16;
 /// Height of column n = 1 (toe) to 16 [m]; the crest is column 10.
 double height(int n) { return n <= 10 ? 4.0 * n : 40.0 - 6.0 * (n - 10); }
 
-/// Where each column went: the frame is that of the columns, x towards the toe, y up along them.
+/// Path of each column: the frame is that of the columns, x towards the toe, y up along them.
 struct Columns {
     double late_motion{0};  ///< largest displacement of a column in the last 5 s [m]
     std::array<double, count + 1> turn{},

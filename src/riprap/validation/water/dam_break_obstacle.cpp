@@ -14,7 +14,7 @@ namespace riprap::validation::water {
 
 namespace {
 
-/// Of a gauge on the face towards the water.
+/// Impact at a gauge on the face towards the water.
 struct Impact {
     const char* gauge;
     double arrival;  ///< first above 500 Pa [s]

@@ -11,7 +11,7 @@
 
 namespace riprap::validation::water {
 
-/// What a trial has beside its State: the rows so far and what they took.
+/// Content of a trial beside its State: the rows so far and the time that they took.
 struct TrialRecord {
     std::vector<double> time;      ///< of every row [s]
     std::vector<double> values;    ///< by row, then column

@@ -44,7 +44,7 @@ constexpr std::array<Simulated, 4> simulated{{{"pressure_3mm", "3 mm", 4.011},
                                               {"pressure_15mm", "15 mm", 3.562},
                                               {"pressure_30mm", "30 mm", 2.933},
                                               {"pressure_80mm", "80 mm", 1.158}}};
-/// Its pressure 15 mm above the floor, for the picture: t sqrt(g/H) and means of p/(rho g H) over 0.1.
+/// Pressure on the wall 15 mm above the floor, for the picture: t sqrt(g/H) and means of p/(rho g H) over 0.1.
 constexpr std::array<std::array<double, 2>, 19> simulated_curve{{{2.5, 1.651},
                                                                  {2.6, 1.754},
                                                                  {2.7, 1.650},

@@ -46,7 +46,7 @@ class WaterTrial {
     const std::vector<double>& time() const { return time_; }
     /// A column of probes.csv by its name, one value for every time. @throws std::runtime_error where there is none
     const std::vector<double>& column(const std::string& name) const;
-    /// Its mean over start <= t <= end.
+    /// Returns the mean of a column over start <= t <= end.
     double mean(const std::string& name, double start, double end) const;
     /// The moment at which it first reaches `level` from below, between rows by the straight line; NaN if never [s].
     double first_reach(const std::string& name, double level) const;
@@ -111,7 +111,7 @@ struct Crest {
 /// its ends.
 Crest crest_of(std::span<const double> time, std::span<const double> level,
                double until = std::numeric_limits<double>::infinity());
-/// Where y crosses `level`, upwards and downwards, between points by the straight line.
+/// Returns where y crosses `level`, upwards and downwards, between points by the straight line.
 std::vector<double> crossings(std::span<const double> x, std::span<const double> y, double level);
 
 }  // namespace riprap::validation::water

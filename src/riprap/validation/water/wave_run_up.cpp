@@ -22,7 +22,7 @@ constexpr double depth = 0.4, period = 1.6, toe = 3.5, gravity = 9.81;  ///< of 
 constexpr int periods = 3;                                              ///< at the end, that are looked at
 constexpr std::array<double, 3> places{1.3, 1.7, 2.3};                  ///< of the level gauges [m]
 
-/// Where the line of the run-up gauge begins: a spacing above the slope and 0.2 m above the bed, both [m].
+/// Beginning of the line of the run-up gauge: a spacing above the slope and 0.2 m above the bed, both [m].
 struct GaugeLine {
     double x, y, along_x, along_y;  ///< along: unit vector up the slope
 };
