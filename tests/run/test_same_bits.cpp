@@ -15,7 +15,7 @@
 namespace riprap::run {
 namespace {
 
-/// RIPRAP_FULL: the scenes of the issue at their full size, 1000 steps each.
+/// RIPRAP_FULL: the scenes at their full size, 1000 steps each.
 bool is_full() { return std::getenv("RIPRAP_FULL") != nullptr; }
 
 /// A tray of five half-spaces and what lies in it.

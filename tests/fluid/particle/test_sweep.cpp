@@ -78,7 +78,7 @@ Sample in_order(Sample s) {
     return s;
 }
 
-// 1e-6 of the largest is what the issue asks for; it is about ten roundings of a float.
+// 1e-6 of the largest is about ten roundings of a float.
 void expect_close(const Rates& fast, const Rates& plain, const std::string& what) {
     const Difference difference = compare(fast, plain);
     EXPECT_LT(difference.density, 1e-6) << what;
