@@ -168,12 +168,12 @@ void compare_with_rigid(int threads, std::vector<Result>& results) {
     for (const auto& [name, word] : {std::pair{"distance_potential", "contact = \"distance_potential\""},
                                      std::pair{"common_plane", "contact = \"common_plane_penalty\""}}) {
         WallCase rigid("distance_potential_dem", word);
-        const std::int64_t points = blocks.step().contact_count, rigid_contacts = rigid.step().contact_count;
+        const std::int64_t pairs = blocks.step().contact_count, rigid_pairs = rigid.step().contact_count;
         const Timing ratio = compare_calls([&] { blocks.step(); }, [&] { rigid.step(); }, 15);
         results.push_back({fmt::format("dda.explicit.over_rigid.{}", name), threads, ratio.median, "-",
-                           fmt::format("a step of 1000 cubes, {} contact points, over one of rigid polyhedra, {} "
-                                       "contacts, in turn; {}",
-                                       points, rigid_contacts, spread(ratio))});
+                           fmt::format("a step of 1000 cubes, {} touching pairs, over one of rigid polyhedra, {} "
+                                       "touching pairs, in turn; {}",
+                                       pairs, rigid_pairs, spread(ratio))});
     }
 }
 
