@@ -25,15 +25,15 @@ inline ParticleSettings& base_of(SchemeSettings& settings) {
     return std::visit([](auto& own) -> ParticleSettings& { return own; }, settings);
 }
 
-/// Tells whether water of this scheme may enter and leave, and press in joints between faces.
+/// Tells whether water of this scheme may enter and leave.
 inline bool takes_openings(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_openings(); }, settings);
 }
-/// Whether the scheme reads BoundaryParticles::outward_area.
+/// Tells whether the scheme reads BoundaryParticles::outward_area.
 inline bool takes_outward_area(const SchemeSettings& settings) {
-    const auto* own = std::get_if<WcmpsSettings>(&settings);
-    return own != nullptr && own->wall_loads == WallLoads::pressure_area;
+    return std::visit([](const auto& own) { return own.takes_outward_area(); }, settings);
 }
+/// Tells whether water of this scheme presses in joints between faces.
 inline bool takes_joints(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_joints(); }, settings);
 }

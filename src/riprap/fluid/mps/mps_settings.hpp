@@ -45,9 +45,6 @@ struct MpsSettings : ParticleSettings {
     int max_iterations{1000};  ///< of its solver
     bool is_plain{false};      ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
-    bool takes_openings() const { return false; }
-    bool takes_joints() const { return false; }
-
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     double expected_speed() const { return 0.1 * sound_speed; }   ///< [m/s]
     MpsWeight weight() const { return {support_radius(), spacing}; }

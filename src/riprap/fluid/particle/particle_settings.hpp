@@ -29,6 +29,11 @@ struct ParticleSettings {
 
     double smoothing_length() const { return smoothing_ratio * spacing; }
     double support_radius() const { return 2 * smoothing_length(); }
+
+    // A scheme that can do more says so by a member of its own:
+    bool takes_openings() const { return false; }      ///< water may enter and leave
+    bool takes_joints() const { return false; }        ///< water presses in joints between faces
+    bool takes_outward_area() const { return false; }  ///< the scheme reads BoundaryParticles::outward_area
 };
 
 }  // namespace riprap::fluid

@@ -38,8 +38,8 @@ struct WcmpsSettings : ParticleSettings {
     WallLoads wall_loads{WallLoads::pair_sum};
     bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
-    bool takes_openings() const { return false; }
     bool takes_joints() const { return true; }
+    bool takes_outward_area() const { return wall_loads == WallLoads::pressure_area; }
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     MpsWeight weight() const { return {support_radius(), spacing}; }

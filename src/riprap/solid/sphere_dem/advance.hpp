@@ -20,7 +20,7 @@ struct StepTimes {
 struct SphereReport {
     KickReport kick;       ///< motion and outside loads, at the kick
     ContactSums contacts;  ///< energies at the mid-step poses
-    std::int64_t contact_count{0};
+    std::int64_t contact_count{0};  ///< of spheres, several a pair of bodies
     bool has_searched{false};  ///< candidate pairs were searched afresh
     std::string problem;       ///< empty = the step stands
 };
