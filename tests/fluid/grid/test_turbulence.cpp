@@ -117,12 +117,12 @@ TEST(Turbulence, of_the_stable_kind_is_bounded_under_strain) {
     const double shear = 1000;
     fast.flow(0, [&](int, int j) { return shear * j / 8.0; });
     find_eddy_viscosity(fast.settings, fast.state, fast.scratch);
-    EXPECT_NEAR(fast.scratch.eddy_viscosity[fast.cell(4, 4)], 0.6 / (std::sqrt(3.0) * shear), 1e-6);
+    EXPECT_NEAR(fast.scratch.stress.eddy_viscosity[fast.cell(4, 4)], 0.6 / (std::sqrt(3.0) * shear), 1e-6);
     const double ratio = std::sqrt(30.0), along = 1e-3, across = along * (ratio - 1) / (ratio + 1);
     wave.flow(0, [&](int, int j) { return along * j / 8.0; });
     wave.flow(1, [&](int i, int) { return across * i / 8.0; });
     find_eddy_viscosity(wave.settings, wave.state, wave.scratch);
-    EXPECT_NEAR(wave.scratch.eddy_viscosity[wave.cell(4, 4)], 0.09 / 2, 1e-4);
+    EXPECT_NEAR(wave.scratch.stress.eddy_viscosity[wave.cell(4, 4)], 0.09 / 2, 1e-4);
 }
 
 TEST(Turbulence, of_a_stream_through_stones_grows_as_the_stones_say) {
