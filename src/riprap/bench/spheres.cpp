@@ -16,10 +16,10 @@ namespace {
 using solid::sphere_dem::SphereWorld;
 
 /// Bytes that a step has to move per sphere: pose, velocity and momentum read and written twice (224 B a time), its
-/// record (96 B written, read once), loads (96 B); per contact keys, spring and row (8 + 4 + 64 + 48 + 96 B); per
-/// candidate its two numbers (8 B).
+/// record (96 B written, read once), loads and their rows (96 + 64 B); per contact key, spring and rows of its ends (8
+/// + 2 x 32 + 8 B), a record (96 B) and two rows (2 x 64 B); per candidate its two numbers (8 B).
 double bytes_per_step(double spheres, double contacts, double candidates) {
-    return spheres * (2 * 224 + 2 * 96 + 96) + contacts * 220 + candidates * 8;
+    return spheres * (2 * 224 + 2 * 96 + 96 + 64) + contacts * 304 + candidates * 8;
 }
 
 void step(SphereWorld& world, int count) {

@@ -53,12 +53,17 @@ const std::vector<Vec3>& settled_places() {
         }
         world.settings.mass_damping = 4;
         world.build();
-        while (world.time < 0.45) {
-            const auto report = world.step(sphere_bed_dt);
-            if (!report.problem.empty()) {
-                throw InternalError("the bed of spheres: " + report.problem);
+        const auto run_to = [&](double end) {
+            while (world.time < end) {
+                const auto report = world.step(sphere_bed_dt);
+                if (!report.problem.empty()) {
+                    throw InternalError("the bed of spheres: " + report.problem);
+                }
             }
-        }
+        };
+        run_to(0.45);
+        world.settings.mass_damping = 0;
+        run_to(0.55);
         return std::vector<Vec3>(world.state.position.begin() + 5, world.state.position.end());
     }();
     return places;

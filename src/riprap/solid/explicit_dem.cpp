@@ -67,6 +67,8 @@ static_assert(kick_terms == 7 + 8 * 3);
 /// Sums over bodies in their order.
 struct KickSums {
     std::array<double, kick_terms> sum{};
+    std::array<Eight, kick_terms> wide{};  ///< of bodies that came eight at a time, lane by lane
+    Eight fastest{};                       ///< of them
     double max_speed{0};
     std::int64_t worst_body{-1};
 
@@ -77,13 +79,21 @@ struct KickSums {
         }
     }
     void add(const KickTerms<Eight>& terms) {
-        const auto numbers = std::bit_cast<std::array<std::array<double, lanes>, kick_terms>>(terms);
+        const auto numbers = std::bit_cast<std::array<Eight, kick_terms>>(terms);
         for (std::size_t k = 0; k < kick_terms; ++k) {
-            double total = sum[k];
-            for (const double number : numbers[k]) {
-                total += number;
+            wide[k] += numbers[k];
+        }
+    }
+    /// Adds the lanes to the sums, in their order.
+    void fold() {
+        for (std::size_t k = 0; k < kick_terms; ++k) {
+            for (std::int64_t lane = 0; lane < lanes; ++lane) {
+                sum[k] += wide[k][lane];
             }
-            sum[k] = total;
+            wide[k] = Eight(0.0);
+        }
+        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+            max_speed = std::max(max_speed, fastest[lane]);
         }
     }
     void add_speed(std::int64_t body, double speed, bool is_sane) {
@@ -278,9 +288,12 @@ struct Kick {
         store_vectors(body.velocity, &state.velocity[i]);
         store_vectors(body.angular_momentum, &state.angular_momentum[i]);
         const Vec3x8& x = body.position;
-        alignas(64) double speed[lanes], rest[lanes];
-        speed_of(body).store(speed);
-        ((x.x - x.x) + (x.y - x.y) + (x.z - x.z)).store(rest);  // 0 where the position is finite
+        const Eight speed = speed_of(body), rest = (x.x - x.x) + (x.y - x.y) + (x.z - x.z);  // 0 where x is finite
+        const auto are_sane = (speed <= Eight(settings.max_speed)) & (rest == Eight(0.0));
+        if (bits_below(select(are_sane, Eight(0.0), Eight(1.0)), Eight(0.5)) == 0xFF) {
+            sums.fastest = max(sums.fastest, speed);
+            return;
+        }
         for (std::int64_t lane = 0; lane < lanes; ++lane) {
             sums.add_speed(first + lane, speed[lane], speed[lane] <= settings.max_speed && rest[lane] == 0);
         }
@@ -307,6 +320,7 @@ KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const 
                 kick.one(i++, sums);
             }
         }
+        sums.fold();
         blocks[at(begin / kick_block)] = sums;
     });
     KickSums total;

@@ -56,14 +56,12 @@ inline __m512d high_pairs(__m512d x, __m512d y) {
 }  // namespace detail
 #endif
 
-/// Numbers base[row * Stride] to base[row * Stride + 3] of eight rows: a transposition in registers.
-template <int Stride>
-inline FourByEight load_four(const double* base, const RowIndex& index) {
+/// Four numbers at each of eight places: a transposition in registers.
+inline FourByEight load_four(const double* const (&at)[8]) {
     FourByEight out;
 #if defined(__AVX512F__)
-    const auto at_row = [&](int k) { return base + static_cast<std::int64_t>(index.row[k]) * Stride; };
-    const __m512d r04 = detail::two_rows(at_row(0), at_row(4)), r15 = detail::two_rows(at_row(1), at_row(5)),
-                  r26 = detail::two_rows(at_row(2), at_row(6)), r37 = detail::two_rows(at_row(3), at_row(7));
+    const __m512d r04 = detail::two_rows(at[0], at[4]), r15 = detail::two_rows(at[1], at[5]),
+                  r26 = detail::two_rows(at[2], at[6]), r37 = detail::two_rows(at[3], at[7]);
     const __m512d even01 = _mm512_maskz_unpacklo_pd(0xFF, r04, r15), odd01 = _mm512_maskz_unpackhi_pd(0xFF, r04, r15);
     const __m512d even23 = _mm512_maskz_unpacklo_pd(0xFF, r26, r37), odd23 = _mm512_maskz_unpackhi_pd(0xFF, r26, r37);
     out.a.part[0] = detail::low_pairs(even01, even23);
@@ -71,10 +69,23 @@ inline FourByEight load_four(const double* base, const RowIndex& index) {
     out.c.part[0] = detail::high_pairs(even01, even23);
     out.d.part[0] = detail::high_pairs(odd01, odd23);
 #else
-    out = {gather<Stride>(base, index), gather<Stride>(base + 1, index), gather<Stride>(base + 2, index),
-           gather<Stride>(base + 3, index)};
+    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        out.a.set(lane, at[lane][0]);
+        out.b.set(lane, at[lane][1]);
+        out.c.set(lane, at[lane][2]);
+        out.d.set(lane, at[lane][3]);
+    }
 #endif
     return out;
+}
+/// Numbers base[row * Stride] to base[row * Stride + 3] of eight rows.
+template <int Stride>
+inline FourByEight load_four(const double* base, const RowIndex& index) {
+    const double* at[8];
+    for (int k = 0; k < 8; ++k) {
+        at[k] = base + static_cast<std::int64_t>(index.row[k]) * Stride;
+    }
+    return load_four(at);
 }
 
 /// Writes four numbers a row at to[k], k < count.
@@ -98,6 +109,49 @@ inline void store_four(const FourByEight& from, double* const* to, std::int64_t 
         __builtin_memcpy(to[k], row, 32);
     }
     static_cast<void>(rows);
+#endif
+}
+
+/// Adds six numbers a row to those at to[k], k < count, one row after the other; rows have eight numbers and begin at
+/// multiples of 64 bytes.
+inline void add_six(const Vec3x8& front, const Vec3x8& back, double* const* to, std::int64_t count) {
+#if defined(__AVX512F__)
+    const auto low = [](__m512d x, __m512d y) { return _mm512_maskz_unpacklo_pd(0xFF, x, y); };
+    const auto high = [](__m512d x, __m512d y) { return _mm512_maskz_unpackhi_pd(0xFF, x, y); };
+    const auto even = [](__m512d x, __m512d y) { return _mm512_maskz_shuffle_f64x2(0xFF, x, y, 0x88); };
+    const auto odd = [](__m512d x, __m512d y) { return _mm512_maskz_shuffle_f64x2(0xFF, x, y, 0xDD); };
+    const __m512d zero = _mm512_setzero_pd();
+    __m512d rows[lanes];
+    const auto four_rows = [&](__m512d ab, __m512d cd, __m512d ef, int first) {
+        const __m512d abcd04 = even(ab, cd), abcd26 = odd(ab, cd), ef04 = even(ef, zero), ef26 = odd(ef, zero);
+        rows[first] = even(abcd04, ef04);
+        rows[first + 2] = even(abcd26, ef26);
+        rows[first + 4] = odd(abcd04, ef04);
+        rows[first + 6] = odd(abcd26, ef26);
+    };
+    const __m512d a = front.x.part[0], b = front.y.part[0], c = front.z.part[0], d = back.x.part[0], e = back.y.part[0],
+                  f = back.z.part[0];
+    four_rows(low(a, b), low(c, d), low(e, f), 0);
+    four_rows(high(a, b), high(c, d), high(e, f), 1);
+    const auto add = [&](std::int64_t k) {
+        _mm512_store_pd(to[k], _mm512_maskz_add_pd(0xFF, _mm512_load_pd(to[k]), rows[k]));
+    };
+    if (count == lanes) {
+        for (std::int64_t k = 0; k < lanes; ++k) {
+            add(k);
+        }
+    } else {
+        for (std::int64_t k = 0; k < count; ++k) {
+            add(k);
+        }
+    }
+#else
+    for (std::int64_t k = 0; k < count; ++k) {
+        const double row[6] = {front.x[k], front.y[k], front.z[k], back.x[k], back.y[k], back.z[k]};
+        for (int n = 0; n < 6; ++n) {
+            to[k][n] += row[n];
+        }
+    }
 #endif
 }
 

@@ -30,6 +30,11 @@ template <std::size_t N>
 inline Wide<double, N> larger(Wide<double, N> a, Wide<double, N> b) {
     return max(a, b);
 }
+inline bool is_any_above(double a, double b) { return a > b; }
+template <std::size_t N>
+inline bool is_any_above(Wide<double, N> a, Wide<double, N> b) {
+    return bits_below(b, a) != 0;
+}
 template <std::size_t N>
 inline Wide<double, N> smaller(Wide<double, N> a, Wide<double, N> b) {
     return min(a, b);
@@ -95,33 +100,42 @@ template <class T>
 inline TangentialResponse<T> advance_spring(TangentialSpring<T>& spring, const Vec3T<T>& sliding, T stiffness,
                                             T damping, T normal_force, const Friction<T>& friction, T dt) {
     using std::sqrt;
-    const T zero(0.0), one(1.0), tiny(1e-300);
+    const T zero(0.0), one(1.0), half(0.5), tiny(1e-300);
     const T old_stiffness = larger(spring.stiffness, -spring.stiffness);
     const auto is_old = old_stiffness > zero;
     const auto has_spring = stiffness > zero;
-    const T relief = choose(both(is_old, old_stiffness > stiffness), stiffness / larger(old_stiffness, tiny), one);
-    const T old_energy = choose(is_old, dot(spring.force, spring.force) / (T(2.0) * larger(old_stiffness, tiny)), zero);
+    const T old_compliance = choose(is_old, one / larger(old_stiffness, tiny), zero);
+    const T compliance = choose(has_spring, one / larger(stiffness, tiny), zero);
+    const T relief = choose(both(is_old, old_stiffness > stiffness), stiffness * old_compliance, one);
+    const T old_energy = half * old_compliance * dot(spring.force, spring.force);
     const Vec3T<T> old_force = spring.force * relief;
     const Vec3T<T> trial = old_force - sliding * (stiffness * dt);
 
-    const T trial_size = sqrt(dot(trial, trial));
+    // Sizes are compared by their squares: where all contacts stick, nobody waits for a root and a quotient.
+    const T trial_square = dot(trial, trial);
     const T limit_kinetic = friction.in_motion * normal_force;
     const T limit = choose(spring.stiffness < zero, limit_kinetic, friction.at_rest * normal_force);
-    const auto is_sliding = trial_size > limit;
-    const T share = choose(is_sliding, limit_kinetic / larger(trial_size, tiny), one);
-    spring.force = trial * choose(has_spring, share, zero);
+    const T limit_square = limit * limit;
+    const auto is_sliding = trial_square > limit_square;
+    const bool slides = is_any_above(trial_square, limit_square);
+    T share = choose(has_spring, one, zero);
+    if (slides) {
+        share = share * choose(is_sliding, limit_kinetic / larger(sqrt(trial_square), tiny), one);
+    }
+    spring.force = trial * share;
     spring.stiffness = choose(is_sliding, -stiffness, stiffness);
 
     TangentialResponse<T> response;
-    response.energy = choose(has_spring, dot(spring.force, spring.force) / (T(2.0) * larger(stiffness, tiny)), zero);
-    response.friction_loss = old_energy - T(0.5) * dt * dot(old_force + spring.force, sliding) - response.energy;
+    response.energy = half * compliance * dot(spring.force, spring.force);
+    response.friction_loss = old_energy - half * dt * dot(old_force + spring.force, sliding) - response.energy;
 
-    const Vec3T<T> damping_force = sliding * -choose(is_sliding, zero, damping);
-    const Vec3T<T> total = spring.force + damping_force;
-    const T total_size = sqrt(dot(total, total));
-    const T cut = choose(both(total_size > limit, total_size > zero), limit / larger(total_size, tiny), one);
-    const T keep = choose(is_sliding, one, cut);
-    response.force = total * keep;
+    const Vec3T<T> total = spring.force - sliding * choose(is_sliding, zero, damping);
+    const T total_square = dot(total, total);
+    response.force = total;
+    if (slides || is_any_above(total_square, limit_square)) {
+        const T cut = choose(total_square > limit_square, limit / larger(sqrt(total_square), tiny), one);
+        response.force = total * choose(is_sliding, one, cut);
+    }
     response.dashpot_power = -dot(response.force - spring.force, sliding);
     return response;
 }

@@ -18,11 +18,11 @@ struct StepTimes {
 
 /// Books of one step.
 struct SphereReport {
-    KickReport kick;       ///< motion and outside loads, at the kick
-    ContactSums contacts;  ///< energies at the mid-step poses
+    KickReport kick;                ///< motion and outside loads, at the kick
+    ContactSums contacts;           ///< energies at the mid-step poses
     std::int64_t contact_count{0};  ///< of spheres, several a pair of bodies
-    bool has_searched{false};  ///< candidate pairs were searched afresh
-    std::string problem;       ///< empty = the step stands
+    bool has_searched{false};       ///< candidate pairs were searched afresh
+    std::string problem;            ///< empty = the step stands
 };
 
 /// One step: drift half, contacts at the mid-step poses, kick, drift half (docs/theory/motion.md). `external` holds

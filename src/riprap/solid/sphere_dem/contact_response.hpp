@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "riprap/contact/law/hertz.hpp"
 #include "riprap/contact/law/linear_spring.hpp"
 #include "riprap/contact/law/mindlin.hpp"
@@ -13,11 +15,15 @@ namespace riprap::solid::sphere_dem {
 template <class T>
 struct SurfacePair {
     T modulus, shear_modulus, ratio, static_friction, kinetic_friction, rolling_friction, normal_stiffness, shear_ratio;
+    T shear_damping;  ///< c_t/c_n of dashpots of one ratio, sqrt(k_t/k_n) [-]
 };
 
-inline SurfacePair<double> surface_pair(const contact::ContactPair& p) {
-    return {p.modulus,          p.shear_modulus,    p.ratio,      p.static_friction, p.kinetic_friction,
-            p.rolling_friction, p.normal_stiffness, p.shear_ratio};
+inline SurfacePair<double> surface_pair(const contact::ContactPair& p, contact::NormalLaw law) {
+    const bool is_hertz = law == contact::NormalLaw::hertz;
+    return {
+        p.modulus,          p.shear_modulus,    p.ratio,
+        p.static_friction,  p.kinetic_friction, p.rolling_friction,
+        p.normal_stiffness, p.shear_ratio,      std::sqrt(is_hertz ? 4 * p.shear_modulus / p.modulus : p.shear_ratio)};
 }
 
 /// Geometry and motion of one contact or of eight.
@@ -29,6 +35,7 @@ struct ContactMotion {
     T mean_turn;                  ///< (omega_a + omega_b).n dt/2 [rad]
     T overlap;                    ///< >= 0 [m]
     T radius, mass;               ///< R*, m* [m], [kg]
+    T inverse_mass;               ///< 1/m* [1/kg]
     T weight;                     ///< by which its springs count among those of its pair of bodies [-]
     T damping_weight;             ///< the same of its dashpots [-]
     T count;                      ///< of equal contacts of the pair of bodies [-]
@@ -43,15 +50,28 @@ struct ContactResponse {
     T elastic, friction_loss, damping_loss, rolling_loss;  ///< [J]
 };
 
-/// Normal force, tangential force and rolling couple by the laws of `settings`; springs are advanced. Stiffnesses count
+/// Laws of a contact besides friction, as the settings choose them.
+struct ChosenLaws {
+    const SphereSettings& settings;
+    bool is_hertz() const { return settings.normal == contact::NormalLaw::hertz; }
+    contact::RollingLaw rolling() const { return settings.rolling; }
+};
+/// The defaults, known to the compiler: Hertz without resistance to rolling.
+struct DefaultLaws {
+    const SphereSettings& settings;
+    static constexpr bool is_hertz() { return true; }
+    static constexpr contact::RollingLaw rolling() { return contact::RollingLaw::none; }
+};
+
+/// Normal force, tangential force and rolling couple by the laws of `laws`; springs are advanced. Stiffnesses count
 /// by `weight`, dashpots by `damping_weight`.
 /// @param friction  the law that settings.tangential chooses
-template <class T, class Law>
-[[gnu::always_inline]] inline ContactResponse<T> respond_to(const SphereSettings& settings, const Law& friction,
+template <class T, class Laws, class Law>
+[[gnu::always_inline]] inline ContactResponse<T> respond_to(const Laws& laws, const Law& friction,
                                                             const SurfacePair<T>& pair, const ContactMotion<T>& motion,
                                                             contact::TangentialSpring<T>& spring,
                                                             Vec3T<T>& rolling_couple) {
-    const bool is_hertz = settings.normal == contact::NormalLaw::hertz;
+    const bool is_hertz = laws.is_hertz();
     const contact::NormalResponse<T> normal =
         is_hertz ? contact::hertz<T>({pair.modulus, motion.radius, motion.mass, pair.ratio}, motion.overlap)
                  : contact::linear_spring<T>(pair.normal_stiffness, motion.mass, pair.ratio, motion.overlap);
@@ -61,16 +81,14 @@ template <class T, class Law>
     const T elastic = normal.elastic * motion.weight, damping = normal.damping * motion.damping_weight;
     // The dashpot acts on the speed that it leaves in the middle of the kick, v - F_d dt/(2 m*), F_d of all contacts of
     // the pair of bodies. Elastic forces are left out: at rest others balance them.
-    const T half = T(0.5) * motion.dt * motion.count / motion.mass;
+    const T half = T(0.5) * motion.dt * motion.count * motion.inverse_mass;
     const T middle = closing / (T(1.0) + half * damping);
     T total = elastic + damping * middle;
-    if (!settings.allows_pull) {
+    if (!laws.settings.allows_pull) {
         total = contact::larger(total, zero);
     }
     const T dashpot = total - elastic, pressing = contact::larger(total, zero);
 
-    // A tangential dashpot of the normal one's ratio: c_t/c_n = sqrt(k_t/k_n), which is one number per pair.
-    using std::sqrt;
     const contact::TangentialResponse<T> shear = friction.template respond<T>(
         {.normal = motion.normal,
          .old_normal = motion.old_normal,
@@ -79,7 +97,7 @@ template <class T, class Law>
          .normal_stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness,
          .shear_stiffness =
              is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness,
-         .shear_damping = is_hertz ? sqrt(T(4.0) * pair.shear_modulus / pair.modulus) : sqrt(pair.shear_ratio),
+         .shear_damping = pair.shear_damping,
          .damping = damping,
          .weight = motion.weight,
          .normal_force = pressing,
@@ -93,10 +111,10 @@ template <class T, class Law>
     out.friction_loss = shear.friction_loss;
     out.damping_loss = motion.dt * (dashpot * middle + shear.dashpot_power);
     out.rolling_loss = zero;
-    if (settings.rolling != contact::RollingLaw::none) {
+    if (laws.rolling() != contact::RollingLaw::none) {
         const Vec3T<T> rolling = motion.spin - motion.normal * dot(motion.spin, motion.normal);
         contact::RollingResponse<T> roll;
-        if (settings.rolling == contact::RollingLaw::constant) {
+        if (laws.rolling() == contact::RollingLaw::constant) {
             roll = contact::rolling_constant<T>(rolling, pair.rolling_friction, motion.radius, pressing, motion.dt);
         } else {
             const T secant = normal.elastic / contact::larger(motion.overlap, T(1e-300)) * motion.weight;

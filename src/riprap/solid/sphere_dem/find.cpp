@@ -20,20 +20,59 @@ std::uint64_t key_of(const Slots& slots, std::size_t slot) {
     return static_cast<std::uint64_t>(slots.a[slot]) << 32 | static_cast<std::uint64_t>(slots.b[slot]);
 }
 
-/// Lists the slots in which a sphere is B.
-void link_incoming(std::size_t sphere_count, Slots& slots) {
-    slots.incoming_begin.assign(sphere_count + 1, 0);
-    const auto count = at(slots.count);
-    for (std::size_t s = 0; s < count; ++s) {
-        ++slots.incoming_begin[at(slots.b[s]) + 1];
+/// Gives the ends of every slot their rows.
+/// @param elsewhere  takes the spheres that blocks have met elsewhere, block after block: the rows behind their own
+void place_ends(std::int32_t sphere_count, Slots& slots, LoadRows& rows, std::vector<std::int32_t>& elsewhere) {
+    constexpr std::uint32_t none = ~0U;
+    std::vector<std::uint32_t> row_of(at(sphere_count), none);  // of spheres that the block has met elsewhere
+    rows.first_row.assign(1, 0);
+    slots.ends.resize(at(slots.count));
+    std::size_t s = 0;
+    std::uint32_t next = 0;
+    for (std::int32_t begin = 0; begin < sphere_count; begin += LoadRows::block_spheres) {
+        const std::int32_t end = std::min(begin + LoadRows::block_spheres, sphere_count);
+        const std::uint32_t own = next;
+        const std::size_t first = elsewhere.size();
+        next += static_cast<std::uint32_t>(end - begin);
+        for (; s < slots.ends.size() && slots.a[s] < end; ++s) {
+            const std::int32_t b = slots.b[s];
+            if (b >= end && row_of[at(b)] == none) {
+                row_of[at(b)] = next++;
+                elsewhere.push_back(b);
+            }
+            slots.ends[s] = {own + static_cast<std::uint32_t>(slots.a[s] - begin),
+                             b < end ? own + static_cast<std::uint32_t>(b - begin) : row_of[at(b)]};
+        }
+        for (std::size_t k = first; k < elsewhere.size(); ++k) {
+            row_of[at(elsewhere[k])] = none;
+        }
+        rows.first_row.push_back(next);
     }
-    for (std::size_t i = 0; i < sphere_count; ++i) {
-        slots.incoming_begin[i + 1] += slots.incoming_begin[i];
+    rows.rows.resize(next);
+}
+
+/// Lists by sphere the rows that other blocks have of it.
+void list_merges(std::int32_t sphere_count, const std::vector<std::int32_t>& elsewhere, LoadRows& rows) {
+    std::vector<std::uint32_t> begin(at(sphere_count) + 1, 0);
+    for (const std::int32_t sphere : elsewhere) {
+        ++begin[at(sphere) + 1];
     }
-    slots.incoming.resize(count);
-    std::vector<std::uint32_t> next(slots.incoming_begin.begin(), slots.incoming_begin.end() - 1);
-    for (std::size_t s = 0; s < count; ++s) {
-        slots.incoming[next[at(slots.b[s])]++] = static_cast<std::uint32_t>(s);
+    for (std::size_t i = 0; i < at(sphere_count); ++i) {
+        begin[i + 1] += begin[i];
+    }
+    rows.merge_begin.clear();
+    for (std::int32_t first = 0; first < sphere_count; first += LoadRows::block_spheres) {
+        rows.merge_begin.push_back(begin[at(first)]);
+    }
+    rows.merge_begin.push_back(begin.back());
+    rows.merges.resize(elsewhere.size());
+    std::size_t k = 0;
+    for (std::int64_t block = 0; block < rows.block_count(); ++block) {
+        const auto own = static_cast<std::uint32_t>(
+            std::min<std::int64_t>(LoadRows::block_spheres, sphere_count - block * LoadRows::block_spheres));
+        for (std::uint32_t row = rows.first_row[at(block)] + own; row < rows.first_row[at(block) + 1]; ++row, ++k) {
+            rows.merges[begin[at(elsewhere[k])]++] = {row, rows.own_row(elsewhere[k])};
+        }
     }
 }
 
@@ -43,28 +82,26 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
     const std::int32_t spheres = model.spheres.size();
     slots.a.clear();
     slots.b.clear();
-    slots.begin.assign(at(spheres) + 1, 0);
     scratch.wall_pairs.clear();
     for (const contact::PartPair pair : scratch.pairs.pairs()) {
         if (pair.b < spheres) {
             slots.a.push_back(pair.a);
             slots.b.push_back(pair.b);
-            ++slots.begin[at(pair.a) + 1];
         } else if (pair.a < spheres && scratch.placed.radius[at(pair.b)] > 0) {
             scratch.wall_pairs.push_back({pair.a, pair.b - spheres});
         }
     }
-    for (std::size_t i = 0; i < at(spheres); ++i) {
-        slots.begin[i + 1] += slots.begin[i];
-    }
     slots.count = static_cast<std::int64_t>(slots.a.size());
-    link_incoming(at(spheres), slots);
+    std::vector<std::int32_t> elsewhere;
+    place_ends(spheres, slots, scratch.load_rows, elsewhere);
+    list_merges(spheres, elsewhere, scratch.load_rows);
     if (slots.count > 0) {
         slots.a.resize(at(8 * slots.group_count()), slots.a.back());
         slots.b.resize(at(8 * slots.group_count()), slots.b.back());
     }
     slots.touching.assign(at(slots.group_count()), 0);
-    slots.load.assign(at(slots.count) + 1, {});  // gather_loads reads two numbers beyond the last
+    slots.found.assign(at(slots.group_count()), 0);
+    slots.is_fresh = true;
 }
 
 /// One bit per slot of a group whose spheres overlap.
@@ -84,24 +121,20 @@ bool look(SphereScratch& scratch) {
     Slots& slots = scratch.slots;
     const std::int64_t groups = slots.group_count();
     const std::int64_t chunks = (groups + chunk_groups - 1) / chunk_groups;
-    scratch.chunk_count.assign(at(chunks) + 1, 0);
-    std::vector<std::uint8_t> has_changed(at(chunks), 0);
+    scratch.count.assign(at(chunks) + 1, 0);
+    scratch.has_changed.assign(at(chunks), 0);
     parallel::for_ranges(groups, chunk_groups, [&](std::int64_t begin, std::int64_t end) {
         std::uint32_t count = 0, changed = 0;
         for (std::int64_t g = begin; g < end; ++g) {
             const std::uint32_t bits = touching_bits(scratch.placed, slots, g);
-            const std::uint32_t ended = slots.touching[at(g)] & ~bits;
             changed |= slots.touching[at(g)] ^ bits;
-            for (std::uint32_t left = ended; left != 0; left &= left - 1) {
-                slots.load[at(8 * g + std::countr_zero(left))] = {};
-            }
-            slots.touching[at(g)] = static_cast<std::uint8_t>(bits);
+            slots.found[at(g)] = static_cast<std::uint8_t>(bits);
             count += static_cast<std::uint32_t>(std::popcount(bits));
         }
-        scratch.chunk_count[at(begin / chunk_groups)] = count;
-        has_changed[at(begin / chunk_groups)] = changed != 0 ? 1 : 0;
+        scratch.count[at(begin / chunk_groups)] = count;
+        scratch.has_changed[at(begin / chunk_groups)] = changed != 0 ? 1 : 0;
     });
-    return std::ranges::any_of(has_changed, [](std::uint8_t c) { return c != 0; });
+    return std::ranges::any_of(scratch.has_changed, [](std::uint8_t c) { return c != 0; });
 }
 
 /// Energy that tangential springs hold [J]; that of rolling springs is small and goes with the next loss.
@@ -110,48 +143,144 @@ double spring_energy(const Springs& springs, std::size_t c) {
     return stiffness > 0 ? norm_squared(springs.force[c]) / (2 * stiffness) : 0;
 }
 
+/// Moves rows of springs from the old list to the new one.
+struct Carry {
+    const Springs& old;
+    const std::vector<ContactEnds>& old_ends;
+    Springs& springs;
+    std::vector<ContactEnds>& ends;
+    const Slots& slots;
+    bool has_rolling, had_rolling;
+
+    /// Copies `count` rows that follow each other.
+    void rows(std::size_t from, std::size_t to, std::size_t count) const {
+        const auto copy = [&](const auto& source, auto& target) {
+            std::copy_n(source.data() + from, count, target.data() + to);
+        };
+        copy(old.pair, springs.pair);
+        copy(old.force, springs.force);
+        copy(old.stiffness, springs.stiffness);
+        if (has_rolling && had_rolling) {
+            copy(old.rolling, springs.rolling);
+        }
+    }
+    void begin(std::size_t slot, std::size_t to) const {
+        springs.pair[to] = key_of(slots, slot);
+        springs.force[to] = {};
+        springs.stiffness[to] = 0;
+        if (has_rolling) {
+            springs.rolling[to] = {};
+        }
+    }
+
+    /// The groups [begin, end), which hold the same slots as before: only groups whose contacts have changed are looked
+    /// at one by one.
+    void same_slots(std::int64_t begin_group, std::int64_t end, std::size_t from, std::size_t to,
+                    std::vector<double>& dropped) const {
+        std::size_t run = 0;  // rows of unchanged groups that wait to be copied
+        const auto flush = [&] {
+            rows(from, to, run);
+            std::copy_n(old_ends.data() + from, run, ends.data() + to);
+            from += run;
+            to += run;
+            run = 0;
+        };
+        for (std::int64_t g = begin_group; g < end; ++g) {
+            const std::uint32_t now = slots.found[at(g)], before = slots.touching[at(g)];
+            if (now == before) {
+                run += static_cast<std::size_t>(std::popcount(now));
+                continue;
+            }
+            flush();
+            for (std::uint32_t left = now | before; left != 0; left &= left - 1) {
+                const std::uint32_t bit = left & (~left + 1);
+                const auto slot = at(8 * g + std::countr_zero(left));
+                if ((now & bit) == 0) {
+                    dropped.push_back(spring_energy(old, from++));
+                    continue;
+                }
+                if ((before & bit) != 0) {
+                    rows(from++, to, 1);
+                } else {
+                    begin(slot, to);
+                }
+                ends[to++] = slots.ends[slot];
+            }
+        }
+        flush();
+    }
+
+    /// The groups [begin, end) where slots are new or springs were put back: rows are found by their pair.
+    void new_slots(std::int64_t begin_group, std::int64_t end, std::size_t to, std::vector<double>& dropped) const {
+        const auto row_of = [&](std::int64_t group) {
+            return at(std::ranges::lower_bound(old.pair, key_of(slots, at(8 * group))) - old.pair.begin());
+        };
+        std::size_t from = begin_group == 0 ? 0 : row_of(begin_group);
+        const std::size_t last = end == slots.group_count() ? old.size() : row_of(end);
+        for (std::int64_t g = begin_group; g < end; ++g) {
+            for (std::uint32_t left = slots.found[at(g)]; left != 0; left &= left - 1) {
+                const auto slot = at(8 * g + std::countr_zero(left));
+                const std::uint64_t key = key_of(slots, slot);
+                for (; from < last && old.pair[from] < key; ++from) {
+                    dropped.push_back(spring_energy(old, from));
+                }
+                if (from < last && old.pair[from] == key) {
+                    rows(from++, to, 1);
+                } else {
+                    begin(slot, to);
+                }
+                ends[to++] = slots.ends[slot];
+            }
+        }
+        for (; from < last; ++from) {
+            dropped.push_back(spring_energy(old, from));
+        }
+    }
+};
+
 /// Replaces the rows of `springs` by those of the pairs that touch now. @returns energy of lost springs [J]
-double carry_springs(bool has_rolling, Springs& springs, SphereScratch& scratch) {
+double carry_springs(bool has_rolling, bool are_same_slots, Springs& springs, SphereScratch& scratch) {
     Slots& slots = scratch.slots;
-    Springs& old = scratch.old;
-    std::swap(old, springs);
-    const bool had_rolling = old.rolling.size() == old.pair.size();
-    const std::uint32_t count = parallel::exclusive_scan<std::uint32_t>(scratch.chunk_count, scratch.chunk_count);
+    std::swap(scratch.old, springs);
+    std::swap(scratch.old_ends, scratch.ends);
+    std::swap(scratch.old_first_row, scratch.first_row);
+    const Springs& old = scratch.old;
+    scratch.first_row.resize(scratch.count.size());
+    const std::uint32_t count = parallel::exclusive_scan<std::uint32_t>(scratch.count, scratch.first_row);
     springs.pair.resize(count);
     springs.force.resize(count);
     springs.stiffness.resize(count);
-    springs.rolling.assign(has_rolling ? count : 0, {});
-    scratch.contact_slot.resize(count);
-    scratch.is_carried.assign(old.size(), 0);
-    parallel::for_ranges(slots.group_count(), chunk_groups, [&](std::int64_t begin, std::int64_t end) {
-        std::size_t to = scratch.chunk_count[at(begin / chunk_groups)];
-        const auto first = std::ranges::lower_bound(old.pair, key_of(slots, at(8 * begin)));
-        std::size_t from = at(first - old.pair.begin());
-        for (std::int64_t g = begin; g < end; ++g) {
-            for (std::uint32_t left = slots.touching[at(g)]; left != 0; left &= left - 1) {
-                const auto slot = at(8 * g + std::countr_zero(left));
-                const std::uint64_t key = key_of(slots, slot);
-                while (from < old.size() && old.pair[from] < key) {
-                    ++from;
-                }
-                const bool is_old = from < old.size() && old.pair[from] == key;
-                springs.pair[to] = key;
-                springs.force[to] = is_old ? old.force[from] : Vec3{};
-                springs.stiffness[to] = is_old ? old.stiffness[from] : 0;
-                if (has_rolling && had_rolling && is_old) {
-                    springs.rolling[to] = old.rolling[from];
-                }
-                if (is_old) {
-                    scratch.is_carried[from] = 1;
-                }
-                scratch.contact_slot[to++] = static_cast<std::uint32_t>(slot);
-            }
+    const bool had_rolling = old.rolling.size() == old.size();
+    springs.rolling.resize(has_rolling ? count : 0);
+    if (!had_rolling) {
+        std::ranges::fill(springs.rolling, Vec3{});
+    }
+    scratch.ends.resize(count);
+    const Carry carry{old, scratch.old_ends, springs, scratch.ends, slots, has_rolling, had_rolling};
+    const std::int64_t groups = slots.group_count();
+    scratch.dropped.resize(at((groups + chunk_groups - 1) / chunk_groups));
+    parallel::for_ranges(groups, chunk_groups, [&](std::int64_t begin, std::int64_t end) {
+        const auto chunk = at(begin / chunk_groups);
+        std::vector<double>& dropped = scratch.dropped[chunk];
+        dropped.clear();
+        if (are_same_slots) {
+            carry.same_slots(begin, end, scratch.old_first_row[chunk], scratch.first_row[chunk], dropped);
+        } else {
+            carry.new_slots(begin, end, scratch.first_row[chunk], dropped);
         }
     });
-    return parallel::reduce(
-        static_cast<std::int64_t>(old.size()), 0.0,
-        [&](std::int64_t c) { return scratch.is_carried[at(c)] != 0 ? 0.0 : spring_energy(old, at(c)); },
-        [](double x, double y) { return x + y; });
+    std::swap(slots.touching, slots.found);
+    slots.is_fresh = false;
+    double lost = 0;  // spring by spring, so that the sum does not depend on the slots
+    for (const std::vector<double>& dropped : scratch.dropped) {
+        for (const double energy : dropped) {
+            lost += energy;
+        }
+    }
+    for (std::size_t c = 0; groups == 0 && c < old.size(); ++c) {
+        lost += spring_energy(old, c);
+    }
+    return lost;
 }
 
 }  // namespace
@@ -159,13 +288,15 @@ double carry_springs(bool has_rolling, Springs& springs, SphereScratch& scratch)
 double find_contacts(const SphereModel& model, SphereState& state, SphereScratch& scratch) {
     const Placed& placed = scratch.placed;
     const contact::PartBounds bounds{placed.center, placed.radius, placed.body, placed.is_mobile};
-    bool is_new = scratch.pairs.update(bounds, placed.giants,
-                                       {model.settings.skin * placed.median_radius, model.settings.grid_factor});
-    if (is_new) {
+    if (scratch.pairs.update(bounds, placed.giants,
+                             {model.settings.skin * placed.median_radius, model.settings.grid_factor})) {
         fill_slots(model, scratch);
     }
-    is_new = look(scratch) || is_new || scratch.evaluations != state.evaluations;
-    return is_new ? carry_springs(model.settings.rolling == contact::RollingLaw::spring, state.contacts, scratch) : 0;
+    const bool are_same = !scratch.slots.is_fresh && scratch.evaluations == state.evaluations;
+    const bool have_changed = look(scratch);
+    return have_changed || !are_same
+               ? carry_springs(model.settings.rolling == contact::RollingLaw::spring, are_same, state.contacts, scratch)
+               : 0;
 }
 
 }  // namespace riprap::solid::sphere_dem

@@ -19,7 +19,7 @@ namespace riprap::solid {
 
 std::size_t SphereDem::Scratch::bytes() const {
     return bytes_of(spheres.body, spheres.radius, spheres.local, buffers.placed.records, buffers.slots.a,
-                    buffers.slots.b, buffers.slots.load, buffers.slots.incoming) +
+                    buffers.slots.b, buffers.slots.ends, buffers.load_rows.rows) +
            buffers.pairs.bytes() + buffers.loads.bytes() + faces.bytes();
 }
 

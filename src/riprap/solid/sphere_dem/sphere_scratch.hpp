@@ -19,10 +19,11 @@ struct alignas(32) SphereRecord {
     double wx, wy, wz, material;      ///< spin [rad/s]; number of the material
 };
 
-/// Load of one contact on sphere A: 48 bytes. B gets -force and `turn` times its own radius.
-struct ContactLoad {
-    Vec3 force;  ///< [N]
-    Vec3 turn;   ///< torque on a sphere about its centre, over its radius [N]
+/// Sum of loads of contacts on one sphere: one cache line.
+struct alignas(64) LoadRow {
+    Vec3 force;   ///< [N]
+    Vec3 torque;  ///< about the centre of the sphere [N m]
+    double unused[2];
 };
 
 /// Energies and extremes of one evaluation of contacts.
@@ -56,17 +57,41 @@ struct Placed {
     double median_radius{0};
 };
 
+/// Rows in which the two ends of a contact are added up.
+struct ContactEnds {
+    std::uint32_t a, b;
+};
+
 /// Candidate pairs of spheres in slots, sorted by (a, b); slots come in groups of eight, the last one filled up with
 /// copies of the last pair.
 struct Slots {
     std::vector<std::int32_t> a, b;
-    std::vector<std::uint8_t> touching;         ///< one bit per slot of a group
-    std::vector<std::uint32_t> begin;           ///< first slot of each sphere as A; sphere count + 1 entries
-    std::vector<std::uint32_t> incoming_begin;  ///< the same into `incoming`
-    std::vector<std::uint32_t> incoming;        ///< slots in which the sphere is B, increasing
-    std::vector<ContactLoad> load;              ///< per slot; zero where not touching
+    std::vector<std::uint8_t> touching;  ///< one bit per slot of a group, as the springs of State stand
+    std::vector<std::uint8_t> found;     ///< likewise, at the poses now
+    std::vector<ContactEnds> ends;       ///< per slot
     std::int64_t count{0};
+    bool is_fresh{false};  ///< filled since the springs were carried last
     std::int64_t group_count() const { return (count + 7) / 8; }
+};
+
+/// Where loads on spheres are added up. The contacts whose sphere A is one of a block of neighbours are one thread's
+/// work: they have rows of their own, one per sphere of the block and one per sphere elsewhere that is B of one of
+/// them. So sums have the same bits for any number of threads, and for any list of candidates.
+struct LoadRows {
+    static constexpr std::int32_t block_spheres = 512;
+    std::vector<LoadRow> rows;
+    std::vector<std::uint32_t> first_row;  ///< per block; block count + 1 entries
+    /// A row of a sphere elsewhere that goes to the one in its own block.
+    struct Merge {
+        std::uint32_t from, to;
+    };
+    std::vector<Merge> merges;               ///< by sphere, then in the order of the blocks that they come from
+    std::vector<std::uint32_t> merge_begin;  ///< per block of the spheres, into `merges`; block count + 1 entries
+    std::int64_t block_count() const { return static_cast<std::int64_t>(first_row.size()) - 1; }
+    std::uint32_t own_row(std::int32_t sphere) const {
+        return first_row[static_cast<std::size_t>(sphere / block_spheres)] +
+               static_cast<std::uint32_t>(sphere % block_spheres);
+    }
 };
 
 /// One contact of a sphere with a part or triangle.
@@ -78,20 +103,29 @@ struct WallContact {
     double weight;   ///< share of the contact in those of its pair of bodies [-]
 };
 
+/// Loads of one contact with a wall, about the centres of mass.
+struct WallLoad {
+    Vec3 force, torque;  ///< on the body of the sphere [N], [N m]
+    Vec3 wall_torque;    ///< [N m]
+};
+
 /// Buffers of the method: Scratch. Dropping it changes no result.
 struct SphereScratch {
     Placed placed;
     contact::PairCache pairs;
     Slots slots;
-    std::vector<contact::PartPair> wall_pairs;  ///< candidates (sphere, wall)
-    std::vector<std::uint32_t> contact_slot;    ///< per contact of State
-    std::vector<std::uint32_t> chunk_count;
-    std::vector<double> weight;  ///< per contact; empty where all are 1
-    std::vector<Vec3> couple;    ///< per slot: rolling couple on A [N m]; empty without rolling resistance
-    std::vector<std::uint8_t> is_carried;
-    Springs old;  ///< buffers of the springs that are replaced
+    LoadRows load_rows;
+    std::vector<contact::PartPair> wall_pairs;            ///< candidates (sphere, wall)
+    std::vector<ContactEnds> ends, old_ends;              ///< per contact of State; before it changed
+    std::vector<std::uint32_t> first_row, old_first_row;  ///< first contact per chunk of groups
+    std::vector<std::uint32_t> count;                     ///< contacts found per chunk, and a 0
+    std::vector<std::uint8_t> has_changed;                ///< per chunk
+    std::vector<std::vector<double>> dropped;             ///< energies of the springs that a chunk lost [J]
+    std::vector<double> weight;                           ///< per contact; empty where all are 1
+    Springs old;                                          ///< buffers of the springs that are replaced
     std::vector<WallContact> walls;
     std::vector<std::vector<WallContact>> wall_chunks;
+    std::vector<WallLoad> wall_loads;
     std::vector<std::uint64_t> group_key, group_key_scratch;
     std::vector<std::uint32_t> group_contact, group_contact_scratch;
     std::vector<double> overlap;

@@ -8,7 +8,6 @@
 #include "riprap/contact/narrowphase/sphere_triangle.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/solid/sphere_dem/contact_response.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -91,104 +90,6 @@ void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std:
     }
 }
 
-/// Are the contacts of the springs those found now?
-bool are_of(const Springs& springs, const std::vector<WallContact>& walls) {
-    return springs.size() == walls.size() &&
-           std::equal(walls.begin(), walls.end(), springs.pair.begin(), [](const WallContact& c, std::uint64_t pair) {
-               return c.sphere == static_cast<std::int32_t>(pair >> 32) &&
-                      c.wall == static_cast<std::int32_t>(pair & 0xFFFFFFFF);
-           });
-}
-
-/// Brings the springs of walls into the rows of the contacts found now. @returns energy of lost springs [J]
-double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Springs& springs) {
-    if (are_of(springs, walls) && springs.rolling.size() == (has_rolling ? walls.size() : 0)) {
-        return 0;
-    }
-    const Springs old = springs;
-    const std::size_t count = walls.size();
-    springs.pair.resize(count);
-    springs.force.resize(count);
-    springs.stiffness.resize(count);
-    springs.normal.resize(count);
-    springs.rolling.assign(has_rolling ? count : 0, {});
-    double lost = 0;
-    std::size_t from = 0;
-    const auto drop = [&] {
-        const double stiffness = std::abs(old.stiffness[from]);
-        lost += stiffness > 0 ? norm_squared(old.force[from]) / (2 * stiffness) : 0;
-        ++from;
-    };
-    for (std::size_t c = 0; c < count; ++c) {
-        const std::uint64_t key =
-            static_cast<std::uint64_t>(walls[c].sphere) << 32 | static_cast<std::uint64_t>(walls[c].wall);
-        while (from < old.size() && old.pair[from] < key) {
-            drop();
-        }
-        const bool is_old = from < old.size() && old.pair[from] == key;
-        springs.pair[c] = key;
-        springs.force[c] = is_old ? old.force[from] : Vec3{};
-        springs.stiffness[c] = is_old ? old.stiffness[from] : 0;
-        springs.normal[c] = is_old ? old.normal[from] : walls[c].normal;
-        if (has_rolling && is_old && old.rolling.size() == old.size()) {
-            springs.rolling[c] = old.rolling[from];
-        }
-        from += is_old ? 1 : 0;
-    }
-    while (from < old.size()) {
-        drop();
-    }
-    return lost;
-}
-
-/// Loads of one contact.
-struct WallLoad {
-    Vec3 force, torque, wall_torque;  ///< on the sphere's body, about the centres of mass
-    ContactSums sums;
-};
-
-WallLoad load_of(const SphereModel& model, const body::BodyState& bodies, const SphereScratch& scratch, double dt,
-                 std::size_t c, Springs& springs) {
-    const WallContact& contact = scratch.walls[c];
-    const auto s = at(contact.sphere), body = at(model.spheres.body[s]), wall = at(wall_body(model, contact.wall));
-    const SphereRecord& record = scratch.placed.records[s];
-    const Vec3 spin = scratch.kinematics.angular_velocity[body], wall_spin = scratch.kinematics.angular_velocity[wall];
-    const Vec3 arm = contact.point - bodies.position[body], wall_arm = contact.point - bodies.position[wall];
-    ContactMotion<double> motion;
-    motion.normal = contact.normal;
-    motion.old_normal = springs.normal[c];
-    motion.velocity = bodies.velocity[body] + cross(spin, arm) - bodies.velocity[wall] - cross(wall_spin, wall_arm);
-    motion.spin = spin - wall_spin;
-    motion.mean_turn = 0.5 * dt * dot(spin + wall_spin, contact.normal);
-    motion.overlap = contact.overlap;
-    motion.radius = record.radius;
-    motion.mass = 1 / (record.inverse_mass + scratch.kinematics.inverse_mass[wall]);
-    const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
-    motion.weight = shares_dashpots ? 1 : contact.weight;
-    motion.damping_weight = contact.weight;
-    motion.count = shares_dashpots                                      ? 1 / (contact.weight * contact.weight)
-                   : model.settings.sharing == contact::Sharing::divide ? 1 / contact.weight
-                                                                        : 1;
-    motion.dt = dt;
-    contact::TangentialSpring<double> spring{springs.force[c], springs.stiffness[c]};
-    Vec3 rolling = springs.rolling.empty() ? Vec3{} : springs.rolling[c];
-    const auto surfaces = surface_pair(model.table.pair(model.bodies.material[body], model.bodies.material[wall]));
-    const ContactResponse<double> response = model.settings.tangential.visit([&](const auto& friction) {
-        return respond_to<double>(model.settings, friction, surfaces, motion, spring, rolling);
-    });
-    springs.force[c] = spring.force;
-    springs.stiffness[c] = spring.stiffness;
-    springs.normal[c] = contact.normal;
-    if (!springs.rolling.empty()) {
-        springs.rolling[c] = rolling;
-    }
-    return {response.force,
-            cross(arm, response.force) + response.couple,
-            -cross(wall_arm, response.force) - response.couple,
-            {response.elastic, response.friction_loss, response.damping_loss, response.rolling_loss,
-             contact.overlap / record.radius}};
-}
-
 }  // namespace
 
 void find_walls(const SphereModel& model, SphereScratch& scratch) {
@@ -220,28 +121,6 @@ void find_walls(const SphereModel& model, SphereScratch& scratch) {
     for (const auto& chunk : scratch.wall_chunks) {
         scratch.walls.insert(scratch.walls.end(), chunk.begin(), chunk.end());
     }
-}
-
-ContactSums respond_to_walls(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
-                             SphereScratch& scratch) {
-    ContactSums sums;
-    sums.friction_loss =
-        carry_springs(model.settings.rolling == contact::RollingLaw::spring, scratch.walls, state.walls);
-    std::vector<WallLoad> loads(scratch.walls.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(loads.size()), 256, [&](std::int64_t c) {
-        loads[at(c)] = load_of(model, bodies, scratch, dt, at(c), state.walls);
-    });
-    for (std::size_t c = 0; c < scratch.walls.size(); ++c) {
-        const WallLoad& load = loads[c];
-        const auto body = at(model.spheres.body[at(scratch.walls[c].sphere)]);
-        const auto wall = at(wall_body(model, scratch.walls[c].wall));
-        scratch.loads.force[body] += load.force;
-        scratch.loads.torque[body] += load.torque;
-        scratch.loads.force[wall] -= load.force;
-        scratch.loads.torque[wall] += load.wall_torque;
-        sums += load.sums;
-    }
-    return sums;
 }
 
 }  // namespace riprap::solid::sphere_dem

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/solid/sphere_dem/eight_contacts.hpp"
+#include "riprap/solid/sphere_dem/place.hpp"
+#include "riprap/solid/sphere_dem/walls.hpp"
+
+namespace riprap::solid::sphere_dem {
+
+namespace {
+
+/// Are the contacts of the springs those found now?
+bool are_of(const Springs& springs, const std::vector<WallContact>& walls) {
+    return springs.size() == walls.size() &&
+           std::equal(walls.begin(), walls.end(), springs.pair.begin(), [](const WallContact& c, std::uint64_t pair) {
+               return c.sphere == static_cast<std::int32_t>(pair >> 32) &&
+                      c.wall == static_cast<std::int32_t>(pair & 0xFFFFFFFF);
+           });
+}
+
+/// Brings the springs of walls into the rows of the contacts found now. @returns energy of lost springs [J]
+double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Springs& springs) {
+    if (are_of(springs, walls) && springs.rolling.size() == (has_rolling ? walls.size() : 0)) {
+        return 0;
+    }
+    const Springs old = springs;
+    const std::size_t count = walls.size();
+    springs.pair.resize(count);
+    springs.force.resize(count);
+    springs.stiffness.resize(count);
+    springs.normal.resize(count);
+    springs.rolling.assign(has_rolling ? count : 0, {});
+    double lost = 0;
+    std::size_t from = 0;
+    const auto drop = [&] {
+        const double stiffness = std::abs(old.stiffness[from]);
+        lost += stiffness > 0 ? norm_squared(old.force[from]) / (2 * stiffness) : 0;
+        ++from;
+    };
+    for (std::size_t c = 0; c < count; ++c) {
+        const std::uint64_t key =
+            static_cast<std::uint64_t>(walls[c].sphere) << 32 | static_cast<std::uint64_t>(walls[c].wall);
+        while (from < old.size() && old.pair[from] < key) {
+            drop();
+        }
+        const bool is_old = from < old.size() && old.pair[from] == key;
+        springs.pair[c] = key;
+        springs.force[c] = is_old ? old.force[from] : Vec3{};
+        springs.stiffness[c] = is_old ? old.stiffness[from] : 0;
+        springs.normal[c] = is_old ? old.normal[from] : walls[c].normal;
+        if (has_rolling && is_old && old.rolling.size() == old.size()) {
+            springs.rolling[c] = old.rolling[from];
+        }
+        from += is_old ? 1 : 0;
+    }
+    while (from < old.size()) {
+        drop();
+    }
+    return lost;
+}
+
+/// Up to eight contacts of spheres with walls, side by side.
+struct WallGroup {
+    ContactMotion<Eight> motion;
+    RowIndex material, wall_material;
+    Vec3 arm[lanes], wall_arm[lanes];  ///< from the centres of mass to the contacts [m]
+};
+
+/// Everything that stays the same over all contacts with walls.
+template <class Law>
+struct RespondToWalls {
+    const Law& friction;
+    const SphereModel& model;
+    const body::BodyState& bodies;
+    double dt;
+    Springs& springs;
+    SphereScratch& scratch;
+    const Surfaces& surfaces;
+
+    WallGroup group_at(std::size_t first, std::int64_t count) const {
+        WallGroup g;
+        enum { normal = 0, old_normal = 3, velocity = 6, spin = 9, turn = 12, overlap, radius, mass, weight, numbers };
+        alignas(64) double of[numbers][lanes];
+        const auto set = [&](int number, std::int64_t lane, const Vec3& v) {
+            of[number][lane] = v.x;
+            of[number + 1][lane] = v.y;
+            of[number + 2][lane] = v.z;
+        };
+        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+            const std::size_t c = first + at(std::min(lane, count - 1));
+            const WallContact& contact = scratch.walls[c];
+            const auto body = at(model.spheres.body[at(contact.sphere)]), wall = at(wall_body(model, contact.wall));
+            const Vec3& body_spin = scratch.kinematics.angular_velocity[body];
+            const Vec3& wall_spin = scratch.kinematics.angular_velocity[wall];
+            const Vec3 arm = contact.point - bodies.position[body], wall_arm = contact.point - bodies.position[wall];
+            g.arm[lane] = arm;
+            g.wall_arm[lane] = wall_arm;
+            g.material.row[lane] = model.bodies.material[body].value;
+            g.wall_material.row[lane] = model.bodies.material[wall].value;
+            set(normal, lane, contact.normal);
+            set(old_normal, lane, springs.normal[c]);
+            set(velocity, lane,
+                bodies.velocity[body] + cross(body_spin, arm) - bodies.velocity[wall] - cross(wall_spin, wall_arm));
+            set(spin, lane, body_spin - wall_spin);
+            of[turn][lane] = 0.5 * dt * dot(body_spin + wall_spin, contact.normal);
+            of[overlap][lane] = contact.overlap;
+            of[radius][lane] = model.spheres.radius[at(contact.sphere)];
+            of[mass][lane] = scratch.kinematics.inverse_mass[body] + scratch.kinematics.inverse_mass[wall];
+            of[weight][lane] = contact.weight;
+        }
+        const auto eight = [&](int number) { return Eight::load(of[number]); };
+        const auto vectors = [&](int number) { return Vec3x8{eight(number), eight(number + 1), eight(number + 2)}; };
+        const Eight one(1.0), share = eight(weight);
+        const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
+        g.motion = {.normal = vectors(normal),
+                    .old_normal = vectors(old_normal),
+                    .velocity = vectors(velocity),
+                    .spin = vectors(spin),
+                    .mean_turn = eight(turn),
+                    .overlap = eight(overlap),
+                    .radius = eight(radius),
+                    .mass = one / eight(mass),
+                    .inverse_mass = eight(mass),
+                    .weight = shares_dashpots ? one : share,
+                    .damping_weight = share,
+                    .count = shares_dashpots                                      ? one / (share * share)
+                             : model.settings.sharing == contact::Sharing::divide ? one / share
+                                                                                  : one,
+                    .dt = Eight(dt)};
+        return g;
+    }
+
+    /// Loads of the contacts from `first` on.
+    void group(std::size_t first, std::int64_t count, WideSums& sums) const {
+        const WallGroup g = group_at(first, count);
+        contact::TangentialSpring<Eight> spring;
+        Vec3x8 rolling{};
+        RowIndex rows;
+        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+            rows.row[lane] = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(std::min(lane, count - 1));
+        }
+        spring = {gather(springs.force.data(), rows), gather<1>(springs.stiffness.data(), rows)};
+        if (!springs.rolling.empty()) {
+            rolling = gather(springs.rolling.data(), rows);
+        }
+        const ContactResponse<Eight> response =
+            respond_to<Eight>(ChosenLaws{model.settings}, friction,
+                              surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material),
+                              g.motion, spring, rolling);
+        for (std::int64_t lane = 0; lane < count; ++lane) {
+            const std::size_t c = first + at(lane);
+            springs.force[c] = lane_of(spring.force, lane);
+            springs.stiffness[c] = spring.stiffness[lane];
+            springs.normal[c] = scratch.walls[c].normal;
+            if (!springs.rolling.empty()) {
+                springs.rolling[c] = lane_of(rolling, lane);
+            }
+            const Vec3 force = lane_of(response.force, lane), couple = lane_of(response.couple, lane);
+            scratch.wall_loads[c] = {force, cross(g.arm[lane], force) + couple,
+                                     -cross(g.wall_arm[lane], force) - couple};
+        }
+        sums.add(response, g.motion.overlap / g.motion.radius, count);
+    }
+};
+
+template <class Law>
+ContactSums respond_by(const Law& friction, const SphereModel& model, const body::BodyState& bodies, double dt,
+                       Springs& springs, SphereScratch& scratch) {
+    constexpr std::int64_t range = 256;  // contacts that one thread takes at a time; part of the sums
+    const Surfaces surfaces(model.table, model.settings.normal);
+    const RespondToWalls<Law> work{friction, model, bodies, dt, springs, scratch, surfaces};
+    const auto count = static_cast<std::int64_t>(scratch.walls.size());
+    std::vector<ContactSums> partial(at((count + range - 1) / range));
+    parallel::for_ranges(count, range, [&](std::int64_t begin, std::int64_t end) {
+        WideSums sums;
+        for (std::int64_t c = begin; c < end; c += lanes) {
+            work.group(at(c), std::min(lanes, end - c), sums);
+        }
+        partial[at(begin / range)] = sums.fold();
+    });
+    ContactSums total;
+    for (const ContactSums& p : partial) {
+        total += p;
+    }
+    return total;
+}
+
+}  // namespace
+
+ContactSums respond_to_walls(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
+                             SphereScratch& scratch) {
+    const double lost =
+        carry_springs(model.settings.rolling == contact::RollingLaw::spring, scratch.walls, state.walls);
+    scratch.wall_loads.resize(scratch.walls.size());
+    ContactSums sums = model.settings.tangential.visit(
+        [&](const auto& friction) { return respond_by(friction, model, bodies, dt, state.walls, scratch); });
+    sums.friction_loss += lost;
+    for (std::size_t c = 0; c < scratch.walls.size(); ++c) {
+        const WallLoad& load = scratch.wall_loads[c];
+        const auto body = at(model.spheres.body[at(scratch.walls[c].sphere)]);
+        const auto wall = at(wall_body(model, scratch.walls[c].wall));
+        scratch.loads.force[body] += load.force;
+        scratch.loads.torque[body] += load.torque;
+        scratch.loads.force[wall] -= load.force;
+        scratch.loads.torque[wall] += load.wall_torque;
+    }
+    return sums;
+}
+
+}  // namespace riprap::solid::sphere_dem
