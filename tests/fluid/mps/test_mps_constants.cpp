@@ -71,7 +71,7 @@ TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_pro
     double mode = 0, square = 0;
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         const double c = std::min(0.0, std::cos(wave * basin.state.position[i].x));  // no tension where it parts
-        mode -= c * basin.scratch.data().pressure[i];
+        mode -= c * basin.scratch.data().water.pressure[i];
         square += c * c;
     }
     EXPECT_NEAR(mode / square, largest, 0.1 * largest);
