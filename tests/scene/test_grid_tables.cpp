@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waves, stones and sponges of the grid fluid: what is refused, with the number and what to change.
 #include "case_fixture.hpp"
+#include "riprap/coupling/grid_fluid/grid_parts.hpp"
 
 namespace riprap::scene {
 namespace {
@@ -85,6 +86,62 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(GridTable, takes_a_wave_of_five_cells) {
     EXPECT_THAT(problems_of(wave("wave = \"solitary\"\nheight = 0.25\n")), IsEmpty());
+}
+
+/// A tank in space with stones in the surface of a file.
+std::string stones_of(const std::string& file) {
+    return minimal_case +
+           "[fluid]\nmethod = \"grid\"\nspacing = 0.25\n"
+           "domain = { low = [0.0, 0.0, 0.0], high = [4.0, 4.0, 4.0] }\n[[fluid.region]]\nlevel = 2.0\n"
+           "[[fluid.porous]]\nshape = { obj = { file = \"" +
+           file + "\", units = \"m\" } }\nposition = [0.5, 0.5, 0.5]\nporosity = 0.4\ngrain_size = 0.1\n" +
+           "linear = 50.0\nquadratic = 2.0\n";
+}
+
+/// A prism of the height 1 over an L of squares of side 1, in triangles and polygons; `more` closes it.
+std::string l_prism(const std::string& more) {
+    return "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\n"
+           "v 0 2 1\nf 4 3 2 1\nf 6 5 4 1\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n" +
+           more;
+}
+
+TEST(GridTable, takes_stones_in_a_closed_surface_that_is_not_convex) {
+    const TemporaryFolder folder;
+    folder.write("l.obj", l_prism("f 7 8 9 10\nf 7 10 11 12\n"));
+    const LoadedCase loaded = read(stones_of("l.obj"), {}, folder.path());
+    const auto& grid = std::get<coupling::GridFluidSettings>(loaded.model.fluid).grid;
+    ASSERT_EQ(grid.porous.size(), 1U);
+    double volume = 0;
+    fluid::grid::for_cells(grid.mesh.box, [&](std::int64_t, int i, int j, int k) {
+        volume += grid.porous[0].holds(grid.mesh.centre(i, j, k)) ? grid.mesh.volume(i, j, k) : 0;
+    });
+    EXPECT_NEAR(volume, 3.0, 1e-12);
+    EXPECT_FALSE(grid.porous[0].holds({1.75, 1.75, 1.0}));  // in the corner that the L leaves
+}
+
+TEST(GridTable, refuses_stones_in_a_surface_that_is_open_or_inside_out) {
+    const TemporaryFolder folder;
+    folder.write("open.obj", l_prism("f 7 8 9 10\n"));
+    const std::vector<std::string> problems = problems_of(stones_of("open.obj"), {}, folder.path());
+    ASSERT_FALSE(problems.empty());
+    EXPECT_THAT(problems.front(), StartsWith("open.obj:"));
+    std::string inward = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+    folder.write("inward.obj", inward);
+    const std::vector<std::string> wound = problems_of(stones_of("inward.obj"), {}, folder.path());
+    ASSERT_EQ(wound.size(), 1U);
+    EXPECT_THAT(wound.front(), HasSubstr("is inside out"));
+}
+
+TEST(GridTable, says_which_waves_a_side_absorbs) {
+    const LoadedCase loaded = read(tank +
+                                   "[[fluid.wave]]\ntowards = \"-x\"\nwave = \"none\"\ndepth = 1.0\n"
+                                   "absorb = true\n");
+    const auto sides = absorbed_ranges(std::get<coupling::GridFluidSettings>(loaded.model.fluid));
+    ASSERT_EQ(sides.size(), 1U);
+    EXPECT_EQ(
+        sides.front(),
+        "the high side of x absorbs waves of kd below 0.314: longer than 20 m, of periods above 6.49 s, in 1 m of "
+        "water");
 }
 
 }  // namespace

@@ -40,4 +40,15 @@ SurfaceAudit audit_surface(const Surface& surface, const SurfaceAuditOptions& op
     return audit;
 }
 
+std::vector<Diagnostic> audit_closed_surface(const Surface& surface, const SurfaceAuditOptions& options,
+                                             std::vector<Diagnostic>& notes) {
+    notes = surface.notes;
+    ProblemList problems;
+    SurfaceMesh mesh = weld_surface(surface, options, problems, notes);
+    if (problems.is_empty()) {
+        find_shells(mesh, options, problems, notes);
+    }
+    return problems.take();
+}
+
 }  // namespace riprap::geometry

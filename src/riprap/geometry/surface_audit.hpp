@@ -53,4 +53,9 @@ inline constexpr std::size_t audit_parts = 10'000;
 /// 4. no two parts may overlap or contain each other; shared faces are flagged (see SurfaceAuditOptions::is_one_body).
 SurfaceAudit audit_surface(const Surface& surface, const SurfaceAuditOptions& options = {});
 
+/// Stages 1 and 2 alone: checks that a surface of any shape is closed and wound outwards. Returns why it is not.
+/// @param notes  gets what was repaired or is odd
+std::vector<Diagnostic> audit_closed_surface(const Surface& surface, const SurfaceAuditOptions& options,
+                                             std::vector<Diagnostic>& notes);
+
 }  // namespace riprap::geometry

@@ -10,6 +10,7 @@
 #include <random>
 #include <string_view>
 
+#include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/run/expects.hpp"
@@ -131,6 +132,18 @@ std::string tipping_text(const CaseCheck::EarlyTipping& tipping) {
 
 }  // namespace
 
+std::vector<std::string> sides_of(const sim::Model& model) {
+    return std::visit(
+        [](const auto& settings) {
+            if constexpr (requires { absorbed_ranges(settings); }) {
+                return absorbed_ranges(settings);
+            } else {
+                return std::vector<std::string>{};
+            }
+        },
+        model.fluid);
+}
+
 std::string size_text(double bytes) {
     constexpr std::array<const char*, 5> units{"B", "kB", "MB", "GB", "TB"};
     std::size_t unit = 0;
@@ -161,6 +174,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.warnings = loaded.warnings;
     check.notes = loaded.notes;
     check.waves = loaded.waves;
+    check.sides = sides_of(model);
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[static_cast<std::size_t>(i)] == body::Drive::free) {
             check.free_bodies += 1;
@@ -251,6 +265,9 @@ std::string check_text(const CaseCheck& check) {
     for (const scene::PaddleWave& wave : check.waves) {
         text += fmt::format("  wave          of {}: {}\n", wave.paddle, scene::text_of(wave));
     }
+    for (const std::string& side : check.sides) {
+        text += fmt::format("  side          {}\n", side);
+    }
     for (const CaseCheck::FaceGauge& face : check.face_gauges) {
         text += fmt::format("  gauge         {} in the face of {} towards ({:.3g}, {:.3g}, {:.3g})\n", face.gauge,
                             face.body, face.normal.x, face.normal.y, face.normal.z);
@@ -290,6 +307,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"memory_bytes", check.memory_bytes},
                                 {"output_bytes", check.output_bytes},
                                 {"refusal", check.refusal},
+                                {"sides", check.sides},
                                 {"notes", check.notes},
                                 {"warnings", check.warnings}};
     json["face_gauges"] = nlohmann::ordered_json::array();

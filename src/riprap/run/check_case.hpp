@@ -34,6 +34,7 @@ struct CaseCheck {
     std::array<std::string, 2> beside_gap;  ///< bodies at the first of them
     std::vector<FaceGauge> face_gauges;     ///< what each wall_pressure found
     std::vector<scene::PaddleWave> waves;   ///< that paddles are to make
+    std::vector<std::string> sides;         ///< of the domain that absorb waves, and which
     struct EarlyTipping {
         std::string body;
         std::int64_t above;     ///< bodies that stand on it
@@ -56,6 +57,9 @@ struct CaseCheck {
     std::vector<std::string> notes;  ///< what was read from other programs' files
     std::vector<std::string> warnings;
 };
+
+/// Sides of the domain that absorb waves, with the range in which they do.
+std::vector<std::string> sides_of(const sim::Model& model);
 
 /// @throws CaseError with every problem of the case
 CaseCheck check_case(const scene::LoadedCase& loaded);

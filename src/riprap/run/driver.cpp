@@ -11,6 +11,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
 
@@ -118,12 +119,16 @@ void Driver::announce(const std::string& beginning) {
         warn(warning);
     }
     const sim::TimeStepBound limit = simulation_.step_bound();
+    std::string sides;
+    for (const std::string& side : sides_of(model())) {
+        sides += fmt::format("  {}\n", side);
+    }
     say(
         fmt::format("{}\n  {}, {}, {}\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
                     model().title.empty() ? "(untitled)" : model().title, counted_bodies(model().bodies.size()),
                     counted(model().bodies.part_count(), "convex part"), counted(parallel::thread_count(), "thread"),
-                    water_text(), simulation_.next_dt(), limit.limit, limit.reason, steps, simulation_.end(),
+                    water_text() + sides, simulation_.next_dt(), limit.limit, limit.reason, steps, simulation_.end(),
                     state().step, folder_.root.string()));
 }
 

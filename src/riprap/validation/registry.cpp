@@ -231,6 +231,8 @@ std::span<const ValidationCase> grid_cases() {
         ValidationCase{"grid", "cavity", "Flow in a box whose lid moves (Ghia and others)", false, grid::cavity},
         ValidationCase{"grid", "poiseuille", "Flow between plates starts under a body force", false, grid::poiseuille},
         ValidationCase{"grid", "couette", "Flow between plates starts with one of them", false, grid::couette},
+        ValidationCase{"grid", "kovasznay", "Steady flow behind a grid, equal and graded cells: order of convergence",
+                       false, grid::kovasznay},
         ValidationCase{"grid", "taylor_green", "A vortex decays: order of convergence", false, grid::taylor_green},
         ValidationCase{"grid", "slotted_disc", "A slotted disc is carried around (Zalesak)", false, grid::slotted_disc},
         ValidationCase{"grid", "vortex", "A disc in a vortex that turns back (Rider and Kothe)", false, grid::vortex},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "riprap/coupling/grid_fluid/grid_fluid.hpp"
@@ -15,6 +16,10 @@ double still_level(const GridFluidSettings& settings);
 
 /// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings);
+
+/// What each side that lets waves out absorbs: "the high side of x absorbs waves of kd below 0.314: longer than 120 m,
+/// of periods above 15.8 s, in 6 m of water".
+std::vector<std::string> absorbed_ranges(const GridFluidSettings& settings);
 
 /// Sides that water enters and leaves through. Returns those that lie elsewhere, or that waves have already.
 std::vector<KeyProblem> add_openings(GridFluidSettings& settings);

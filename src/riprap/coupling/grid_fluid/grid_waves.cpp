@@ -123,6 +123,22 @@ double still_level(const GridFluidSettings& settings) {
     return level;
 }
 
+std::vector<std::string> absorbed_ranges(const GridFluidSettings& settings) {
+    std::vector<std::string> ranges;
+    const double gravity = norm(settings.grid.gravity);
+    for (const WavesAtSide& said : settings.scene.waves) {
+        if (said.absorbs) {
+            const double k = longest_absorbed / said.depth;
+            ranges.push_back(fmt::format(
+                "the {} side of {} absorbs waves of kd below {:.3g}: longer than {:.3g} m, of periods above {:.3g} s, "
+                "in {:.4g} m of water",
+                said.side % 2 == 0 ? "low" : "high", "xyz"[said.side / 2], longest_absorbed, 2 * M_PI / k,
+                2 * M_PI / std::sqrt(gravity * k * std::tanh(longest_absorbed)), said.depth));
+        }
+    }
+    return ranges;
+}
+
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
     std::vector<KeyProblem> problems;
     const int up = up_axis(settings.scene.up);

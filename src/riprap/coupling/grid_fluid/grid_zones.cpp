@@ -3,16 +3,56 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
+#include "riprap/geometry/triangle_field.hpp"
 
 namespace riprap::coupling {
 
 namespace {
 
-bool is_in(const std::vector<geometry::Plane>& planes, const Vec3& x) {
-    return std::all_of(planes.begin(), planes.end(),
-                       [&](const geometry::Plane& plane) { return dot(plane.normal, x) <= plane.offset; });
+/// Part of a zone: by the planes of its faces where it is convex, else by its surface.
+struct ZonePart {
+    std::vector<geometry::Plane> planes;
+    std::shared_ptr<const geometry::TriangleField> surface{};
+
+    bool holds(const Vec3& x) const {
+        return surface != nullptr ? surface->is_inside(x)
+                                  : std::all_of(planes.begin(), planes.end(), [&](const geometry::Plane& plane) {
+                                        return dot(plane.normal, x) <= plane.offset;
+                                    });
+    }
+};
+
+bool is_convex(const geometry::Polyhedron& piece, const std::vector<geometry::Plane>& planes) {
+    Vec3 low = piece.vertices.front(), high = low;
+    for (const Vec3& x : piece.vertices) {
+        low = min(low, x);
+        high = max(high, x);
+    }
+    const double slack = 1e-6 * norm(high - low);  // as flat as the audit of surfaces asks
+    return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& x) {
+        return std::all_of(planes.begin(), planes.end(),
+                           [&](const geometry::Plane& plane) { return dot(plane.normal, x) <= plane.offset + slack; });
+    });
+}
+
+ZonePart part_of(const geometry::Polyhedron& piece, const Vec3& up) {
+    ZonePart part;
+    for (const auto& face : piece.faces) {
+        part.planes.push_back(geometry::face_plane(piece.vertices, face));
+    }
+    if (!is_convex(piece, part.planes)) {
+        geometry::TriangleMesh mesh{piece.vertices, {}};
+        for (const auto& face : piece.faces) {
+            for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+                mesh.corners.push_back({face[0], face[i], face[i + 1]});
+            }
+        }
+        part.surface = std::make_shared<const geometry::TriangleField>(std::move(mesh), up);
+    }
+    return part;
 }
 
 /// Rate at the end of a box that sends back about a hundredth of a long wave of speed c: 7 c/L, growing as the square.
@@ -30,18 +70,14 @@ double calm_rate(const GridFluidSettings& settings, const CalmBox& box) {
 std::vector<KeyProblem> add_zones(GridFluidSettings& settings) {
     std::vector<KeyProblem> problems;
     for (const Stones& stones : settings.scene.stones) {
-        std::vector<std::vector<geometry::Plane>> pieces;
+        std::vector<ZonePart> parts;
         bool is_there = false;
         for (const geometry::Polyhedron& piece : stones.pieces) {
-            std::vector<geometry::Plane> planes;
-            for (const auto& face : piece.faces) {
-                planes.push_back(geometry::face_plane(piece.vertices, face));
-            }
-            pieces.push_back(std::move(planes));
+            parts.push_back(part_of(piece, settings.scene.up));
         }
         const fluid::grid::Mesh& mesh = settings.grid.mesh;
-        const auto holds = [pieces](const Vec3& x) {
-            return std::any_of(pieces.begin(), pieces.end(), [&](const auto& planes) { return is_in(planes, x); });
+        const auto holds = [parts](const Vec3& x) {
+            return std::any_of(parts.begin(), parts.end(), [&](const ZonePart& part) { return part.holds(x); });
         };
         for (int k = 0; k < mesh.box.cells[2] && !is_there; ++k) {
             for (int j = 0; j < mesh.box.cells[1] && !is_there; ++j) {

@@ -2,6 +2,7 @@
 #include "riprap/fluid/grid/boundary.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace riprap::fluid::grid {
 
@@ -62,6 +63,8 @@ void set_normal(const GridSettings& settings, int side, double time, const std::
     const bool is_high = side % 2 == 1;
     const Side& s = settings.side[at(side)];
     const std::int64_t stride = box.stride[at(a)];
+    const int beside = 3 - a - s.absorber.up;  // axis that columns of the side lie along
+    std::vector<std::optional<double>> excess(s.absorber.is_on ? at(box.cells[at(beside)] + 2 * Mesh::ghosts) : 0);
     for_ghosts(box, side, [&](std::int64_t ghost, std::int64_t, int layer, int i, int j, int k) {
         if (layer > 0) {
             return;
@@ -76,8 +79,9 @@ void set_normal(const GridSettings& settings, int side, double time, const std::
             u[at(face)] = s.inflow(place_of(mesh, a, place[0], place[1], place[2]), time).velocity[a];
             if (s.absorber.is_on) {
                 place[at(a)] = is_high ? n - 1 : 0;
-                const double excess = level_excess(settings, side, place, time, fraction);
-                const double speed = std::sqrt(norm(settings.gravity) / s.absorber.depth) * excess;
+                auto& over = excess[at(place[at(beside)] + Mesh::ghosts)];
+                over = over ? over : level_excess(settings, side, place, time, fraction);
+                const double speed = std::sqrt(norm(settings.gravity) / s.absorber.depth) * *over;
                 u[at(face)] += (is_high ? 1 : -1) * speed * fraction[at(is_high ? face - stride : face)];
             }
         }

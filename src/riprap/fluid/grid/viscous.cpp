@@ -8,8 +8,12 @@ namespace riprap::fluid::grid {
 
 namespace {
 
-/// Nearest that a wall comes to the centre of a face, in cell widths; nearer ones hold the fluid as firmly [-].
-constexpr double least_distance = 0.05;
+/// Nearest that a wall comes to the centre of a face, in cell widths; nearer ones hold the fluid as firmly [-]. The
+/// shear mu/(s h^2) is then that of the layer of half a cell, 2 mu/(h/2)^2, which the face becomes as the wall passes
+/// its centre: no jump.
+constexpr double least_distance = 0.125;
+/// Thinnest open part of a face as a layer, in cell widths [-].
+constexpr double least_layer = 0.05;
 
 }  // namespace
 
@@ -139,7 +143,7 @@ void find_wall_drag(const GridSettings& settings, GridScratch& s) {
                 return;
             }
             if (here <= 0) {  // the open part of the face is a layer beside the solid
-                const double h = mesh.smallest_width(), layer = std::max(s.open.area[at(a)][at(f)], least_distance) * h;
+                const double h = mesh.smallest_width(), layer = std::max(s.open.area[at(a)][at(f)], least_layer) * h;
                 drag = 2 * mu / (layer * layer);
                 return;
             }

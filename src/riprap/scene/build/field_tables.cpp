@@ -2,7 +2,9 @@
 // Reads the tables of [fluid] for fluids that are fields.
 #include <fmt/format.h>
 
+#include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
+#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 
 namespace riprap::scene {
@@ -96,8 +98,24 @@ bool read_outflow(CaseBuild& build, const Value& table, coupling::OpenSide& open
     return read_open_side(build, table, false, opening);
 }
 
+/// Pieces of a zone: what a file holds may be of any form, unlike the convex parts of bodies.
+std::optional<std::vector<geometry::Polyhedron>> read_zone(CaseBuild& build, const Value& table) {
+    const Value* shape = table.find("shape");
+    const Value* stl = shape != nullptr ? shape->find("stl") : nullptr;
+    const Value* obj = shape != nullptr ? shape->find("obj") : nullptr;
+    if (stl == nullptr && obj == nullptr) {
+        return read_pieces(build, table);
+    }
+    const auto surface = build.shapes.closed_surface(stl != nullptr ? *stl : *obj, stl != nullptr);
+    if (!surface) {
+        return std::nullopt;
+    }
+    const Pose pose{get_vector(table, "position"), orientation_of(table.find("orientation"))};
+    return std::vector{geometry::moved(*surface, pose)};
+}
+
 bool read_stones(CaseBuild& build, const Value& table, coupling::Stones& stones) {
-    auto pieces = read_pieces(build, table);
+    auto pieces = read_zone(build, table);
     if (!pieces) {
         return false;
     }

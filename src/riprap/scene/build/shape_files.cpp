@@ -6,6 +6,7 @@
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/geometry/surface_audit.hpp"
+#include "riprap/geometry/triangle_mesh.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
@@ -104,6 +105,40 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& t
         move_to_center_of_mass(*pieces);
     }
     return pieces;
+}
+
+std::optional<Polyhedron> ShapeLibrary::closed_surface(const Value& table, bool is_stl) {
+    const auto surface = read_surface(table, is_stl);
+    if (!surface) {
+        return std::nullopt;
+    }
+    geometry::SurfaceAuditOptions options;
+    options.drop_collapsed = true;
+    std::vector<Diagnostic> notes;
+    const std::vector<Diagnostic> found = geometry::audit_closed_surface(*surface, options, notes);
+    problems_.insert(problems_.end(), found.begin(), found.end());
+    if (!found.empty()) {
+        return std::nullopt;
+    }
+    geometry::TriangleMesh mesh = geometry::mesh_of(*surface);
+    Vec3 moment{};
+    double volume = 0;
+    for (std::int32_t t = 0; t < mesh.size(); ++t) {  // of the tetrahedra from the origin to each triangle
+        const Vec3 &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+        const double part = dot(a, cross(b, c)) / 6;
+        moment += 0.25 * part * (a + b + c);
+        volume += part;
+    }
+    if (get_boolean(table, "center")) {
+        for (Vec3& x : mesh.points) {
+            x -= moment / volume;
+        }
+    }
+    Polyhedron closed{std::move(mesh.points), {}, {}};
+    for (const auto& corners : mesh.corners) {
+        closed.faces.emplace_back(corners.begin(), corners.end());
+    }
+    return closed;
 }
 
 namespace {

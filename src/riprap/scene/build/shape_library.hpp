@@ -34,6 +34,9 @@ class ShapeLibrary {
     /// Adds one polyhedron as a shape of its own. @returns its part, `local` from the frame of the polyhedron.
     body::Part add(const geometry::Polyhedron& polyhedron);
 
+    /// An `stl` or `obj` shape of any form, closed, in triangles, in the frame of the table.
+    std::optional<geometry::Polyhedron> closed_surface(const Value& table, bool is_stl);
+
     static bool is_half_space(const Value& shape) { return shape.find("half_space") != nullptr; }
     /// A surface with solid under it, for bodies that do not follow forces.
     static bool is_ground(const Value& shape) {

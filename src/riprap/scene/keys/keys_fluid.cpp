@@ -111,8 +111,8 @@ const Table& fluid_porous_table() {
     static const Table table{
         "fluid.porous",
         "[[fluid.porous]]",
-        "Stones that water flows through: cells whose middle lies in the box or shape. The last zone counts where they "
-        "overlap (docs/theory/grid.md).",
+        "Stones that water flows through: cells whose middle lies in the box or shape; a closed surface from an STL or "
+        "OBJ file may have any form. The last zone counts where they overlap (docs/theory/grid.md).",
         {{"box", {form::table(fluid_box_table)}, "The zone as a box.", {}},
          {"shape", {form::table(shape_table)}, "The zone as a shape; not a half-space.", {}},
          {"position", {vector(dimension::length)}, "Position of the origin of the shape.", Value::of(Vec3{})},

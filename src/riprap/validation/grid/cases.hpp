@@ -11,6 +11,7 @@ namespace riprap::validation::grid {
 void cavity(const CaseSetting& setting, CaseReport& report);
 void poiseuille(const CaseSetting& setting, CaseReport& report);
 void couette(const CaseSetting& setting, CaseReport& report);
+void kovasznay(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void slotted_disc(const CaseSetting& setting, CaseReport& report);
 void vortex(const CaseSetting& setting, CaseReport& report);
