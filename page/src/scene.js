@@ -9,6 +9,7 @@ import {Forces} from './forces.js';
 import {FIELD_OF_VIEW, boundsOf, cornersOf, directionOf, fit, lengthOf, upOf} from './framing.js';
 import {Gauges} from './gauges.js';
 import {Particles} from './particles.js';
+import {StillWater} from './still_water.js';
 import {WaterSurface} from './surface.js';
 
 const BACKGROUND = {light: 0xf4f5f6, dark: 0x16191d};
@@ -81,6 +82,10 @@ export class Scene {
       this.root.add(this.particles.points);
       this.surface = new WaterSurface(this.particles, contents.is_planar);
     }
+    if (contents.still_water) {
+      this.stillWater = new StillWater(contents.still_water, this.up, this.box, this.size);
+      this.root.add(this.stillWater.group);
+    }
     this.gauges = new Gauges(contents, labels, this.up, this.box, this.size);
     this.root.add(this.gauges.group);
     this.effects = new Effects(this.renderer, this.size);
@@ -129,6 +134,7 @@ export class Scene {
     }
     this.forces?.show(frame);
     this.particles?.show(frame);
+    this.stillWater?.show(index);
     this.turn(index);
     this.#follow(frame);
     this.isShown = true;

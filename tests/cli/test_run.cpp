@@ -174,6 +174,21 @@ TEST_F(Runs, AnAbsurdStateEndsTheRunWithinOneStepAndTheLastGoodOneIsKept) {
     EXPECT_EQ(run({"resume", out("a")}).code, 4);
 }
 
+TEST_F(Runs, ContactsThatDoNotSettleCutTheStepAndThenEndTheRunWithTheirPair) {
+    // One round of open and close settles no impact, however short the step is.
+    const std::string falling = write_case("falling.toml", falling_blocks_text());
+    const Ending ending = run({"run", falling, "--out", out("a"), "--set", "solid.method=\"implicit_dda\"", "--set",
+                               "solid.open_close=1", "--set", "solid.step=\"1 ms\""});
+    EXPECT_EQ(ending.code, 4) << ending.err;
+    EXPECT_THAT(ending.out + ending.err, HasSubstr("is taken again"));
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("contacts of blocks"), HasSubstr("open and close without end"),
+                                  HasSubstr("last good state")));
+    const nlohmann::json summary = summary_of("a");
+    EXPECT_EQ(summary.at("status"), "failed");
+    EXPECT_THAT(summary.at("reason").get<std::string>(), HasSubstr("contacts of blocks"));
+    EXPECT_EQ(run({"resume", out("a")}).code, 4);
+}
+
 TEST_F(Runs, AnEnergyLedgerThatDoesNotCloseEndsTheRun) {
     const std::vector<std::string> words{"run",    case_file(), "--out",
                                          out("a"), "--set",     "output.ledger_tolerance=1e-9"};

@@ -201,6 +201,19 @@ TEST(GridWater, that_does_not_feel_bodies_lifts_one_with_what_it_displaced_at_th
     EXPECT_NEAR(walk.value("coupling_gap"), gap, 1e-9 * walk.simulation.report().ledger.turnover);
 }
 
+TEST(GridWater, that_does_not_feel_bodies_presses_a_deformable_block_as_still_water_does) {
+    // As heavy as water, it stays; its mean stress is the pressure at its centre, 0.2 m deep.
+    const std::string block = with_key(floating_box(0.2, 1000, "[output]\nledger_tolerance = 0.9\n"), "[fluid]",
+                                       "[solid]\nmethod = \"planar_dda\"\nyoungs_modulus = \"10 MPa\"\n"
+                                       "contact_stiffness = 1e6\nstep = \"5 ms\"\n[fluid]");
+    Walk walk(with_key(block, "method = \"grid\"", "method = \"grid\"\ncoupling = \"one_way\""));
+    walk.go(25);
+    EXPECT_NEAR(walk.value("box.fluid_force.y"), 1000 * 9.81 * 0.26 * 0.2, 1e-6 * 510);
+    EXPECT_NEAR(walk.value("box.stress_xx"), -1000 * 9.81 * 0.2, 0.01 * 1962);
+    EXPECT_NEAR(walk.value("box.stress_yy"), -1000 * 9.81 * 0.2, 0.01 * 1962);
+    EXPECT_NEAR(walk.value("box.position.y"), 0.2, 1e-9);
+}
+
 TEST(GridWater, pressure_iterations_of_a_step_are_a_quantity) {
     Walk walk(floating_box(0.45, 500));
     walk.go(3);

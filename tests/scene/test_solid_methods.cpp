@@ -51,6 +51,18 @@ ends = [[0.0, 0.5], [0.0, 1.5]]
 stiffness = 1e6
 )";
 
+TEST(SolidMethods, a_contact_stiffness_beyond_what_blocks_can_carry_is_refused_at_the_method) {
+    for (const std::string method : {"explicit_dda", "implicit_dda"}) {
+        const std::string text = minimal_case + "[solid]\nmethod = \"" + method + "\"\nyoungs_modulus = 1e9\n";
+        EXPECT_THAT(problems_of(text + "contact_stiffness = 1e12\n"), IsEmpty());
+        EXPECT_THAT(problems_of(text + "contact_stiffness = 1e18\n"),
+                    ElementsAre(AllOf(HasSubstr("case.toml:11:10:"), HasSubstr("contact_stiffness is 1e+18 N/m"),
+                                      HasSubstr("at most"))));
+    }
+    EXPECT_THAT(problems_of(planar_case, {"solid.youngs_modulus=1e9", "solid.contact_stiffness=1e18"}),
+                testing::Contains(AllOf(HasSubstr("case.toml:8:10:"), HasSubstr("contact stiffness 1e+18 N/m"))));
+}
+
 TEST(SolidMethods, a_bolt_is_tied_to_points_of_two_bodies_one_of_which_moves) {
     const LoadedCase loaded = read(planar_case + bolt_lines + "pretension = \"1 kN\"\n");
     ASSERT_EQ(loaded.model.bolts.size(), 1U);

@@ -60,6 +60,32 @@ Json gauges_json(const std::vector<GaugePlace>& gauges) {
     return list;
 }
 
+/// The level of the table at a time, linear between rows and constant beyond [m].
+double level_at(const std::vector<StillWater::LevelAt>& rows, double time) {
+    const auto next = std::find_if(rows.begin(), rows.end(), [time](const auto& row) { return row.time > time; });
+    if (next == rows.begin() || next == rows.end()) {
+        return next == rows.begin() ? rows.front().level : rows.back().level;
+    }
+    const StillWater::LevelAt& before = *(next - 1);
+    return before.level + (next->level - before.level) * (time - before.time) / (next->time - before.time);
+}
+
+/// Basins of still water, and the level of every frame where a table gives it.
+Json still_water_json(const StillWater& water, const std::vector<double>& times) {
+    if (water.basins.empty()) {
+        return nullptr;
+    }
+    Json basins = Json::array(), levels = Json::array();
+    for (const StillWater::Basin& basin : water.basins) {
+        basins.push_back({{"box", {basin.low.x, basin.low.y, basin.low.z, basin.high.x, basin.high.y, basin.high.z}},
+                          {"level", basin.level ? Json(*basin.level) : Json()}});
+    }
+    for (std::size_t k = 0; k < times.size() && !water.levels.empty(); ++k) {
+        levels.push_back(level_at(water.levels, times[k]));
+    }
+    return {{"basins", basins}, {"levels", levels}};
+}
+
 /// Packs one run piece by piece.
 class Packer {
  public:
@@ -282,6 +308,7 @@ class Packer {
                   {"bodies", nullptr},
                   {"contacts", contact_counts_},
                   {"water", water_},
+                  {"still_water", still_water_json(run_.still_water, times)},
                   {"tables", tables_},
                   {"warnings", run_.warnings},
                   {"notices", content_.notices},

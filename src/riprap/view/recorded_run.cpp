@@ -245,6 +245,37 @@ void read_gauges(const scene::Value* output, std::vector<GaugePlace>& places) {
     }
 }
 
+std::optional<double> number_at(const scene::Value& table, const char* key) {
+    const scene::Value* value = table.find(key);
+    return value != nullptr && value->is_number() ? std::optional(value->as_number()) : std::nullopt;
+}
+
+/// Basins and levels of a hydrostatic fluid. A region without a box is not drawn.
+void read_still_water(const scene::Value* fluid, StillWater& water) {
+    const scene::Value* method = fluid != nullptr && fluid->is_table() ? fluid->find("method") : nullptr;
+    if (method == nullptr || !method->is_text() || method->text != "hydrostatic") {
+        return;
+    }
+    if (const scene::Value* regions = fluid->find("region"); regions != nullptr && regions->is_array()) {
+        for (const scene::Value& region : regions->items) {
+            const scene::Value* box = region.is_table() ? region.find("box") : nullptr;
+            StillWater::Basin basin;
+            if (box != nullptr && box->is_table() && read_vector(box->find("low"), basin.low) &&
+                read_vector(box->find("high"), basin.high)) {
+                basin.level = number_at(region, "level");
+                water.basins.push_back(basin);
+            }
+        }
+    }
+    if (const scene::Value* levels = fluid->find("levels"); levels != nullptr && levels->is_array()) {
+        for (const scene::Value& row : levels->items) {
+            if (row.is_array() && row.items.size() == 2 && row.items[0].is_number() && row.items[1].is_number()) {
+                water.levels.push_back({row.items[0].as_number(), row.items[1].as_number()});
+            }
+        }
+    }
+}
+
 void read_resolved(RecordedRun& run, const fs::path& path) {
     run.resolved_text = io::read_file(path, text_limit);
     std::vector<Diagnostic> problems;
@@ -265,6 +296,7 @@ void read_resolved(RecordedRun& run, const fs::path& path) {
     read_gravity(root.find("gravity"), run.gravity_law);
     run.gravity = run.gravity_law.value;
     read_gauges(root.find("output"), run.gauges);
+    read_still_water(root.find("fluid"), run.still_water);
 }
 
 /// Events in the log of the run, used where the summary lacks them.

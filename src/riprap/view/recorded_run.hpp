@@ -28,6 +28,19 @@ struct GaugePlace {
     std::optional<Vec3> end;  ///< [m]
 };
 
+/// Water that stands still, its level given.
+struct StillWater {
+    struct Basin {
+        Vec3 low, high;               ///< corners of its box [m]
+        std::optional<double> level;  ///< along "against gravity"; empty = its top [m]
+    };
+    struct LevelAt {
+        double time, level;  ///< [s], [m]
+    };
+    std::vector<Basin> basins;
+    std::vector<LevelAt> levels;  ///< of all basins, times ascending; empty = each keeps its own
+};
+
 /// A run folder without the content of its frames.
 struct RecordedRun {
     std::filesystem::path root;
@@ -43,6 +56,7 @@ struct RecordedRun {
     Vec3 gravity;                           ///< at full strength, before it turns [m/s^2]
     body::Gravity gravity_law;              ///< the same over time
     std::vector<GaugePlace> gauges;         ///< fixed in space
+    StillWater still_water;                 ///< no basin: there is none
     bool is_planar{false};
     std::vector<std::string> warnings;  ///< of the run itself, about its results
     std::vector<std::string> notices;   ///< what could not be read, for the user

@@ -9,6 +9,7 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/stiffness_range.hpp"
 
 namespace riprap::solid {
 
@@ -36,9 +37,10 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
                     within(&ExplicitDdaSettings::elasticity, elastic_keys)};
 }
 
-std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& /*settings*/,
+std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                    const body::BodyState& /*bodies*/) {
-    return affine::scene_problems(scene);
+    std::vector<SceneProblem> problems = affine::scene_problems(scene);
+    return problems.empty() ? affine::stiffness_problems(scene, settings.elasticity) : problems;
 }
 
 std::size_t ExplicitDda::Scratch::bytes() const {

@@ -10,6 +10,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/linear/cholmod.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/stiffness_range.hpp"
 
 namespace riprap::solid {
 
@@ -55,9 +56,10 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                                       "Time step; shorter where contacts do not settle.")}};
 }
 
-std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, const Settings& /*settings*/,
+std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                    const body::BodyState& /*bodies*/) {
-    return affine::scene_problems(scene);
+    std::vector<SceneProblem> problems = affine::scene_problems(scene);
+    return problems.empty() ? affine::stiffness_problems(scene, settings.elasticity) : problems;
 }
 
 std::size_t ImplicitDda::Scratch::bytes() const {

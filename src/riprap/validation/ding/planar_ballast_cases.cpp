@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kmh = 1 / 3.6;
 
-/// Packings of a case: one, or five in the long version.
-std::vector<BallastBed> beds_of(const CaseSetting& setting, double length, double thickness) {
+/// Packings of a case: `count`, or five in the long version.
+std::vector<BallastBed> beds_of(const CaseSetting& setting, double length, double thickness, std::uint64_t count = 1) {
     std::vector<BallastBed> beds;
-    for (std::uint64_t seed = 1; seed <= (setting.is_full ? 5u : 1u); ++seed) {
+    for (std::uint64_t seed = 1; seed <= (setting.is_full ? 5u : count); ++seed) {
         beds.push_back(make_bed(length, setting.is_full ? 0.35 : thickness, seed));
     }
     return beds;
@@ -250,7 +250,7 @@ void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
 }
 
 void planar_ice_shape(const CaseSetting& setting, CaseReport& report) {
-    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2, 5);  // its lines are shares of packings
     report_bed(report, beds);
     const std::vector<Strike> circles = strikes_of(beds, {.velocity = {0, -10}, .after = 0.35});
     const std::vector<Strike> triangles =

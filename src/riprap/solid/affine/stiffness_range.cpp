@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/affine/stiffness_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "riprap/core/index.hpp"
+
+namespace riprap::solid::affine {
+
+std::vector<SceneProblem> stiffness_problems(const SolidScene& scene, const Elasticity& elasticity) {
+    double smallest = 0;
+    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+        const body::Part& part = scene.bodies.parts[at(scene.bodies.part_begin[at(b)])];
+        if (scene.bodies.drive[at(b)] == body::Drive::free && !scene.shapes.is_half_space(part.shape)) {
+            const double radius = scene.shapes.view(part.shape).circumradius;
+            smallest = smallest > 0 ? std::min(smallest, radius) : radius;
+        }
+    }
+    const double limit = 1e6 * elasticity.youngs_modulus * smallest;
+    if (smallest == 0 || elasticity.contact_stiffness <= limit) {
+        return {};
+    }
+    return {{{},
+             fmt::format("contact_stiffness is {:.3g} N/m", elasticity.contact_stiffness),
+             fmt::format("at most {:.3g} N/m: 1e6 E r, r the radius of the smallest block", limit)}};
+}
+
+}  // namespace riprap::solid::affine
