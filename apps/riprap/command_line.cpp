@@ -164,12 +164,17 @@ void add_validate(CLI::App& app, Action& action) {
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
+    auto as_costs = std::make_shared<bool>(false);
     CLI::Option* json = command->add_flag("--json", *as_json, "As JSON");
-    command->add_flag("--names", *as_names, "Names of cases only, one a line")->excludes(json);
-    command->callback([&action, as_json, as_names] {
-        action = [as_json, as_names] {
+    CLI::Option* names = command->add_flag("--names", *as_names, "Names of cases only, one a line")->excludes(json);
+    command
+        ->add_flag("--costs", *as_costs,
+                   "What the run of each case takes on this machine, by some steps of it: a minute in all")
+        ->excludes(names);
+    command->callback([&action, as_json, as_names, as_costs] {
+        action = [as_json, as_names, as_costs] {
             end_with_reader();
-            return *as_names ? print_case_names() : print_list(*as_json);
+            return *as_names ? print_case_names() : *as_costs ? print_costs(*as_json) : print_list(*as_json);
         };
     });
 }

@@ -26,6 +26,8 @@ int print_version(bool as_json);
 
 /// The cases and suites that `riprap run` and `riprap validate` find by name.
 int print_list(bool as_json);
+/// The cases with what their runs take on this machine, by some steps of each.
+int print_costs(bool as_json);
 /// Their names alone, one a line: for the completion of shells.
 int print_case_names();
 

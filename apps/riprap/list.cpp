@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "riprap/run/find_case.hpp"
+#include "riprap/run/progress.hpp"
+#include "riprap/run/run_cost.hpp"
 #include "riprap/validation/registry.hpp"
 
 namespace riprap {
@@ -74,6 +78,40 @@ int print_case_names() {
     return 0;
 }
 
+int print_costs(bool as_json) {
+    constexpr double budget = 1.5;  // [s] a case
+    Json list = Json::array();
+    const std::vector<Entry> cases = examples();
+    if (!as_json) {
+        fmt::print("{:<20} {:>9} {:>7} {:>9}  about\n", "case", "particles", "bodies", "steps");
+    }
+    for (const Entry& entry : cases) {
+        run::RunCost cost;
+        try {
+            cost = run::measure_cost(scene::read_case(entry.file), budget);
+        } catch (const std::exception& error) {
+            cost.refusal = error.what();
+        }
+        const std::string about = cost.refusal.empty() ? run::duration_text(cost.seconds()) : cost.refusal;
+        if (as_json) {
+            list.push_back({{"name", entry.name},
+                            {"particles", cost.particles},
+                            {"free_bodies", cost.free_bodies},
+                            {"steps", cost.steps},
+                            {"seconds", cost.refusal.empty() ? Json(cost.seconds()) : Json()},
+                            {"refusal", cost.refusal}});
+        } else {
+            fmt::print("{:<20} {:>9} {:>7} {:>9}  {}\n", entry.name, cost.particles, cost.free_bodies, cost.steps,
+                       about);
+            std::fflush(stdout);
+        }
+    }
+    if (as_json) {
+        fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
+    }
+    return 0;
+}
+
 int print_list(bool as_json) {
     const std::vector<Entry> cases = examples(), suites = validations();
     if (as_json) {
@@ -81,7 +119,7 @@ int print_list(bool as_json) {
         fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
         return 0;
     }
-    print("cases (riprap run NAME)", cases);
+    print("cases (riprap run NAME; what each takes: riprap list --costs)", cases);
     print("validation (riprap validate SUITE/CASE)", suites);
     return 0;
 }

@@ -328,7 +328,7 @@ TEST(BadInput, a_planar_scene_stays_in_its_plane) {
         problems_of(planar + "repeat = { counts = [2, 2], pitch = [2, 2], orientation = { euler_deg = [9, 0, 0] } }\n"),
         ElementsAre(HasSubstr("out of the plane")));
     EXPECT_THAT(problems_of(with(minimal_case, "box = [1.0, 1.0, 0.5]", "polygon = [[0, 0], [1, 0], [0, 1]]")),
-                ElementsAre(HasSubstr("polygons are for dimension = 2")));
+                ElementsAre(HasSubstr("polygon is for dimension = 2; use prism")));
 }
 
 }  // namespace

@@ -290,9 +290,9 @@ TEST(ReadCase, a_sea_takes_its_spectrum_from_a_file_and_its_height_from_the_case
         const LoadedCase loaded = read_case_text(text(more), "case.toml", folder.path().string(), {});
         return std::get<body::SplineMotion>(loaded.model.bodies.motions.at(0).law).stroke;
     };
-    const std::vector<double> own = stroke("spectrum_file = \"sea.csv\"");
-    // H_m0 = 4 sqrt(2.8e-4) = 0.06693 m.
-    const std::vector<double> twice = stroke("spectrum_file = \"sea.csv\", height = 0.133866");
+    const std::vector<double> own = stroke("second_order = false, spectrum_file = \"sea.csv\"");
+    // m_0 = 1e-4 + 1.2e-4 + 4e-5 m^2: H_m0 = 4 sqrt(2.6e-4) = 0.064498 m.
+    const std::vector<double> twice = stroke("second_order = false, spectrum_file = \"sea.csv\", height = 0.128996");
     for (std::size_t i = 1; i < own.size(); i += 7) {
         EXPECT_NEAR(twice[i], 2 * own[i], 1e-4 * std::abs(own[i]));
     }

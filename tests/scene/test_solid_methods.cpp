@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case_fixture.hpp"
+#include "riprap/body/locks.hpp"
 
 namespace riprap::scene {
 namespace {
@@ -26,6 +27,23 @@ TEST(SolidMethods, three_dimensional_dda_refuses_bodies_of_several_parts_at_thei
     }
 }
 
+TEST(SolidMethods, degrees_of_freedom_are_locked_of_free_rigid_bodies_alone) {
+    const std::string text = minimal_case + "locked = [\"x\", \"rotation\"]\n";
+    EXPECT_THAT(problems_of(text), IsEmpty());
+    EXPECT_EQ(locks_of(read(text).model.bodies, 0).bits, 0x39);
+    for (const std::string method : {"explicit_dda", "implicit_dda"}) {
+        EXPECT_THAT(problems_of(text, {"solid.method=" + method}),
+                    ElementsAre(HasSubstr("case.toml:7:8: this method locks no degrees of freedom of a body; leave out "
+                                          "'locked', or solid.method = \"distance_potential_dem\"")));
+    }
+    EXPECT_THAT(problems_of(text + "velocity = [1, 0, 0]\n"),
+                ElementsAre(HasSubstr("case.toml:10:10: body 'block' starts with a velocity that is locked")));
+    EXPECT_THAT(problems_of(text + "motion = { linear = { velocity = [0, 1, 0] } }\n"),
+                ElementsAre(HasSubstr("body 'block' has a motion, which says all of its freedoms")));
+    EXPECT_THAT(problems_of(minimal_case + "locked = [\"x\", \"y\", \"z\", \"rotation\"]\n"),
+                ElementsAre(HasSubstr("body 'block' cannot move at all; fixed = true")));
+}
+
 const std::string planar_case = R"(dimension = 2
 gravity = [0.0, -9.81]
 end = 1.0
@@ -45,6 +63,14 @@ shape = { box = [1.0, 1.0] }
 position = [0.0, 2.0]
 fixed = true
 )";
+TEST(SolidMethods, a_planar_body_has_three_degrees_of_freedom_to_lock) {
+    const std::string rigid = with(planar_case, "planar_dda", "distance_potential_dem");
+    EXPECT_THAT(
+        problems_of(with(rigid, "name = \"roof\"", "locked = [\"rotation_x\"]\nname = \"roof\"")),
+        ElementsAre(HasSubstr("case.toml:14:10: nothing moves along 'rotation_x' in a scene with dimension = 2; x, "
+                              "y, rotation_z")));
+}
+
 const std::string bolt_lines = R"([[bolt]]
 bodies = ["block", "roof"]
 ends = [[0.0, 0.5], [0.0, 1.5]]

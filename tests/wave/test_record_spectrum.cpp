@@ -33,7 +33,8 @@ TEST(RecordSpectrum, ASineHasItsPeriodAndItsVariance) {
     }
     record.level[100] = std::numeric_limits<double>::quiet_NaN();
     const Spectrum spectrum = spectrum_of(record.time, record.level, 1);
-    EXPECT_NEAR(weighted_peak_period(spectrum), 1.7, 0.01);
+    // Frequencies are 1/60 s apart: a line of a spectrum is told to half of that.
+    EXPECT_NEAR(1 / weighted_peak_period(spectrum), 1 / 1.7, 0.5 / 60);
     double variance = 0;
     for (const double density : spectrum.density) {
         variance += density * (spectrum.frequency[1] - spectrum.frequency[0]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/error.hpp"
 
 namespace riprap::body {
@@ -50,6 +51,9 @@ Vec3 angular_velocity(const BodySet& bodies, const BodyState& state, BodyId body
         return {};
     }
     const Quat frame = state.orientation[i] * bodies.principal_axes[i];
+    if (locks_of(bodies, i).any_rotation()) {
+        return inverse_inertia_of(bodies, i, state.orientation[i]) * state.angular_momentum[i];
+    }
     const Vec3 local = rotate_back(frame, state.angular_momentum[i]);
     return rotate(frame, {local.x / moments.x, local.y / moments.y, local.z / moments.z});
 }
@@ -59,7 +63,8 @@ Vec3 angular_momentum_of(const BodySet& bodies, BodyId body, const Quat& orienta
     const Vec3& moments = bodies.principal_moments[i];
     const Quat frame = orientation * bodies.principal_axes[i];
     const Vec3 local = rotate_back(frame, angular_velocity);
-    return rotate(frame, {local.x * moments.x, local.y * moments.y, local.z * moments.z});
+    const Vec3 momentum = rotate(frame, {local.x * moments.x, local.y * moments.y, local.z * moments.z});
+    return locks_of(bodies, i).free_rotation(momentum);
 }
 
 bool is_free(const BodySet& bodies, BodyId body, double time) {
@@ -81,7 +86,7 @@ std::int64_t look_count(const BodySet& bodies, BodyId body, double end) {
 }
 
 void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start) {
-    RIPRAP_ASSERT(bodies.driven[static_cast<std::size_t>(body.value)] < 0, "a body is driven by one motion");
+    RIPRAP_ASSERT(bodies.driven[static_cast<std::size_t>(body.value)] == -1, "a body is driven by one motion");
     bodies.driven[static_cast<std::size_t>(body.value)] = static_cast<std::int32_t>(bodies.driven_bodies.size());
     bodies.driven_bodies.push_back({motion, start});
 }

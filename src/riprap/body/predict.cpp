@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/body/predict.hpp"
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::body {
@@ -34,7 +35,8 @@ void fill_motion(const BodySet& bodies, const BodyState& state, const BodyKinema
         Acceleration a;
         const bool is_free = kinematics.inverse_mass[b] > 0;
         if (is_free) {
-            a = acceleration[b];
+            const Locks locks = locks_of(bodies, b);
+            a = {locks.free_translation(acceleration[b].linear), locks.free_rotation(acceleration[b].angular)};
         } else if (bodies.drive[b] == Drive::driven) {
             a = driven_acceleration(bodies, b, time, dt);
             a.linear += correction.empty() ? Vec3{} : correction[b];

@@ -164,9 +164,12 @@ int region_of(std::span<const RegionPlanes> regions, const Vec3& x, const Vec3& 
             continue;
         }
         for (const auto& planes : regions[r].pieces) {
+            // A last layer alone would be a film; it lies on a whole one.
+            const Vec3 place = is_last ? x - spacing * up : x;
             const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-                return dot(plane.normal, x) <= plane.offset - slack * spacing ||
-                       (is_last && dot(plane.normal, up) > 1 - 1e-9);
+                const bool is_level = is_last && dot(plane.normal, up) > 1 - 1e-9;
+                return is_level || (dot(plane.normal, x) <= plane.offset - slack * spacing &&
+                                    dot(plane.normal, place) <= plane.offset - slack * spacing);
             });
             if (is_inside) {
                 return static_cast<int>(r);

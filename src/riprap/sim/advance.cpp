@@ -115,7 +115,7 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
         fluid.load(span, prediction.middle, data.fluid_loads);
         add_up(model.bodies, data.fluid_loads, data.span_loads);
         for (std::size_t b = 0; b < count; ++b) {
-            found[b] = response(state.coupling, prediction.kinematics, data.span_loads, b);
+            found[b] = response(model.bodies, state.coupling, prediction.kinematics, data.span_loads, b);
         }
         tried = prediction.guess;
         is_settled = iteration.accept(prediction.guess, found, norm(model.gravity.value));
@@ -126,7 +126,7 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
             for (std::size_t b = 0; b < count; ++b) {
                 found[b] = {found[b].linear - tried[b].linear, found[b].angular - tried[b].angular};
             }
-            if (correct(*model.particles(), prediction.kinematics, is_sought, found,
+            if (correct(*model.particles(), model.bodies, prediction.kinematics, is_sought, found,
                         std::get<coupling::ParticleScratch>(data.fluid), tried)) {
                 prediction.guess = tried;
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/fluid_exchange.hpp"
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 
@@ -48,9 +49,10 @@ std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState
     return found;
 }
 
-body::Acceleration response(const coupling::CouplingState& coupling, const body::BodyKinematics& kinematics,
-                            const body::Loads& loads, std::size_t b) {
-    return {kinematics.inverse_mass[b] * loads.force[b] + coupling.dry_acceleration[b],
+body::Acceleration response(const body::BodySet& bodies, const coupling::CouplingState& coupling,
+                            const body::BodyKinematics& kinematics, const body::Loads& loads, std::size_t b) {
+    const body::Locks locks = locks_of(bodies, b);
+    return {locks.free_translation(kinematics.inverse_mass[b] * loads.force[b] + coupling.dry_acceleration[b]),
             kinematics.inverse_inertia[b] * loads.torque[b] + coupling.dry_angular_acceleration[b]};
 }
 

@@ -28,9 +28,10 @@ void predict_middle(const Model& model, const State& state, const TimeSpan& span
 /// Returns the accelerations over the last step: the first guess of this one.
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);
 
-/// Returns the acceleration of a body under the loads of the fluid plus what else accelerated it in the last step.
-body::Acceleration response(const coupling::CouplingState& coupling, const body::BodyKinematics& kinematics,
-                            const body::Loads& loads, std::size_t b);
+/// Returns the acceleration of a body under the loads of the fluid plus what else accelerated it in the last step, none
+/// along axes that it is locked along.
+body::Acceleration response(const body::BodySet& bodies, const coupling::CouplingState& coupling,
+                            const body::BodyKinematics& kinematics, const body::Loads& loads, std::size_t b);
 
 /// Returns a moment of inertia of every body, the mean of the principal ones [kg m^2].
 std::vector<double> mean_inertia(const body::BodySet& bodies);

@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-#include "riprap/body/free_rotation.hpp"
+#include "riprap/body/locks.hpp"
 #include "riprap/contact/law/mindlin.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
@@ -13,24 +13,13 @@
 
 namespace riprap::solid {
 
-namespace {
-
-/// Are eight bodies from `first` on moved by forces alone, now and ever?
-bool are_free(const body::BodySet& bodies, std::int64_t first) {
-    return std::all_of(bodies.drive.begin() + first, bodies.drive.begin() + first + lanes,
-                       [](body::Drive drive) { return drive == body::Drive::free; });
-}
-
-}  // namespace
-
 void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t index, double end_time, double dt) {
     const BodyId id{static_cast<std::int32_t>(index)};
     const auto i = at(index);
     // A body released during this drift is still driven: freedom starts with the first kick past its time.
     if (is_free(bodies, id, end_time - dt)) {
         state.position[i] += dt * state.velocity[i];
-        state.orientation[i] = body::rotate_free(state.orientation[i], state.angular_momentum[i],
-                                                 bodies.principal_moments[i], bodies.principal_axes[i], dt);
+        state.orientation[i] = turn_body(bodies, i, state.orientation[i], state.angular_momentum[i], dt);
     } else if (bodies.drive[i] == body::Drive::driven) {
         const body::DrivenState driven = driven_state(bodies, id, end_time);
         state.position[i] = driven.pose.position;
@@ -198,6 +187,14 @@ template <class T>
     return terms;
 }
 
+/// Lets the guides of a body take what pushes it along its locked axes, as one more load from outside.
+void hold(const body::Locks& locks, const Vec3& gravity, KickedBody<double>& body) {
+    const Vec3 force = body.contact_force + body.external_force + body.mass * gravity;
+    const Vec3 torque = body.contact_torque + body.external_torque;
+    body.external_force += locks.free_translation(force) - force;
+    body.external_torque += locks.free_rotation(torque) - torque;
+}
+
 /// Spin counts with the speed that holds its energy: |omega| times the radius of gyration.
 template <class T>
 T speed_of(const KickedBody<T>& body) {
@@ -246,9 +243,13 @@ struct Kick {
                                 loads.torque[i],
                                 has_external ? external.force[i] : Vec3{},
                                 has_external ? external.torque[i] : Vec3{}};
+        const body::Locks locks = locks_of(bodies, i);
+        if (locks.any()) {
+            hold(locks, gravity, body);
+        }
         KickTerms<double> terms = kick_free(settings, bodies.is_planar, gravity, times.dt, body);
-        state.velocity[i] = body.velocity;
-        state.angular_momentum[i] = body.angular_momentum;
+        state.velocity[i] = locks.free_translation(body.velocity);  // what rounding leaves goes
+        state.angular_momentum[i] = locks.free_rotation(body.angular_momentum);
         if (!is_free(bodies, BodyId{static_cast<std::int32_t>(index)}, times.previous)) {
             // At the kick, like everything else: half a kick of velocity came without a path to work along.
             terms.released_energy = terms.kinetic + terms.potential;
@@ -313,7 +314,7 @@ KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const 
     parallel::for_ranges(bodies.size(), kick_block, [&](std::int64_t begin, std::int64_t end) {
         KickSums sums;
         for (std::int64_t i = begin; i < end;) {
-            if (i + lanes <= end && are_free(bodies, i)) {
+            if (i + lanes <= end && are_free(bodies, i, lanes)) {
                 kick.eight(i, sums);
                 i += lanes;
             } else {

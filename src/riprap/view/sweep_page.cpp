@@ -19,14 +19,15 @@ constexpr std::size_t most_points = 400;  ///< of a curve on the page
 constexpr std::string_view page_before = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>Study</title><style>
-:root { color-scheme: light dark; --line: #8884; --soft: #8889; }
+:root { color-scheme: light dark; --line: #8884; --soft: #666; --met: #1b7a4f; --missed: #b93a0b; }
+@media (prefers-color-scheme: dark) { :root { --soft: #aaa; --met: #4cc38a; --missed: #ff8552; } }
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 1280px; margin: 0 auto; padding: 16px; }
-h1 { font-size: 22px; margin: 0; } h2 { font-size: 16px; margin: 24px 0 8px; } p { margin: 4px 0; }
+h1 { font-size: 22px; margin: 0; overflow-wrap: anywhere; } h2 { font-size: 16px; margin: 24px 0 8px; } p { margin: 4px 0; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { padding: 3px 10px; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } tr.on { background: #8882; }
-.met { color: #1f8a5b; } .missed { color: #c8410f; } .soft { color: var(--soft); }
+.met { color: var(--met); } .missed { color: var(--missed); } .soft { color: var(--soft); }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 400px), 1fr)); gap: 14px; }
 figure { margin: 0; } figcaption { font-size: 13px; } svg { width: 100%; height: auto; display: block; }
 svg text { font: 11px system-ui, "DejaVu Sans", sans-serif; fill: currentColor; }
@@ -53,7 +54,7 @@ const watch = (e, i) => { marks[i].push(e); e.onmouseenter = () => point(i, true
 const table = document.getElementById("table"), head = table.insertRow();
 const unitOf = name => { for (const r of runs) for (const a of r.answers) if (a.name === name) return a.unit; return ""; };
 const reduced = answers.length ? [] : columns;
-for (const h of ["run", ...keys, ...answers.map(a => `${a} [${unitOf(a)}]`), ...reduced.map(c => c + " max"), "status", "time [s]"]) head.append(make("th", h));
+for (const h of ["run", ...keys, ...answers.map(a => `${a} [${unitOf(a)}]`), ...reduced.map(c => c + " max"), "status", "took [s]"]) head.append(make("th", h));
 runs.forEach((r, i) => {
   const row = table.insertRow(); watch(row, i);
   const first = make("td"), chip = make("i"); chip.style.background = colour(i);

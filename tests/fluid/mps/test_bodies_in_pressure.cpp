@@ -34,7 +34,7 @@ struct Pistons {
             bodies.of_wall.push_back(is_floor ? half : -1);
             bodies.arm.push_back(x - centre[static_cast<std::size_t>(half)]);
         }
-        bodies.inverse_mass.assign(2, 1 / mass);
+        bodies.lightness.assign(2, 1 / mass * Vec3{1, 1, 1});
         bodies.inverse_inertia.assign(2, {0, 0, 200 / mass, 0, 0, 0});
         dt = choose_fluid_time_step(basin.settings, basin.state).limit;
         MpsReport report;
@@ -56,14 +56,14 @@ struct Pistons {
         EXPECT_EQ(report.problem, "");
         std::vector<Twist> missing(2);
         for (std::size_t b = 0; b < 2; ++b) {
-            Vec3 force{0, push / bodies.inverse_mass[b], 0}, torque{};
+            Vec3 force{0, push / bodies.lightness[b].y, 0}, torque{};
             for (std::size_t w = 0; w < bodies.of_wall.size(); ++w) {
                 if (bodies.of_wall[w] == static_cast<int>(b)) {
                     force += basin.walls.pressure_force[w];
                     torque += cross(bodies.arm[w], basin.walls.pressure_force[w]);
                 }
             }
-            missing[b] = {bodies.inverse_mass[b] * force - acceleration[b].linear,
+            missing[b] = {bodies.lightness[b].y * force - acceleration[b].linear,
                           bodies.inverse_inertia[b] * torque - acceleration[b].angular};
         }
         return missing;

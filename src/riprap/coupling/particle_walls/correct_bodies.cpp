@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/particle_walls/correct_bodies.hpp"
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/fluid/particle/loose_bodies.hpp"
 
 namespace riprap::coupling {
 
-bool correct(const ParticleFluid& water, const body::BodyKinematics& kinematics,
+bool correct(const ParticleFluid& water, const body::BodySet& bodies, const body::BodyKinematics& kinematics,
              std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
              const ParticleScratch& scratch, std::vector<body::Acceleration>& guess) {
     auto* const scheme = dynamic_cast<fluid::SolvesForBodies*>(scratch.scheme.get());
@@ -19,7 +20,7 @@ bool correct(const ParticleFluid& water, const body::BodyKinematics& kinematics,
     for (std::size_t b = 0; b < guess.size(); ++b) {
         if (is_sought[b] != 0) {
             place[b] = static_cast<std::int32_t>(loose.size());
-            loose.inverse_mass.push_back(kinematics.inverse_mass[b]);
+            loose.lightness.push_back(locks_of(bodies, b).free_translation(kinematics.inverse_mass[b] * Vec3{1, 1, 1}));
             loose.inverse_inertia.push_back(kinematics.inverse_inertia[b]);
             missing.push_back({residual[b].linear, residual[b].angular});
         }

@@ -14,7 +14,7 @@ namespace riprap::coupling {
 /// nothing changed, where the scheme offers no such step (fluid::SolvesForBodies), or found none.
 /// @param is_sought  per body: its acceleration follows from its loads
 /// @param residual   what the loads last found accelerate bodies by, less what they were taken to
-bool correct(const ParticleFluid& water, const body::BodyKinematics& kinematics,
+bool correct(const ParticleFluid& water, const body::BodySet& bodies, const body::BodyKinematics& kinematics,
              std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
              const ParticleScratch& scratch, std::vector<body::Acceleration>& guess);
 

@@ -121,7 +121,8 @@ void find_mobility(const LooseBodies& bodies, BodiesInPressure& own) {
         for (std::size_t column = 0; column < 6; ++column) {
             Vec3 axis{};
             axis[static_cast<int>(column % 3)] = 1;
-            const Vec3 answer = column < 3 ? bodies.inverse_mass[b] * axis : bodies.inverse_inertia[b] * axis;
+            const double along = bodies.lightness[b][static_cast<int>(column % 3)];
+            const Vec3 answer = column < 3 ? along * axis : bodies.inverse_inertia[b] * axis;
             for (int k = 0; k < 3; ++k) {
                 lightness[6 * (at(k) + (column < 3 ? 0 : 3)) + column] = answer[k];
             }

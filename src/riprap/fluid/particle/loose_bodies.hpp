@@ -20,10 +20,10 @@ struct Twist {
 struct LooseBodies {
     std::vector<std::int32_t> of_wall;  ///< per boundary particle: its body, counted among these; -1: another one
     std::vector<Vec3> arm;              ///< per boundary particle, from the centre of mass of its body [m]
-    std::vector<double> inverse_mass;   ///< [1/kg]
+    std::vector<Vec3> lightness;        ///< 1/m along each axis of the world, 0 where the body is locked [1/kg]
     std::vector<Sym3> inverse_inertia;  ///< world axes [1/(kg m^2)]
 
-    std::size_t size() const { return inverse_mass.size(); }
+    std::size_t size() const { return lightness.size(); }
 };
 
 /// A scheme that can solve for its pressure and the accelerations of bodies at once.

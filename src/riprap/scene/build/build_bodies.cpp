@@ -6,10 +6,12 @@
 #include <limits>
 #include <optional>
 
+#include "riprap/body/locks.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/keys/freedom_words.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -55,6 +57,40 @@ bool read_drive(CaseBuild& build, const Value& table, body::NewBody& body) {
     body.release_time = release != nullptr ? release->as_number() : body.release_time;
     body.motion = motion != nullptr ? add_motion(build, *motion) : -1;
     return motion == nullptr || body.motion >= 0;
+}
+
+/// Reads the degrees of freedom that a body lacks; nothing with a problem.
+std::optional<body::Locks> read_locks(CaseBuild& build, const Value& table, const body::NewBody& body) {
+    const Value* locked = table.find("locked");
+    body::Locks locks;
+    if (locked == nullptr) {
+        return locks;
+    }
+    constexpr unsigned planar = 0x23, spatial = 0x3F;  // x, y and rotation_z; all six
+    const unsigned there = build.is_planar ? planar : spatial;
+    for (const Value& word : locked->items) {
+        const unsigned bits = key::value_of(freedoms(), word.text);
+        if ((bits & there) == 0) {
+            build.problem(locked->place,
+                          fmt::format("nothing moves along '{}' in a scene with dimension = 2", word.text),
+                          "x, y, rotation_z");
+            return std::nullopt;
+        }
+        locks.bits = static_cast<std::uint8_t>(locks.bits | (bits & there));
+    }
+    if (locks.bits == there) {
+        build.problem(locked->place, fmt::format("body '{}' cannot move at all", body.name), "fixed = true");
+    } else if (body.drive == body::Drive::driven) {
+        build.problem(locked->place, fmt::format("body '{}' has a motion, which says all of its freedoms", body.name),
+                      "leave out 'locked' or 'motion'");
+    } else if (!(locks.free_translation(body.velocity) == body.velocity &&
+                 locks.free_rotation(body.angular_velocity) == body.angular_velocity)) {
+        build.problem(locked->place, fmt::format("body '{}' starts with a velocity that is locked", body.name),
+                      "velocity and angular_velocity 0 along locked axes");
+    } else {
+        return locks;
+    }
+    return std::nullopt;
 }
 
 Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()}; }
@@ -226,6 +262,7 @@ void build_body(CaseBuild& build, const Value& table) {
                                 (repeat == nullptr || check_planar_turn(build, *repeat, "lattice",
                                                                         orientation_of(repeat->find("orientation"))));
     const bool is_driven_well = read_drive(build, table, body);
+    const auto locks = is_driven_well ? read_locks(build, table, body) : std::nullopt;
     if (repeat != nullptr && ShapeLibrary::is_half_space(shape)) {
         build.problem(repeat->place, "a half-space cannot be repeated", "");
         return;
@@ -239,7 +276,7 @@ void build_body(CaseBuild& build, const Value& table) {
     const Value* loads = table.find("load");
     const bool is_loaded_well =
         loads == nullptr || check_loads(build, *loads, body, repeat != nullptr ? Lattice(*repeat).size() : 1);
-    if (!body.material.is_valid() || !parts || !is_turned_well || !is_driven_well || !is_loaded_well) {
+    if (!body.material.is_valid() || !parts || !is_turned_well || !locks || !is_loaded_well) {
         return;
     }
     body.parts = *parts;
@@ -261,6 +298,9 @@ void build_body(CaseBuild& build, const Value& table) {
         add_with_loads(build, table, body, given);
     }
     const auto count = static_cast<std::size_t>(build.model.bodies.size());
+    for (std::size_t b = first; b < count && locks->any(); ++b) {
+        guide(build.model.bodies, build.state.bodies, BodyId{static_cast<std::int32_t>(b)}, *locks);
+    }
     note_paddle(build, table, first, count);
     build.is_dry.resize(first, 0);
     build.is_dry.resize(count, get_boolean(table, "wet") ? 0 : 1);

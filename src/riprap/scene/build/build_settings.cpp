@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/keys/methods.hpp"
@@ -370,6 +371,17 @@ void check_solid_method(CaseBuild& build) {
             for (const solid::UnansweredBody& body : solid::unanswered_bodies(
                      model.bodies, solid::kinds_of<Solid>(scene, settings), solid::pairs_of<Solid>())) {
                 found.push_back(unanswered_problem(model, body));
+            }
+            // Rigid bodies have six degrees of freedom, blocks that deform twelve, of which no guide is made.
+            if (build.state.bodies.deforms() ||
+                !(std::is_same_v<Solid, solid::PolyhedralDem> || std::is_same_v<Solid, solid::SphereDem>)) {
+                for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+                    if (locks_of(model.bodies, at(b)).any()) {
+                        found.push_back({BodyId{b}, "this method locks no degrees of freedom of a body",
+                                         "leave out 'locked', or solid.method = \"distance_potential_dem\" or "
+                                         "\"sphere_dem\""});
+                    }
+                }
             }
             return found;
         });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: bodies, loads on them and their repetition.
+#include "riprap/scene/keys/freedom_words.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
@@ -137,6 +138,12 @@ const Table& body_table() {
          {"release_time",
           {number(dimension::time, non_negative())},
           "A fixed or moving body becomes free at this time.",
+          {}},
+         {"locked",
+          {list(choice(freedoms()), 1, 6)},
+          "Degrees of freedom that a free body lacks, along and about the axes of the world through its centre of "
+          "mass; "
+          "\"rotation\" is all three turns. Guides without friction hold it and take any load.",
           {}},
          {"motion", {form::table(motion_table)}, "A prescribed motion.", {}},
          {"load", {table_list(load_table)}, "Forces on points of it.", {}},

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 
-#include <algorithm>
-
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/explicit_dem.hpp"
@@ -70,11 +69,7 @@ void for_bodies(const body::BodySet& bodies, const EightBodies& eight, const One
     constexpr std::int64_t range = 1024;  // up to so many bodies are not worth waking a thread for
     parallel::for_ranges(bodies.size(), range, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end;) {
-            const auto first = bodies.drive.begin() + i;
-            const bool are_free = i + lanes <= end && std::all_of(first, first + lanes, [](body::Drive drive) {
-                                      return drive == body::Drive::free;
-                                  });
-            if (are_free && eight(i)) {
+            if (i + lanes <= end && are_free(bodies, i, lanes) && eight(i)) {
                 i += lanes;
             } else {
                 one(i++);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
@@ -71,7 +72,8 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
         const std::size_t first = at(model.spheres.begin[b]);
         const Vec3& moments = bodies.principal_moments[b];
         const bool is_one = model.spheres.count_of(static_cast<std::int32_t>(b)) == 1 &&
-                            model.spheres.local[first] == Vec3{} && moments.x == moments.y && moments.y == moments.z;
+                            model.spheres.local[first] == Vec3{} && moments.x == moments.y && moments.y == moments.z &&
+                            !locks_of(bodies, b).any();
         scratch.is_simple = scratch.is_simple && (!may_move(bodies, b) || is_one);
     }
     scratch.is_prepared = true;
