@@ -73,10 +73,12 @@ void spinning_top(const CaseSetting&, CaseReport& report) {
         corners.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
     }
     // The tip is a cone that sinks by d = (N r/(1.18 k))^(1/3), r the radius that scales the potential. The pressure on
-    // its cut passes 0.72 d to the side of the lean, which shortens the arm of gravity, and friction holds the cut 0.33
-    // d beside the axis of spin: the tip rolls on a small circle. Either slows precession by about 0.4 % at this k.
+    // its cut passes 0.72 d to the side of the lean, which shortens the arm of gravity, and friction holds the cut
+    // 0.33 d beside the axis of spin: the tip rolls on a small circle. Either slows precession: by 3.0, 1.2 and 0.2 %
+    // in all at k = 1e10, 1e11 and 1e12 Pa. The step is that of a body on its tip, whose frequency is sqrt(3 g/d)/2 pi,
+    // not the one that a body covered all over would need; half of it changes the fifth digit.
     SceneBuilder scene;
-    scene.add_material({.name = "rock", .density = 2500, .normal_stiffness = 4e11, .friction = 1});
+    scene.add_material({.name = "rock", .density = 2500, .normal_stiffness = 1e12, .friction = 1});
     BodySpec ground;
     ground.name = "ground";
     ground.shape = scene.add_half_space({0, 0, 1}, 0);
@@ -88,6 +90,8 @@ void spinning_top(const CaseSetting&, CaseReport& report) {
     spec.pose.orientation = turn({0, 1, 0}, tilt);
     const BodyId top = scene.add_body(spec);
     scene.model.gravity.value = {0, 0, -gravity};
+    scene.model.time.time_step = 1e-5;
+    scene.model.time.force_time_step = true;
     const auto b = static_cast<std::size_t>(top.value);
     const double mass = scene.model.bodies.mass[b], arm = 0.75 * height;  // centre of a pyramid from its tip
     const Vec3 moments = scene.model.bodies.principal_moments[b];
@@ -110,7 +114,7 @@ void spinning_top(const CaseSetting&, CaseReport& report) {
     // The tip does not slip; nutation, excited as the tip takes up the weight, is left out by the mean of many of its
     // turns.
     double turned = 0, last = azimuth(), start = 0;
-    trial.run_until(0.5, [&](const Trial& now) {
+    trial.run_until(0.9, [&](const Trial& now) {
         const Vec3 tip = now.position(top) - arm * rotate(now.orientation(top), Vec3{0, 0, 1});
         const Vec3 above = now.position(top) - tip;
         const double angle = std::atan2(above.y, above.x);
