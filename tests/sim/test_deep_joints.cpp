@@ -13,12 +13,8 @@ namespace {
 
 constexpr double edge = 0.4;  // of a square, 8 spacings [m]
 
-/// Mean uplift beyond buoyancy over the force of the water on the base [-]. The square is held.
-/// @param heights  depth of the water, in heights of the square
-/// @param gap      under it, in spacings
-/// @param ratio    smoothing length over spacing
-double excess(double heights, double gap, double ratio = 1.5) {
-    const double depth = heights * edge;
+/// A pool with a square that is held over its floor.
+Basin pool_with_held_square(double depth, double gap, double ratio) {
     Basin pool;
     pool.sound_speed = 10 * std::sqrt(9.81 * depth);
     pool.add_square(edge, 2500, {0.8, 0.5 * edge + gap * dp, 0});
@@ -34,6 +30,16 @@ double excess(double heights, double gap, double ratio = 1.5) {
     sampling.domain = water.settings().domain;
     sampling.limit = 1'000'000;
     water.samples = sample_shapes(pool.model.shapes, pool.model.bodies, pool.state.bodies, sampling);
+    return pool;
+}
+
+/// Mean uplift beyond buoyancy over the force of the water on the base [-].
+/// @param heights  depth of the water, in heights of the square
+/// @param gap      under it, in spacings
+/// @param ratio    smoothing length over spacing
+double excess(double heights, double gap, double ratio = 1.5) {
+    const double depth = heights * edge;
+    Basin pool = pool_with_held_square(depth, gap, ratio);
     Scratch scratch;
     constexpr int warm = 500, count = 300;
     double mean = 0;
@@ -70,6 +76,18 @@ TEST(DeepJoints, hold_at_the_ends_of_the_smoothing_ratios_that_are_taken) {
             EXPECT_NEAR(excess(5, gap, ratio), 0, 0.03) << "h/dp = " << ratio << ", a gap of " << gap;
         }
     }
+}
+
+TEST(DeepJoints, a_gap_wider_than_two_rows_of_particles_is_water_and_no_joint) {
+    const auto force = [](double gap, bool has_joints) {
+        Basin pool = pool_with_held_square(5 * edge, gap, 1.5);
+        pool.model.particles()->has_joint_pressure = has_joints;
+        Scratch scratch;
+        EXPECT_TRUE(pool.steps(3, scratch).status.ok());
+        return scratch.water_loads().pressure.force[0];
+    };
+    EXPECT_EQ(force(2.5, true), force(2.5, false));
+    EXPECT_NE(force(1.5, true), force(1.5, false));
 }
 
 }  // namespace
