@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/lanes.hpp"
+#include "riprap/solid/sphere_dem/load_rows.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -18,62 +19,6 @@ constexpr std::int64_t chunk_groups = 256;  ///< groups of eight slots that one 
 
 std::uint64_t key_of(const Slots& slots, std::size_t slot) {
     return static_cast<std::uint64_t>(slots.a[slot]) << 32 | static_cast<std::uint64_t>(slots.b[slot]);
-}
-
-/// Gives the ends of every slot their rows.
-/// @param elsewhere  takes the spheres that blocks have met elsewhere, block after block: the rows behind their own
-void place_ends(std::int32_t sphere_count, Slots& slots, LoadRows& rows, std::vector<std::int32_t>& elsewhere) {
-    constexpr std::uint32_t none = ~0U;
-    std::vector<std::uint32_t> row_of(at(sphere_count), none);  // of spheres that the block has met elsewhere
-    rows.first_row.assign(1, 0);
-    slots.ends.resize(at(slots.count));
-    std::size_t s = 0;
-    std::uint32_t next = 0;
-    for (std::int32_t begin = 0; begin < sphere_count; begin += LoadRows::block_spheres) {
-        const std::int32_t end = std::min(begin + LoadRows::block_spheres, sphere_count);
-        const std::uint32_t own = next;
-        const std::size_t first = elsewhere.size();
-        next += static_cast<std::uint32_t>(end - begin);
-        for (; s < slots.ends.size() && slots.a[s] < end; ++s) {
-            const std::int32_t b = slots.b[s];
-            if (b >= end && row_of[at(b)] == none) {
-                row_of[at(b)] = next++;
-                elsewhere.push_back(b);
-            }
-            slots.ends[s] = {own + static_cast<std::uint32_t>(slots.a[s] - begin),
-                             b < end ? own + static_cast<std::uint32_t>(b - begin) : row_of[at(b)]};
-        }
-        for (std::size_t k = first; k < elsewhere.size(); ++k) {
-            row_of[at(elsewhere[k])] = none;
-        }
-        rows.first_row.push_back(next);
-    }
-    rows.rows.resize(next);
-}
-
-/// Lists by sphere the rows that other blocks have of it.
-void list_merges(std::int32_t sphere_count, const std::vector<std::int32_t>& elsewhere, LoadRows& rows) {
-    std::vector<std::uint32_t> begin(at(sphere_count) + 1, 0);
-    for (const std::int32_t sphere : elsewhere) {
-        ++begin[at(sphere) + 1];
-    }
-    for (std::size_t i = 0; i < at(sphere_count); ++i) {
-        begin[i + 1] += begin[i];
-    }
-    rows.merge_begin.clear();
-    for (std::int32_t first = 0; first < sphere_count; first += LoadRows::block_spheres) {
-        rows.merge_begin.push_back(begin[at(first)]);
-    }
-    rows.merge_begin.push_back(begin.back());
-    rows.merges.resize(elsewhere.size());
-    std::size_t k = 0;
-    for (std::int64_t block = 0; block < rows.block_count(); ++block) {
-        const auto own = static_cast<std::uint32_t>(
-            std::min<std::int64_t>(LoadRows::block_spheres, sphere_count - block * LoadRows::block_spheres));
-        for (std::uint32_t row = rows.first_row[at(block)] + own; row < rows.first_row[at(block) + 1]; ++row, ++k) {
-            rows.merges[begin[at(elsewhere[k])]++] = {row, rows.own_row(elsewhere[k])};
-        }
-    }
 }
 
 /// Sorts the pairs of the search into slots of spheres and candidates with walls.
@@ -92,9 +37,7 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
         }
     }
     slots.count = static_cast<std::int64_t>(slots.a.size());
-    std::vector<std::int32_t> elsewhere;
-    place_ends(spheres, slots, scratch.load_rows, elsewhere);
-    list_merges(spheres, elsewhere, scratch.load_rows);
+    place_rows(spheres, slots, scratch.load_rows);
     if (slots.count > 0) {
         slots.a.resize(at(8 * slots.group_count()), slots.a.back());
         slots.b.resize(at(8 * slots.group_count()), slots.b.back());

@@ -255,31 +255,4 @@ ContactSums respond(const SphereModel& model, const body::BodyState& bodies, dou
     });
 }
 
-void gather_loads(const SphereModel& model, const body::BodyState& state, SphereScratch& scratch) {
-    LoadRows& rows = scratch.load_rows;
-    parallel::for_each_uneven(rows.block_count(), 1, [&](std::int64_t block) {
-        for (std::uint32_t k = rows.merge_begin[at(block)]; k < rows.merge_begin[at(block) + 1]; ++k) {
-            double* to = &rows.rows[rows.merges[k].to].force.x;
-            (Eight::load(to) + Eight::load(&rows.rows[rows.merges[k].from].force.x)).store(to);
-        }
-    });
-    const auto bodies = at(model.bodies.size());
-    scratch.loads.force.resize(bodies);
-    scratch.loads.torque.resize(bodies);
-    parallel::for_each(model.bodies.size(), [&](std::int64_t index) {
-        const auto body = at(index);
-        Vec3 force{}, torque{};
-        for (std::int32_t s = model.spheres.begin[body]; s < model.spheres.begin[body + 1]; ++s) {
-            const LoadRow& sum = rows.rows[rows.own_row(s)];
-            force += sum.force;
-            torque += sum.torque;
-            if (!(model.spheres.local[at(s)] == Vec3{})) {
-                torque += cross(scratch.placed.center[at(s)] - state.position[body], sum.force);
-            }
-        }
-        scratch.loads.force[body] = force;
-        scratch.loads.torque[body] = torque;
-    });
-}
-
 }  // namespace riprap::solid::sphere_dem

@@ -7,12 +7,9 @@
 
 namespace riprap::solid::sphere_dem {
 
-/// Loads of all contacts of spheres with spheres into their slots, springs advanced, eight contacts at a time.
+/// Adds the loads of all contacts of spheres with spheres to their rows and advances their springs, eight at a time.
 /// @param dt  since the last evaluation [s]
 ContactSums respond(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
                     SphereScratch& scratch);
-
-/// Sums the loads of the slots per body, in the order of the spheres and of their slots.
-void gather_loads(const SphereModel& model, const body::BodyState& state, SphereScratch& scratch);
 
 }  // namespace riprap::solid::sphere_dem

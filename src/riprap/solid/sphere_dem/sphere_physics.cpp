@@ -4,6 +4,7 @@
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/find.hpp"
+#include "riprap/solid/sphere_dem/load_rows.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 #include "riprap/solid/sphere_dem/respond.hpp"
 #include "riprap/solid/sphere_dem/walls.hpp"
