@@ -256,14 +256,14 @@ closure = ")" +
 std::string basin(const std::string& word) {
     const bool is_along_z = word.back() == 'z';
     const auto box = [&](double up) {
-        return is_along_z ? fmt::format("{{ low = [0, 0, 0], high = [{}, 1.6, 1.6] }}", up)
-                          : fmt::format("{{ low = [0, 0, 0], high = [1.6, 1.6, {}] }}", up);
+        return is_along_z ? fmt::format("{{ low = [0, 0, 0], high = [{}, 6.4, 6.4] }}", up)
+                          : fmt::format("{{ low = [0, 0, 0], high = [6.4, 6.4, {}] }}", up);
     };
     return std::string("gravity = ") + (is_along_z ? "[-9.81, 0, 0]" : "[0, 0, -9.81]") +
            "\nend = 1.0\n[material.none]\ndensity = 1.0\nnormal_stiffness = 1.0\n[fluid]\nmethod = \"grid\"\n"
-           "spacing = 0.1\ndomain = " +
-           box(0.8) + "\n[[fluid.region]]\nbox = " + box(0.4) +
-           "\n[[fluid.wave]]\ndepth = 0.4\nheight = 0.1\nperiod = 1.9\nwave = \"regular\"\ntowards = \"" + word +
+           "spacing = 0.4\ndomain = " +
+           box(8.0) + "\n[[fluid.region]]\nbox = " + box(4.0) +
+           "\n[[fluid.wave]]\ndepth = 4.0\nheight = 2.0\nperiod = 4.0\nwave = \"regular\"\ntowards = \"" + word +
            "\"\n";
 }
 
