@@ -71,16 +71,29 @@ TEST(JointWater, a_block_on_another_is_lifted_by_the_water_between_them_and_pres
 /// Water on the left of a wall 16 spacings thick that stands on the floor.
 struct Dam : Basin {
     static constexpr double depth = 0.6, width = 0.8, height = 0.8;
-    explicit Dam(bool has_joint_pressure) {
+    /// @param seam  where two blocks of floor meet; 0: the floor is one [m]
+    explicit Dam(bool has_joint_pressure, double seam = 0) {
         rock().density = 2500;
         const std::vector<geometry::Point2> corners{{-0.5 * width, -0.5 * height},
                                                     {0.5 * width, -0.5 * height},
                                                     {0.5 * width, 0.5 * height},
                                                     {-0.5 * width, 0.5 * height}};
         add("dam", add_shape(geometry::planar_prism(corners).value()), {{1 + 0.5 * width, 0.5 * height, 0}, {}});
-        add_walls(3);
+        if (seam > 0) {
+            add_floor(-1, seam);
+            add_floor(seam, 4);
+            add_wall({1, 0, 0}, 0);
+        } else {
+            add_walls(3);
+        }
         fill({0, 0, 0}, {1, depth, 0}, {2 + dp, 1, 0}, depth, {0, -9.81, 0});
         model.particles()->has_joint_pressure = has_joint_pressure;
+    }
+    void add_floor(double low, double high) {
+        const double half = 0.5 * (high - low);
+        const std::vector<geometry::Point2> corners{{-half, -0.5}, {half, -0.5}, {half, 0.5}, {-half, 0.5}};
+        add("floor" + std::to_string(model.bodies.size()), add_shape(geometry::planar_prism(corners).value()),
+            {{low + half, -0.5, 0}, {}}, body::Drive::fixed);
     }
 };
 
@@ -107,6 +120,18 @@ TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_not
         a.pressure.torque[0].z - b.pressure.torque[0].z - 0.5 * Dam::height * uplift.x;  // of the upright part
     // It acts a third of the width from the heel, which is a sixth of it upstream of the centre of mass.
     EXPECT_NEAR(moment, -triangle * Dam::width / 6, 0.1 * triangle * Dam::width / 6);
+}
+
+TEST(JointWater, under_a_dam_a_seam_of_the_floor_is_no_rim_of_the_joint) {
+    for (const double seam : {1.2, 1.4 + 0.37 * dp, 1.4 + 0.5 * dp, 1.6 + 0.2 * dp}) {
+        Dam with(true, seam), without(false, seam);
+        Scratch of_with, of_without;
+        with.steps(1, of_with);
+        without.steps(1, of_without);
+        const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
+        const double triangle = 0.5 * 1000 * 9.81 * Dam::depth * Dam::width;
+        EXPECT_NEAR(a.pressure.force[0].y - b.pressure.force[0].y, triangle, 0.05 * triangle) << seam;
+    }
 }
 
 TEST(JointWater, there_is_none_where_there_is_no_water) {
