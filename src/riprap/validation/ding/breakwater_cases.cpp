@@ -160,7 +160,7 @@ void layer_thickness(const CaseSetting& setting, CaseReport& report) {
             mesh.box, 0.0,
             [&](std::int64_t c, int, int, int) {
                 return trial.state().turbulent_energy[at(c)] * trial.state().fraction[at(c)] *
-                       trial.scratch().capacity[at(c)];
+                       trial.scratch().room.capacity[at(c)];
             },
             sum_of);
         report.state(

@@ -50,7 +50,7 @@ RecordedWater::RecordedWater(double cell, double first, double last) : first_(fi
                 const double p =
                     trial.state().pressure[c] + density * dot(trial.settings().gravity, mesh.centre(i, j, 0));
                 sample.push_back(static_cast<float>(p));
-                is_open_.push_back(trial.scratch().capacity[c] > 0 ? 1 : 0);
+                is_open_.push_back(trial.scratch().room.capacity[c] > 0 ? 1 : 0);
             }
         }
         samples_.push_back(std::move(sample));

@@ -205,7 +205,7 @@ void overtopping(const CaseSetting& setting, CaseReport& report) {
         const int i = mesh.cell_at(0, 2.0);
         double sum = 0;
         for (int j = 0; j < mesh.box.cells[1]; ++j) {
-            sum += t.scratch().water_flux[0][at(mesh.box.index(i, j, 0))];
+            sum += t.scratch().moved.water_flux[0][at(mesh.box.index(i, j, 0))];
         }
         return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
     });
