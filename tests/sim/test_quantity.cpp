@@ -22,6 +22,7 @@ struct Scene {
         bodies.mass = {2, 3, 4};
         bodies.principal_moments = {{1, 2, 3}, {1, 1, 1}, {1, 1, 1}};
         bodies.principal_axes.resize(3);
+        bodies.driven.assign(3, -1);
         initial.bodies.position = {{1, 2, 3}, {}, {}};
         initial.bodies.orientation.resize(3);
         initial.bodies.velocity.resize(3);
