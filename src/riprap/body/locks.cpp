@@ -35,7 +35,7 @@ Sym3 lock(const Locks& locks, const Sym3& inverse_inertia) {
         if (column[k] > 0) {
             w += (-1 / column[k]) * symmetric_product(column, column);
         }
-        // What rounding leaves of the row and the column goes.
+        // Clear what rounding leaves of the row and the column.
         const bool x = k == 0, y = k == 1, z = k == 2;
         w = {x ? 0 : w.xx, y ? 0 : w.yy, z ? 0 : w.zz, x || y ? 0 : w.xy, x || z ? 0 : w.xz, y || z ? 0 : w.yz};
     }

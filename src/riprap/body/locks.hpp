@@ -34,7 +34,7 @@ struct Locks {
     }
 };
 
-/// What holds a body, by its entry in BodySet::driven: -1 nothing, -2 - bits its guides, 0 and above a motion.
+/// Returns what holds a body, by its entry in BodySet::driven: -1 nothing, -2 - bits its guides, 0 and above a motion.
 inline Locks locks_of(const BodySet& bodies, std::size_t body) {
     const std::int32_t entry = bodies.driven[body];
     return {static_cast<std::uint8_t>(entry < -1 ? -2 - entry : 0)};

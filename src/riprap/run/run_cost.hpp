@@ -8,7 +8,7 @@
 
 namespace riprap::run {
 
-/// What a run takes on this machine, by its first steps: later ones cost more where water breaks or a pile falls apart.
+/// Cost of a run on this machine, by its first steps: later ones cost more where water breaks or a pile falls apart.
 struct RunCost {
     std::int64_t particles{0}, free_bodies{0};
     std::int64_t steps{0};       ///< to the end, at the first step's length
