@@ -40,7 +40,7 @@ constexpr double first_share = 0.02, share_of_time = 0.05;
 /// Of every body that moves, so that its loads are always those of its own acceleration [-]. A body in air feels water
 /// too, through air that cannot get away: a unit that falls on others, say, or a piston over a cushion of air. By its
 /// wet surface alone it would feel nothing, and a load that lags by a step swings from step to step.
-constexpr double least_feedback = 1.5 * AddedMassIteration::iterates_above;
+const double least_feedback = 1.5 * AddedMassIteration::iterates_above;
 
 /// Added mass over mass of every body that forces may move: that of the water it displaces, as far as it is wet, and
 /// least_feedback at least.
