@@ -260,6 +260,16 @@ void Cutter::close_shares() {
     for (double& v : out_.open.volume) {
         v = v < closed_tolerance ? 0 : v;
     }
+    // a cell without room has no equation that would balance what drives a flow through a face of it: bodies pressed
+    // on each other fill a cell by more than its volume and leave some of a face open
+    for (int a = 0; a < mesh_->box.axes; ++a) {
+        const std::int64_t stride = mesh_->box.stride[at(a)];
+        fluid::grid::for_faces(mesh_->box, a, [&](std::int64_t f, int, int, int) {
+            if (out_.open.volume[at(f)] == 0 || out_.open.volume[at(f - stride)] == 0) {
+                out_.open.area[at(a)][at(f)] = 0;
+            }
+        });
+    }
 }
 
 /// A narrow rest of a cell with bodies on two sides of it.
