@@ -66,8 +66,8 @@ void add_run(CLI::App& app, Action& action) {
     command
         ->add_option(
             "--ensemble", *members,
-            "Run so many members, each with numbers of its own drawn as [[spread]] of the case says, and write "
-            "bands.csv and bands.svg; members that are there already are continued")
+            "Run N members, each with its own values drawn from [[spread]] of the case, and write bands.csv and "
+            "bands.svg; existing members are continued")
         ->type_name("N")
         ->check(CLI::Range(1, 10000));
     command->callback([&action, options, limits, out, members] {
@@ -93,7 +93,8 @@ void add_resume(CLI::App& app, Action& action) {
     command->add_option("DIR", options->folder, "The run folder")->required();
     command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
     command->add_option("--end", options->end, "Run to this time instead [s]")->check(CLI::PositiveNumber);
-    command->add_option("--max-steps", options->max_steps, "Stop after this many steps in all; -1 = no limit");
+    command->add_option("--max-steps", options->max_steps,
+                        "Stop after this many steps, those before the checkpoint included; -1 = no limit");
     command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
     command->callback([&action, options] { action = [options] { return run::resume_run(*options); }; });
 }
@@ -198,7 +199,7 @@ void add_bench(CLI::App& app, Action& action) {
     command->add_option("NAME", options->selection, "Benches, or how their names begin: contact, pile.10k");
     command->add_flag("--full", options->is_full, "Also those that take minutes");
     command->add_flag("--json", options->as_json, "As JSON");
-    command->add_option("--threads", options->threads, "Measure with 1 and so many threads (default: all)")
+    command->add_option("--threads", options->threads, "Measure with 1 thread and with this many (default: all)")
         ->check(CLI::Range(1, max_threads));
     command->callback([&action, options] { action = [options] { return bench::bench_main(*options); }; });
 }

@@ -41,8 +41,9 @@ void add_view(CLI::App& app, Action& action) {
         ->expected(1, static_cast<int>(view::most_compared));
     CLI::Option* out =
         command->add_option("--out", options->out, "The page (default: RUN/index.html, of several runs compare.html)");
-    CLI::Option* serve = command->add_flag("--serve", options->is_served,
-                                           "Show it to browsers on this machine instead of writing it, until Ctrl-C");
+    CLI::Option* serve =
+        command->add_flag("--serve", options->is_served,
+                          "Serve the page to browsers on this machine instead of writing it, until Ctrl-C");
     serve->excludes(out);
     command->add_option("--port", options->port, "With --serve (default: a free one)")
         ->check(CLI::Range(1, 65535))
@@ -70,7 +71,8 @@ void add_render(CLI::App& app, Action& action) {
     command->add_option("RUN", options->folder, "The run folder")->required();
     command->add_option("--out", options->out,
                         "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
-    CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default)");
+    CLI::Option* frame =
+        command->add_option("--frame", options->frame, "Index of a frame, from 0; -1 is the last (default)");
     CLI::Option* time = command->add_option("--time", options->time, "The frame nearest to this time [s]");
     frame->excludes(time);
     command->add_flag("--movie", options->is_movie, "All frames, as MP4 where ffmpeg is installed, else as pictures")
@@ -113,7 +115,8 @@ void add_surface(CLI::App& app, Action& action) {
     command->footer("Example:\n  riprap surface runs/dam --time 0.4 --format glb");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command->add_option("--out", options->out, "A folder (default: RUN/surface)");
-    CLI::Option* frame = command->add_option("--frame", options->frame, "From 0; -1 is the last (default: all)");
+    CLI::Option* frame =
+        command->add_option("--frame", options->frame, "Index of a frame, from 0; -1 is the last (default: all)");
     command->add_option("--time", options->time, "The frame nearest to this time [s]")->excludes(frame);
     auto formats = std::make_shared<std::vector<std::string>>();
     command->add_option("--format", *formats, "vtp, ply, glb (glTF), separated by commas (default: all three)")
@@ -135,10 +138,10 @@ void add_plot(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command
-        ->add_option(
-            "--column", options->columns,
-            "Of probes.csv or ledger.csv: solid.kinetic, B1.position.x; once for each (default: gauges and bodies, "
-            "else energies)")
+        ->add_option("--column", options->columns,
+                     "Column of probes.csv or ledger.csv: solid.kinetic, B1.position.x; may be repeated (default: "
+                     "gauges and bodies, "
+                     "else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");
@@ -155,16 +158,18 @@ void add_waves(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
     command->add_option("RUN", *folder, "The run folder")->required();
-    command->add_option("--gauge", request->gauges, "Of kind level or surface; once for each (default: all)")
+    command
+        ->add_option("--gauge", request->gauges,
+                     "Name of a gauge of kind level or surface; may be repeated (default: all)")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_option("--from", request->from, "Start of the stretch looked at [s] (default: half of the record)");
-    command->add_option("--to", request->to, "End of it [s] (default: of the record)");
+    command->add_option("--from", request->from, "Start of the analysed interval [s] (default: half of the record)");
+    command->add_option("--to", request->to, "End of the analysed interval [s] (default: end of the record)");
     command->add_option("--period", request->period,
-                        "Of the regular wave to take apart [s] (default: the wave maker's)");
-    command->add_option("--depth", request->depth, "Of still water [m] (default: the wave maker's)");
+                        "Period of the regular wave to separate [s] (default: the wave maker's)");
+    command->add_option("--depth", request->depth, "Depth of still water [m] (default: the wave maker's)");
     auto way = std::make_shared<std::vector<double>>();
-    command->add_option("--direction", *way, "Of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
+    command->add_option("--direction", *way, "Direction of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
         ->delimiter(',')
         ->expected(2, 3)
         ->type_name("VECTOR");

@@ -57,7 +57,7 @@ void add_sweep(CLI::App& app, Action& action) {
         "Example:\n"
         "  riprap sweep hello_block --vary material.rock.friction_angle_deg=10,20,25 --vary end=0.5,1\n"
         "runs six cases, several at a time, into runs/hello_block_sweep: a folder each, sweep.csv, sweep.json and\n"
-        "index.html. The same command again goes on with what is not finished.");
+        "index.html. Repeat the command to resume unfinished runs.");
     command
         ->add_option("CASE", words->case_text, "A case file, a folder with a case.toml, or a name from `riprap list`")
         ->required();

@@ -63,7 +63,7 @@ TEST(TippingBias,
 TEST(TippingBias, is_reported_by_check_with_a_sufficient_stiffness) {
     const CaseCheck check = check_case(bricks(5, 1e9));
     EXPECT_THAT(check_text(check), HasSubstr("  tipping       'brick[0]' and the 4 above it tip at "));
-    EXPECT_THAT(check_text(check), HasSubstr("0.1 deg takes normal_stiffness = "));
+    EXPECT_THAT(check_text(check), HasSubstr("for 0.1 deg set normal_stiffness = "));
     EXPECT_THAT(check_json(check), HasSubstr("\"stiffness_for_0.1_deg\""));
 }
 

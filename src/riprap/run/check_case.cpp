@@ -95,13 +95,13 @@ std::string room_text(const CaseCheck& check) {
                                                 : "more than there is room outside of solids");
 }
 
-/// Which gaps are too narrow for water and too wide for a joint.
+/// Names the gaps that are too narrow for water and too wide for a joint.
 std::string gaps_text(const CaseCheck& check) {
     const std::string low = fmt::format("{:.3g}", check.gaps.narrowest),
                       high = fmt::format("{:.3g}", check.gaps.widest);
     return fmt::format(
-        "'{}' and '{}'{} stand {} spacings apart: particles come into gaps of a quarter to two one by one, and shake "
-        "what stands there",
+        "'{}' and '{}'{} are {} spacings apart: gaps of 0.25 to 2 spacings admit single particles, whose forces "
+        "are noisy",
         check.beside_gap[0], check.beside_gap[1],
         check.gaps.pairs > 1
             ? fmt::format(" and {} more {}", check.gaps.pairs - 1, check.gaps.pairs > 2 ? "pairs" : "pair")
@@ -125,9 +125,9 @@ std::string tipping_text(const CaseCheck::EarlyTipping& tipping) {
     const std::string who = tipping.above > 0 ? fmt::format("'{}' and the {} above it tip", tipping.body, tipping.above)
                                               : fmt::format("'{}' tips", tipping.body);
     return fmt::format(
-        "{} at {:.3g} deg, a rigid foot at {:.3g}: {:.2g} deg early, as contacts are elastic; 0.1 deg takes "
+        "{} at {:.3g} deg, {:.2g} deg before a rigid body ({:.3g}), as contacts are elastic; for 0.1 deg set "
         "normal_stiffness = {:.2g} Pa",
-        who, tipping.elastic, tipping.rigid, tipping.rigid - tipping.elastic, tipping.stiffness);
+        who, tipping.elastic, tipping.rigid - tipping.elastic, tipping.rigid, tipping.stiffness);
 }
 
 }  // namespace

@@ -292,7 +292,7 @@ int Driver::finish(const Progress& progress) {
     }
     const sim::Ledger& ledger = simulation_.report().ledger;
     const std::string unit = sim::unit_in("J", model().bodies.is_planar);
-    say(fmt::format("state hash {:016x}; energy ledger closes to {:.2g} {} of {:.2g} {} turned over", xxh3_of(state()),
+    say(fmt::format("state hash {:016x}; energy balance: residual {:.2g} {} of {:.2g} {} exchanged", xxh3_of(state()),
                     ledger.residual, unit, ledger.turnover, unit));
     tell_warnings();
     return verdict(results);

@@ -160,8 +160,7 @@ const Table& fluid_outflow_table() {
         "fluid.outflow",
         "[[fluid.outflow]]",
         "Water that passes a rectangle (a line in a planar scene) is gone. Where neither speed nor level is given it "
-        "falls "
-        "into nothing: for water that drops or runs faster than its waves.",
+        "flows out freely: for overfalls and water that runs faster than its waves.",
         {{"name", {form::name()}, "Unique among the openings.", {}, true},
          {"low", {vector(dimension::length)}, "A corner.", {}, true},
          {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
