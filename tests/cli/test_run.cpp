@@ -181,11 +181,11 @@ TEST_F(Runs, ContactsThatDoNotSettleCutTheStepAndThenEndTheRunWithTheirPair) {
                                "solid.open_close=1", "--set", "solid.step=\"1 ms\""});
     EXPECT_EQ(ending.code, 4) << ending.err;
     EXPECT_THAT(ending.out + ending.err, HasSubstr("is taken again"));
-    EXPECT_THAT(ending.err, AllOf(HasSubstr("contacts of blocks"), HasSubstr("open and close without end"),
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("contacts of 'low' and 'high' open and close without end"),
                                   HasSubstr("last good state")));
     const nlohmann::json summary = summary_of("a");
     EXPECT_EQ(summary.at("status"), "failed");
-    EXPECT_THAT(summary.at("reason").get<std::string>(), HasSubstr("contacts of blocks"));
+    EXPECT_THAT(summary.at("reason").get<std::string>(), HasSubstr("contacts of 'low' and 'high'"));
     EXPECT_EQ(run({"resume", out("a")}).code, 4);
 }
 

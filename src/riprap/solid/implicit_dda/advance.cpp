@@ -177,6 +177,7 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
         }
         if (changed >= 0 && report.open_close >= settings.open_close) {
             const affine::BlockContact& c = scratch.found[at(changed)];
+            report.unsettled = {c.a, c.b};
             return {fmt::format("contacts of blocks {} and {} open and close without end", c.a, c.b), settings.cut};
         }
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
 
@@ -66,6 +69,7 @@ struct StepReport {
     double largest_displacement{0};  ///< of a corner [m]
     int open_close{0}, solver_iterations{0};
     std::int64_t contact_count{0}, sliding_count{0};
+    std::array<std::int32_t, 2> unsettled{-1, -1};  ///< blocks of a contact that opened and closed without end
 };
 
 /// One step of length dt. Where the open-close iteration does not settle, the solver fails or a corner moves too far,

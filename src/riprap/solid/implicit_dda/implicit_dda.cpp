@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/implicit_dda/implicit_dda.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -191,6 +193,11 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     const affine::Outcome outcome =
         implicit_dda::advance(system, scratch_->fixed_points, settings_->engine, span.dt,
                               {loads.force, loads.torque, scratch_->pull}, *fields_, scratch_->engine, step);
+    if (const auto [a, b] = step.unsettled; a >= 0) {
+        return {fmt::format("contacts of '{}' and '{}' open and close without end", scene_->bodies.name(BodyId{a}),
+                            scene_->bodies.name(BodyId{b})),
+                outcome.shorten};
+    }
     if (!outcome.ok()) {
         return {outcome.problem, outcome.shorten};
     }
