@@ -76,6 +76,63 @@ TEST(PlanarDdaEquations, BothWaysFindTheSameSolution) {
     }
 }
 
+TEST(PlanarDdaEquations, FactorsOfASquareStaySparseWhateverTheOrderOfItsRows) {
+    // 24 x 24 rows scattered over their numbers: inside an envelope they need 24 blocks a row.
+    constexpr std::int32_t side = 24, count = side * side;
+    const auto number = [](std::int32_t i) { return i * 5 % count; };
+    std::vector<std::pair<std::int32_t, std::int32_t>> couplings;
+    for (std::int32_t i = 0; i < count; ++i) {
+        if (i % side + 1 < side) {
+            couplings.emplace_back(number(i), number(i + 1));
+        }
+        if (i + side < count) {
+            couplings.emplace_back(number(i + side), number(i));
+        }
+    }
+    BlockCholesky factors;
+    factors.set_pattern(count, couplings);
+    EXPECT_LT(factors.stored_blocks(), side * count / 2);
+    EXPECT_GE(factors.stored_blocks(), count + static_cast<std::int64_t>(couplings.size()));
+}
+
+TEST(PlanarDdaEquations, AnotherPatternIsTakenAfterwards) {
+    // Three rows in a chain, then the same three with the first and the last coupled: K x = b of known x.
+    const std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> patterns{
+        {{0, 1}, {1, 2}}, {{2, 0}, {0, 1}, {1, 2}}, {{0, 1}}};
+    Equations equations;
+    for (const auto& couplings : patterns) {
+        equations.set_pattern(3, couplings, Way::direct);
+        equations.set_zero();
+        Block6 four{};
+        for (std::size_t k = 0; k < 6; ++k) {
+            four[7 * k] = 4;
+        }
+        std::vector<Unknowns> x(3), b(3);
+        for (std::int32_t row = 0; row < 3; ++row) {
+            equations.add_diagonal(row, four);
+            for (std::size_t k = 0; k < 6; ++k) {
+                b[static_cast<std::size_t>(row)][k] = 4.0 * (row + 1);
+            }
+        }
+        for (const auto& [i, j] : couplings) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                Unknowns unit{};
+                unit[k] = 1;
+                equations.add_outer(i, j, -1, unit, unit);
+                b[static_cast<std::size_t>(i)][k] -= j + 1;
+                b[static_cast<std::size_t>(j)][k] -= i + 1;
+            }
+        }
+        ASSERT_EQ(equations.prepare(), -1);
+        ASSERT_EQ(equations.solve(b, x), -1);
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t k = 0; k < 6; ++k) {
+                EXPECT_NEAR(x[row][k], static_cast<double>(row + 1), 1e-14);
+            }
+        }
+    }
+}
+
 TEST(PlanarDdaEquations, ARowWithoutStiffnessIsNamedByBothWays) {
     for (const Way way : {Way::direct, Way::iterative}) {
         Equations equations;

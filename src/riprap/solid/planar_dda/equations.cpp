@@ -43,7 +43,7 @@ void Equations::set_pattern(std::int32_t count, std::span<const std::pair<std::i
                             Way way) {
     way_ = way;
     if (way == Way::direct) {
-        envelope_.set_pattern(count, couplings);
+        factors_.set_pattern(count, couplings);
     } else {
         couplings_.assign(couplings.begin(), couplings.end());
         rows_.set_pattern(pattern_of(count, couplings));
@@ -52,7 +52,7 @@ void Equations::set_pattern(std::int32_t count, std::span<const std::pair<std::i
 
 void Equations::set_zero() {
     if (way_ == Way::direct) {
-        envelope_.set_zero();
+        factors_.set_zero();
     } else {
         rows_.set_zero();
     }
@@ -60,7 +60,7 @@ void Equations::set_zero() {
 
 void Equations::add_diagonal(std::int32_t row, const Block6& block) {
     if (way_ == Way::direct) {
-        envelope_.add_diagonal(row, block);
+        factors_.add_diagonal(row, block);
     } else {
         add_block(rows_.block(rows_.pattern().find(row, row)), block);
     }
@@ -68,7 +68,7 @@ void Equations::add_diagonal(std::int32_t row, const Block6& block) {
 
 void Equations::add_outer(std::int32_t row_u, std::int32_t row_v, double s, const Unknowns& u, const Unknowns& v) {
     if (way_ == Way::direct) {
-        envelope_.add_outer(row_u, row_v, s, u, v);
+        factors_.add_outer(row_u, row_v, s, u, v);
         return;
     }
     add_product(rows_.block(rows_.pattern().find(row_u, row_v)), s, u, v);
@@ -79,7 +79,7 @@ void Equations::add_outer(std::int32_t row_u, std::int32_t row_v, double s, cons
 
 std::int32_t Equations::prepare() {
     if (way_ == Way::direct) {
-        return envelope_.factorize();
+        return factors_.factorize();
     }
     is_factorized_ = false;
     return preconditioner_.set_up(rows_).is_ready() ? -1 : factorize_rows();
@@ -105,20 +105,20 @@ std::int32_t Equations::solve(std::span<const Unknowns> b, std::span<Unknowns> x
             return row;
         }
     }
-    envelope_.solve(b, x);
+    factors_.solve(b, x);
     return -1;
 }
 
 std::int32_t Equations::factorize_rows() {
-    envelope_.set_pattern(static_cast<std::int32_t>(rows_.rows()), couplings_);
-    envelope_.set_zero();
+    factors_.set_pattern(static_cast<std::int32_t>(rows_.rows()), couplings_);
+    factors_.set_zero();
     for (std::int32_t row = 0; row < static_cast<std::int32_t>(rows_.rows()); ++row) {
         for (std::int64_t e = rows_.pattern().first(row); e < rows_.pattern().end(row); ++e) {
-            envelope_.add_block(row, rows_.pattern().column_of(e), rows_.block(e));
+            factors_.add_block(row, rows_.pattern().column_of(e), rows_.block(e));
         }
     }
     is_factorized_ = true;
-    return envelope_.factorize();
+    return factors_.factorize();
 }
 
 }  // namespace riprap::solid::planar_dda

@@ -9,13 +9,13 @@
 #include "riprap/linear/block_csr.hpp"
 #include "riprap/linear/block_jacobi.hpp"
 #include "riprap/linear/pcg.hpp"
-#include "riprap/solid/planar_dda/block_envelope.hpp"
+#include "riprap/solid/planar_dda/block_cholesky.hpp"
 
 namespace riprap::solid::planar_dda {
 
 /// Chooses the solver of the equations of a step.
 enum class Way : std::uint8_t {
-    direct,    ///< factors inside the envelope: static steps, stiff springs, few blocks
+    direct,    ///< sparse factors: static steps, stiff springs, few blocks
     iterative  ///< conjugate gradients: many blocks whose inertia 2 m/dt^2 keeps up with the springs
 };
 
@@ -41,7 +41,7 @@ class Equations {
     Way way_{Way::direct};
     bool is_factorized_{false};  ///< of the iterative way: conjugate gradients have failed with these values
     std::vector<std::pair<std::int32_t, std::int32_t>> couplings_;
-    BlockEnvelope envelope_;
+    BlockCholesky factors_;
     linear::BlockCsr<6> rows_;
     linear::BlockJacobi<6> preconditioner_;
     linear::PcgScratch buffers_;
