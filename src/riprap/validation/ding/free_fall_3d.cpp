@@ -54,9 +54,9 @@ void free_fall_3d(const CaseSetting&, CaseReport& report) {
             way_error = std::max(way_error, std::abs(trial.position(0).z + 0.5 * gravity * trial.time * trial.time));
         }
         report.judge_below({fmt::format("step {} s: error of the speed", dt), "m/s", "perfect agreement", 0, {}},
-                           speed_error, 1e-10);
+                           speed_error, 1e-12);
         report.judge_below({fmt::format("step {} s: error of the way", dt), "m", "perfect agreement", 0, {}}, way_error,
-                           1e-10);
+                           1e-12);
     }
     {
         ImplicitTrial trial = one_block({1, 2, 3}, {0.3, 2 * M_PI, 0.2});

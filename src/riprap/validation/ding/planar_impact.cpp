@@ -70,9 +70,37 @@ Fall drop(double stiffness, double dt) {
     return fall;
 }
 
+/// Largest error of speed and way of a block that falls freely for a second, over their values at its end [-]. Every
+/// step rounds the speed once: n steps miss up to n epsilon.
+double error_of_free_fall(double dt) {
+    PlanarTrial trial({2500, 5e10, 0.25}, {.normal_stiffness = 1e8, .shear_stiffness = 4e7});
+    trial.settings = solid::planar_dda::settings_for(5, 10);
+    const std::int32_t block = trial.add_box({-0.5, -0.5}, {1, 1});
+    trial.gravity = {0, -10};
+    trial.dt = dt;
+    double most = 0;
+    const int count = static_cast<int>(std::lround(1 / dt));
+    for (int step = 1; step <= count; ++step) {
+        trial.step();
+        const double t = step * dt;
+        most = std::max(most, std::abs(trial.velocity(block).y + 10 * t) / 10);
+        most = std::max(most, std::abs(trial.center(block).y + 5 * t * t) / 5);
+    }
+    return most;
+}
+
 }  // namespace
 
 void planar_free_fall(const CaseSetting& setting, CaseReport& report) {
+    for (const double step : {0.1, 0.01, 0.001}) {
+        report.judge_below(
+            {fmt::format("free fall, step {} s: largest error of speed or way over its final value", step),
+             "-",
+             "perfect agreement",
+             0.0,
+             {}},
+            error_of_free_fall(step), 1e-12);
+    }
     const double dt = 2e-5;
     Plot plot;
     plot.title = "A block falls 5 m on a base: speed for four contact stiffnesses";
