@@ -193,6 +193,29 @@ TEST(Pcg, APreconditionerNamesTheRowThatItCannotInvert) {
     EXPECT_EQ(IncompleteCholesky<3>().set_up(a).bad_row, 9);
 }
 
+TEST(Pcg, BlockJacobiUpdatesTheRowsThatHaveChanged) {
+    auto a = spring_chain<3>(20, 4);
+    BlockJacobi<3> updated, fresh;
+    ASSERT_TRUE(updated.set_up(a).is_ready());
+    std::vector<std::uint8_t> is_changed(20, 0);
+    for (const std::int64_t row : {3, 11}) {
+        is_changed[static_cast<std::size_t>(row)] = 1;
+        a.at(a.pattern().find(row, row), 1, 1) += 2;
+    }
+    a.at(a.pattern().find(7, 7), 0, 0) = -1;  // not flagged: not looked at
+    ASSERT_TRUE(updated.update(a, is_changed).is_ready());
+    a.at(a.pattern().find(7, 7), 0, 0) = spring_chain<3>(20, 4).at(a.pattern().find(7, 7), 0, 0);
+    ASSERT_TRUE(fresh.set_up(a).is_ready());
+    const std::vector<double> r = random_vector(a.size());
+    std::vector<double> z(a.size()), expected(a.size());
+    updated.apply(r, z);
+    fresh.apply(r, expected);
+    EXPECT_EQ(z, expected);
+    is_changed[7] = 1;
+    a.at(a.pattern().find(7, 7), 0, 0) = -1;
+    EXPECT_EQ(updated.update(a, is_changed).bad_row, 7);
+}
+
 TEST(Pcg, ARangeWithoutAPositivePivotIsShifted) {
     // Kershaw's matrix: positive definite, and its factors without fill have a negative pivot
     const std::array<std::int32_t, 2> pairs[] = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};

@@ -85,6 +85,26 @@ TEST(ImplicitDda, a_static_pull_gives_the_stress_and_strain_of_hookes_law_in_one
     }
 }
 
+TEST(ImplicitDda, a_block_whose_stiffness_is_singular_is_named) {
+    // In so long a step inertia is lost, and the second block turns about the one point that holds it.
+    for (const Solver solver : {Solver::pcg_jacobi, Solver::sor}) {
+        Trial run;
+        run.rock(1e9, {1e7, 1e7});
+        run.ground();
+        add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.499}});
+        add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {9, 0, 9}});
+        run.fixed_points = {{2, {0.5, 0.5, 0.5}, {9.5, 0.5, 9.5}, 1e9}};
+        run.settings.solve.solver = solver;
+        run.dt = 1e12;
+        const State before = run.state;
+        const affine::Outcome outcome =
+            advance(run.system, run.fixed_points, run.settings, run.dt, {}, run.state, run.scratch, run.report);
+        EXPECT_EQ(outcome.problem, "the stiffness of block 2 is singular");
+        EXPECT_EQ(run.report.singular, 2);
+        EXPECT_TRUE(run.state == before);
+    }
+}
+
 TEST(ImplicitDda, a_block_settles_to_the_overlap_of_its_weight) {
     Trial run;
     run.rock(1e9, {1e7, 1e7});

@@ -108,7 +108,7 @@ TEST(BlockTerms, springs_summed_by_translation_and_gradient_are_those_of_the_dis
     ArmMoments arms{};
     add_arms(arm_a, arm_b, arms);
     add_affine_springs(arms, n, -1.5, affine.data());
-    add_in_unknowns(affine, fast.data());
+    bring_to_unknowns(affine, fast.data());
     for (std::size_t i = 0; i < 144; ++i) {
         EXPECT_NEAR(fast[i], plain[i], 1e-14) << i;
     }

@@ -8,10 +8,12 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "riprap/bench/benches.hpp"
 #include "riprap/bench/measure.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/linear/cholmod.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
@@ -202,6 +204,44 @@ void compare_with_cholmod(int threads, std::vector<Result>& results) {
                                    spread(ratio))});
 }
 
+/// Moves `bytes` through memory by a[i] = b[i] + s c[i], as the machine's bandwidth is measured: what a product with
+/// the matrix costs at least.
+class Traffic {
+ public:
+    explicit Traffic(double bytes)
+        : a_(static_cast<std::size_t>(bytes / (3 * sizeof(double))), 0), b_(a_.size(), 1), c_(a_.size(), 2) {}
+    void move() {
+        parallel::for_each(static_cast<std::int64_t>(a_.size()),
+                           [&](std::int64_t i) { a_[at(i)] = b_[at(i)] + 0.5 * c_[at(i)]; });
+    }
+
+ private:
+    std::vector<double> a_, b_, c_;
+};
+
+/// One solution from nothing over the memory traffic of its products, in turn.
+void compare_with_traffic(int threads, Implicit& run, std::vector<Result>& results) {
+    auto& equations = run.scratch.equations;
+    linear::SolveReport solved;
+    const auto solve_once = [&] {
+        std::fill(equations.solution.begin(), equations.solution.end(), 0.0);
+        std::fill(equations.is_new.begin(), equations.is_new.end(), std::uint8_t{1});
+        solved = solve(run.settings.solve, equations);
+    };
+    solve_once();
+    // of each iteration, and of the residual that it begins with
+    const int products = solved.iterations + 1;
+    Traffic traffic(equations.matrix.bytes_per_product());
+    const Timing ratio = compare_calls(solve_once, [&] {
+        for (int i = 0; i < products; ++i) {
+            traffic.move();
+        }
+    });
+    results.push_back(
+        {"dda.implicit_3400.solve_over_traffic", threads, ratio.median, "-",
+         fmt::format("one solution over the traffic of its {} products, in turn; {}", products, spread(ratio))});
+}
+
 }  // namespace
 
 void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
@@ -224,6 +264,7 @@ void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
         linear::SolveReport solved;
         const Timing one = time_calls([&] {
             std::fill(equations.solution.begin(), equations.solution.end(), 0.0);
+            std::fill(equations.is_new.begin(), equations.is_new.end(), std::uint8_t{1});
             solved = solve(run.settings.solve, equations);
         });
         const Timing filled = time_calls([&] {
@@ -243,6 +284,7 @@ void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
         const double share = iterations * one.median / std::max(1, solved.iterations) / whole.median;
         results.push_back({"dda.implicit_3400.solve_share", threads, share, "-",
                            "of a step; the rest finds contacts, assembles and moves"});
+        compare_with_traffic(threads, run, results);
         compare_with_cholmod(threads, results);
     }
 }

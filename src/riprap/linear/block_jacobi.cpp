@@ -10,11 +10,15 @@
 namespace riprap::linear {
 
 template <int B>
-SetUp BlockJacobi<B>::set_up(const BlockCsr<B>& a) {
+template <class IsDue>
+SetUp BlockJacobi<B>::invert(const BlockCsr<B>& a, const IsDue& is_due) {
     constexpr std::size_t numbers = BlockCsr<B>::block_numbers;
     constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
     inverse_.resize(static_cast<std::size_t>(a.rows()) * numbers);
     const auto invert_one = [&](std::int64_t row) {
+        if (!is_due(row)) {
+            return none;
+        }
         const std::int64_t entry = a.pattern().find(row, row);
         const bool is_good =
             entry >= 0 && invert_spd<B>(a.block(entry), &inverse_[static_cast<std::size_t>(row) * numbers]);
@@ -23,6 +27,16 @@ SetUp BlockJacobi<B>::set_up(const BlockCsr<B>& a) {
     const std::int64_t bad = parallel::reduce(
         a.rows(), none, invert_one, [](std::int64_t x, std::int64_t y) { return std::min(x, y); }, 256);
     return {bad == none ? -1 : bad};
+}
+
+template <int B>
+SetUp BlockJacobi<B>::set_up(const BlockCsr<B>& a) {
+    return invert(a, [](std::int64_t) { return true; });
+}
+
+template <int B>
+SetUp BlockJacobi<B>::update(const BlockCsr<B>& a, std::span<const std::uint8_t> is_changed) {
+    return invert(a, [is_changed](std::int64_t row) { return is_changed[static_cast<std::size_t>(row)] != 0; });
 }
 
 template <int B>

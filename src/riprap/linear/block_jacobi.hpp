@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,15 @@ class BlockJacobi {
  public:
     /// Takes the values of A as they are now.
     SetUp set_up(const BlockCsr<B>& a);
+    /// The same where only the rows flagged have changed since the last time.
+    SetUp update(const BlockCsr<B>& a, std::span<const std::uint8_t> is_changed);
     void apply(std::span<const double> r, std::span<double> z) const;
     std::size_t bytes() const { return bytes_of(inverse_); }
 
  private:
+    template <class IsDue>
+    SetUp invert(const BlockCsr<B>& a, const IsDue& is_due);
+
     std::vector<double> inverse_;  ///< of the diagonal blocks
 };
 

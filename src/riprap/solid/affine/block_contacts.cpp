@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
@@ -16,12 +17,30 @@ constexpr std::int64_t grain = 64;  ///< pairs that one thread works through at 
 
 std::uint64_t key_of(const contact::PartPair& pair) { return contact::pair_key(pair); }
 
-/// Rows of a pair in the history.
-std::pair<std::size_t, std::size_t> rows_of(const BlockContactHistory& history, std::uint64_t key) {
-    const auto range = std::equal_range(history.pair.begin(), history.pair.end(), key);
-    return {static_cast<std::size_t>(range.first - history.pair.begin()),
-            static_cast<std::size_t>(range.second - history.pair.begin())};
-}
+/// Finds the rows of pairs in the history. Pairs come in its order, so that it walks along instead of bisecting.
+class RowsOfPairs {
+ public:
+    RowsOfPairs(const BlockContactHistory& history, const contact::PartPair& first)
+        : pair_(history.pair),
+          row_(static_cast<std::size_t>(std::lower_bound(pair_.begin(), pair_.end(), key_of(first)) - pair_.begin())) {}
+
+    /// Begin and end of the rows of a pair that comes after those asked for before.
+    std::pair<std::size_t, std::size_t> of(const contact::PartPair& pair) {
+        const std::uint64_t key = key_of(pair);
+        while (row_ < pair_.size() && pair_[row_] < key) {
+            ++row_;
+        }
+        std::size_t end = row_;
+        while (end < pair_.size() && pair_[end] == key) {
+            ++end;
+        }
+        return {std::exchange(row_, end), end};
+    }
+
+ private:
+    const std::vector<std::uint64_t>& pair_;
+    std::size_t row_;
+};
 
 /// Radius about the centre; without bound for a half-space [m].
 double size_of(const contact::PlacedHull& hull) {
@@ -37,12 +56,12 @@ double size_of(const contact::PlacedHull& hull) {
 
 /// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
 void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, const contact::PlacedHull& b,
-                  const BlockContactHistory& history, double reach, Vec3& separating,
+                  const BlockContactHistory& history, RowsOfPairs& rows, double reach, Vec3& separating,
                   std::vector<BlockContact>& found) {
     if (norm_squared(separating) > 0 && plane_gap(a, b, separating) > reach) {
         return;
     }
-    const auto [begin, end] = rows_of(history, key_of(pair));
+    const auto [begin, end] = rows.of(pair);
     const contact::PlaneFeature before =
         begin < end ? contact::unpack_feature(history.plane[begin]) : contact::PlaneFeature{};
     const contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
@@ -162,6 +181,7 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
     parallel::for_ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
         std::vector<BlockContact>& chunk = chunks_[at(begin / grain)];
         chunk.clear();
+        RowsOfPairs rows(history, pairs_[at(begin)]);
         for (std::int64_t p = begin; p < end; ++p) {
             const contact::PartPair pair = pairs_[at(p)];
             if (!system.shape_of(pair.a).is_half_space() && !system.shape_of(pair.b).is_half_space()) {
@@ -170,8 +190,8 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
                     continue;
                 }
             }
-            find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, reach,
-                         separating_[at(p)], chunk);
+            find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, rows,
+                         reach, separating_[at(p)], chunk);
         }
     });
     contacts_.clear();

@@ -71,6 +71,8 @@ class ContactFinder {
     /// All contact points with gap up to `reach`, sorted by (pair, feature). [m]
     const std::vector<BlockContact>& find(const BlockSystem& system, const BlockState& state,
                                           const PlacedBlocks& placed, const BlockContactHistory& history, double reach);
+    /// The answer of the last find().
+    const std::vector<BlockContact>& found() const { return contacts_; }
     std::int64_t pair_count() const { return static_cast<std::int64_t>(pairs_.size()); }
 
  private:

@@ -23,8 +23,8 @@ void drift_all(const BlockSystem& system, const Settings& settings, double h, af
 }
 
 /// S^-1 of every block; nought where loads do not move it. Once a block: it has many contact points.
-std::vector<Mat3> softness_of(const BlockSystem& system, const affine::BlockState& state) {
-    std::vector<Mat3> softness(at(system.size()));
+void find_softness(const BlockSystem& system, const affine::BlockState& state, std::vector<Mat3>& softness) {
+    softness.assign(at(system.size()), Mat3{});
     parallel::for_each_uneven(system.size(), 256, [&](std::int64_t i) {
         const auto b = at(i);
         if (system.is_fixed[b] == 0) {
@@ -32,7 +32,6 @@ std::vector<Mat3> softness_of(const BlockSystem& system, const affine::BlockStat
             softness[b] = inverse(f * system.inertia[b] * transpose(f));
         }
     });
-    return softness;
 }
 
 /// One side of a contact point.
@@ -112,21 +111,40 @@ void add_loads(const affine::BlockState& state, const BlockContact& contact, con
     add(contact.b, -1, contact.on_b);
 }
 
-/// Remembers the contacts found now; what springs of lost contacts held, less what those of new ones of the same pair
-/// begin with, is dissipated.
-void remember(const Scratch& scratch, double bond_tolerance, affine::BlockContactHistory& history, StepReport& report) {
-    std::vector<std::uint8_t> is_carried(scratch.old.size(), 0);
+/// Adds a contact point to what bounds the step of its blocks.
+void add_shares(const BlockContact& contact, const ContactForce& found, Scratch& scratch) {
+    scratch.squared[at(contact.a)] += found.share_a;
+    scratch.squared[at(contact.b)] += found.share_b;
+    scratch.damping[at(contact.a)] += found.damping_a;
+    scratch.damping[at(contact.b)] += found.damping_b;
+}
+
+/// Adds up loads and bounds of all contact points and remembers those that are closed: once along the list, which is
+/// longer than any cache.
+void sum_and_remember(const affine::BlockState& state, double dt, double bond_tolerance, Scratch& scratch,
+                      affine::BlockContactHistory& history, StepReport& report) {
+    scratch.loads.assign(state.position.size(), {});
+    scratch.squared.assign(state.position.size(), 0);
+    scratch.damping.assign(state.position.size(), 0);
+    scratch.is_carried.assign(scratch.old.size(), 0);
     history.clear();
     affine::BondChanges bonds;
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        const BlockContact& contact = scratch.contacts[i];
-        const contact::PenaltyAnswer& answer = scratch.forces[i].answer;
-        bonds.look_at(contact, scratch.forces[i].was_intact, !answer.is_open, answer.is_intact, bond_tolerance);
+    const bool has_bonds = !scratch.old.bonded.empty();
+    for (std::size_t i = 0; i < scratch.contacts().size(); ++i) {
+        const BlockContact& contact = scratch.contacts()[i];
+        const ContactForce& found = scratch.forces[i];
+        const contact::PenaltyAnswer& answer = found.answer;
+        add_loads(state, contact, found, scratch.loads);
+        add_shares(contact, found, scratch);
+        report.dashpot_loss += dt * answer.dashpot_power;
+        if (has_bonds) {
+            bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact, bond_tolerance);
+        }
         if (answer.is_open) {
             continue;
         }
         if (contact.old >= 0) {
-            is_carried[at(contact.old)] = 1;
+            scratch.is_carried[at(contact.old)] = 1;
         }
         history.pair.push_back(contact::pair_key({contact.a, contact.b}));
         history.feature.push_back(contact.feature);
@@ -144,16 +162,20 @@ void remember(const Scratch& scratch, double bond_tolerance, affine::BlockContac
         ++report.contact_count;
     }
     history.bonded = bonds_left(scratch.old.bonded, bonds);
+}
+
+/// Books what springs of lost contacts held, less what those of new ones of the same pair begin with: dissipated.
+void book_lost_contacts(const Scratch& scratch, StepReport& report) {
     std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
-        if (is_carried[row] == 0) {
+        if (scratch.is_carried[row] == 0) {
             report.lost_energy += scratch.old.energy[row];
             pairs_that_lost.push_back(scratch.old.pair[row]);
         }
     }
     // Where a pair names its points anew, the new ones begin pressed: their energy was that of the old ones.
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        const BlockContact& contact = scratch.contacts[i];
+    for (std::size_t i = 0; i < scratch.contacts().size() && !pairs_that_lost.empty(); ++i) {
+        const BlockContact& contact = scratch.contacts()[i];
         const contact::PenaltyAnswer& answer = scratch.forces[i].answer;
         if (!answer.is_open && contact.old < 0 &&
             std::binary_search(pairs_that_lost.begin(), pairs_that_lost.end(),
@@ -170,13 +192,6 @@ bool has_intact(const affine::BlockContactHistory& history) {
 
 /// The stable step of blocks and contacts as they are, by Gershgorin's theorem.
 double stable_step_now(const BlockSystem& system, const affine::BlockState& state, const Scratch& scratch) {
-    std::vector<double> squared(at(system.size()), 0), damping(at(system.size()), 0);
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        squared[at(scratch.contacts[i].a)] += scratch.forces[i].share_a;
-        squared[at(scratch.contacts[i].b)] += scratch.forces[i].share_b;
-        damping[at(scratch.contacts[i].a)] += scratch.forces[i].damping_a;
-        damping[at(scratch.contacts[i].b)] += scratch.forces[i].damping_b;
-    }
     const auto one = [&](std::int64_t i) {
         const auto b = at(i);
         if (system.is_fixed[b] != 0) {
@@ -187,7 +202,7 @@ double stable_step_now(const BlockSystem& system, const affine::BlockState& stat
         const double strain =
             strain_frequency_squared(system.materials[at(system.material[b])], shape.volume * determinant(f),
                                      f * system.inertia[b] * transpose(f));
-        return step_of(strain + squared[b], damping[b]);
+        return step_of(strain + scratch.squared[b], scratch.damping[b]);
     };
     return parallel::reduce(system.size(), std::numeric_limits<double>::infinity(), one,
                             [](double x, double y) { return std::min(x, y); });
@@ -272,19 +287,16 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
                                 ? 0
                                 : affine::bond_tolerance * affine::smallest_size(system);
     const double reach = touching > 0 ? std::max(touching, affine::tearing_gap(system)) : 0;
-    scratch.contacts = scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
-    scratch.forces.resize(scratch.contacts.size());
+    const std::vector<BlockContact>& contacts =
+        scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
+    scratch.forces.resize(contacts.size());
     const double time = 0.5 * (state.last_dt + dt);
-    const std::vector<Mat3> softness = softness_of(system, state.blocks);
-    parallel::for_each_uneven(static_cast<std::int64_t>(scratch.contacts.size()), 64, [&](std::int64_t i) {
-        scratch.forces[at(i)] = evaluate(system, state.blocks, softness, scratch.old, scratch.contacts[at(i)], time);
+    find_softness(system, state.blocks, scratch.softness);
+    parallel::for_each_uneven(static_cast<std::int64_t>(contacts.size()), 64, [&](std::int64_t i) {
+        scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)], time);
     });
-    scratch.loads.assign(at(system.size()), {});
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        add_loads(state.blocks, scratch.contacts[i], scratch.forces[i], scratch.loads);
-        report.dashpot_loss += dt * scratch.forces[i].answer.dashpot_power;
-    }
-    remember(scratch, touching, state.contacts, report);
+    sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
+    book_lost_contacts(scratch, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     const KickSums sums = parallel::reduce(
         system.size(), KickSums{},

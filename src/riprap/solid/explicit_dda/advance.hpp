@@ -45,10 +45,13 @@ struct ContactForce {
 struct Scratch {
     affine::PlacedBlocks placed;
     affine::ContactFinder finder;
-    std::vector<affine::BlockContact> contacts;
-    std::vector<ContactForce> forces;
+    std::vector<ContactForce> forces;  ///< of every contact point found
     std::vector<BlockForce> loads;
     affine::BlockContactHistory old;
+    std::vector<std::uint8_t> is_carried;  ///< rows of `old` that were found again
+    std::vector<Mat3> softness;            ///< S^-1 of every block [1/(kg m^2)]
+    std::vector<double> squared, damping;  ///< sums of ContactForce::share and damping, per block
+    const std::vector<affine::BlockContact>& contacts() const { return finder.found(); }
 };
 
 /// Energies at the mid-step pose with the velocities v_n + a dt/2, and the losses of the step [J].

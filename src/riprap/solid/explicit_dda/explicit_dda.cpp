@@ -44,8 +44,8 @@ std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, cons
 }
 
 std::size_t ExplicitDda::Scratch::bytes() const {
-    return loads.bytes() +
-           bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.contacts, engine.forces);
+    return loads.bytes() + bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.contacts(),
+                                    engine.forces, engine.softness);
 }
 
 ExplicitDda::ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,

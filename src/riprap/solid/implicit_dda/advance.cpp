@@ -142,6 +142,48 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
 /// Friction of what slides has settled to this share of the largest push.
 constexpr double friction_tolerance = 1e-6;
 
+/// Changes of all contacts in one round of the iteration.
+struct Round {
+    std::int64_t changed{-1};  ///< a contact whose springs came or went; -1 = none
+    double push{0};            ///< largest push [N]
+    double unsettled{0};       ///< largest change of a friction [N]
+};
+
+/// Takes gap and slip of a contact from the solution and its mode from them.
+Round update_contact(const OpenCloseRule& rule, std::int64_t number, Scratch& scratch) {
+    ContactTerm& c = scratch.contacts[at(number)];
+    evaluate(scratch.equations, c);
+    const double friction = c.trial.friction;
+    const Vec3 direction = c.trial.direction;
+    const ContactMode mode = c.trial.mode;
+    Round round;
+    if (update_mode(c.springs, rule, c.trial)) {
+        round.changed = number;
+    } else if (c.trial.mode == ContactMode::slide) {
+        round.unsettled = norm(c.trial.friction * c.trial.direction - friction * direction);
+    }
+    scratch.is_moved[at(number)] = c.trial.mode != mode || c.trial.mode == ContactMode::slide ? 1 : 0;
+    round.push = std::max(0.0, -c.springs.normal * c.trial.gap);
+    return round;
+}
+
+/// Updates all contacts by the solution; rows of those that have changed are stale then.
+Round update_contacts(const OpenCloseRule& rule, Scratch& scratch) {
+    scratch.is_moved.resize(scratch.contacts.size());
+    const Round all = parallel::reduce(
+        static_cast<std::int64_t>(scratch.contacts.size()), Round{},
+        [&](std::int64_t i) { return update_contact(rule, i, scratch); },
+        [](const Round& x, const Round& y) {
+            return Round{std::max(x.changed, y.changed), std::max(x.push, y.push), std::max(x.unsettled, y.unsettled)};
+        });
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        if (scratch.is_moved[i] != 0) {
+            mark_stale(scratch.contacts[i], scratch.equations);
+        }
+    }
+    return all;
+}
+
 /// Assembles and solves until no spring comes or goes and friction has settled.
 affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report) {
     Equations& equations = scratch.equations;
@@ -150,33 +192,20 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
         assemble(scratch.contacts, equations);
         const linear::SolveReport solved = solve(settings.solve, equations);
         report.solver_iterations += solved.iterations;
+        if (equations.singular_row >= 0) {
+            report.singular = scratch.block[at(equations.singular_row)];
+            return {fmt::format("the stiffness of block {} is singular", report.singular), settings.cut};
+        }
         if (!solved.is_converged() && solved.residual > 1e3 * settings.solve.tolerance) {
             return {fmt::format("the equations of the step were not solved: {}", describe(solved.status)),
                     settings.cut};
         }
-        evaluate(equations, scratch.contacts);
-        std::int64_t changed = -1;
-        double push = 0, unsettled = 0;
-        for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-            ContactTerm& c = scratch.contacts[i];
-            const double friction = c.trial.friction;
-            const Vec3 direction = c.trial.direction;
-            const ContactMode mode = c.trial.mode;
-            if (update_mode(c.springs, rule, c.trial)) {
-                changed = static_cast<std::int64_t>(i);
-            } else if (c.trial.mode == ContactMode::slide) {
-                unsettled = std::max(unsettled, norm(c.trial.friction * c.trial.direction - friction * direction));
-            }
-            if (c.trial.mode != mode || c.trial.mode == ContactMode::slide) {
-                mark_stale(c, equations);
-            }
-            push = std::max(push, -c.springs.normal * c.trial.gap);
-        }
+        const auto [changed, push, unsettled] = update_contacts(rule, scratch);
         if (changed < 0 && (unsettled <= friction_tolerance * push || report.open_close > settings.open_close)) {
             return {};
         }
         if (changed >= 0 && report.open_close >= settings.open_close) {
-            const affine::BlockContact& c = scratch.found[at(changed)];
+            const affine::BlockContact& c = scratch.found()[at(changed)];
             report.unsettled = {c.a, c.b};
             return {fmt::format("contacts of blocks {} and {} open and close without end", c.a, c.b), settings.cut};
         }
@@ -197,13 +226,14 @@ void reserve(affine::BlockContactHistory& history, std::size_t count) {
 
 /// Remembers what is closed, with the slip that its shear spring holds, and which bonds are left; books energies.
 void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHistory& history, StepReport& report) {
-    const affine::BlockContactHistory old = std::move(history);
-    history = {};
+    std::swap(scratch.old, history);
+    history.clear();
     reserve(history, scratch.contacts.size());
     affine::BondChanges bonds;
+    const bool has_bonds = !scratch.old.bonded.empty();
     for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
         const ContactTerm& c = scratch.contacts[i];
-        const affine::BlockContact& found = scratch.found[i];
+        const affine::BlockContact& found = scratch.found()[i];
         const ContactTrial& trial = c.trial;
         const bool was_closed = found.old >= 0 || found.gap < 0;
         // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump.
@@ -222,7 +252,9 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         report.contact += stored;
         const bool is_closed = trial.mode != ContactMode::open;
         const bool is_intact = trial.is_intact && trial.mode == ContactMode::lock;
-        bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_tolerance);
+        if (has_bonds) {
+            bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_tolerance);
+        }
         if (!is_closed) {
             continue;
         }
@@ -238,10 +270,10 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         history.is_intact.push_back(is_intact ? 1 : 0);
         history.energy.push_back(stored);
     }
-    for (const double energy : old.energy) {
+    for (const double energy : scratch.old.energy) {
         report.lost_energy += energy;
     }
-    history.bonded = bonds_left(old.bonded, bonds);
+    history.bonded = bonds_left(scratch.old.bonded, bonds);
 }
 
 /// Largest motion of a corner, for the limit of a step.
@@ -327,10 +359,10 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     const double reach = settings.reach * size + std::min(way_of_step(system, state.blocks, dt), size);
     number_rows(system, scratch);
     place_blocks(system, state.blocks, scratch.placed);
-    scratch.found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);
-    scratch.contacts.resize(scratch.found.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(scratch.found.size()), 64, [&](std::int64_t i) {
-        scratch.contacts[at(i)] = make_term(system, state, scratch, scratch.found[at(i)], dt);
+    const auto& found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);
+    scratch.contacts.resize(found.size());
+    parallel::for_each_uneven(static_cast<std::int64_t>(found.size()), 64, [&](std::int64_t i) {
+        scratch.contacts[at(i)] = make_term(system, state, scratch, found[at(i)], dt);
     });
     fill_blocks(system, fixed_points, settings, dt, external, state.blocks, scratch);
     link_rows(static_cast<std::int64_t>(scratch.block.size()), scratch.contacts, scratch.equations);

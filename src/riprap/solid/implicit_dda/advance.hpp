@@ -48,10 +48,12 @@ struct State {
 struct Scratch {
     affine::PlacedBlocks placed;
     affine::ContactFinder finder;
-    std::vector<affine::BlockContact> found;
-    std::vector<ContactTerm> contacts;
+    std::vector<ContactTerm> contacts;     ///< one for every contact point found
+    std::vector<std::uint8_t> is_moved;    ///< contacts that the last round of the iteration changed
+    affine::BlockContactHistory old;       ///< its buffers are those of the next history
     std::vector<std::int32_t> row, block;  ///< row of a block, -1 = fixed; block of a row
     Equations equations;
+    const std::vector<affine::BlockContact>& found() const { return finder.found(); }
     std::vector<std::pair<Vec3, Vec3>> point_forces;  ///< arm [m] and force [N] of every fixed point, after the step
 };
 
@@ -70,6 +72,7 @@ struct StepReport {
     int open_close{0}, solver_iterations{0};
     std::int64_t contact_count{0}, sliding_count{0};
     std::array<std::int32_t, 2> unsettled{-1, -1};  ///< blocks of a contact that opened and closed without end
+    std::int32_t singular{-1};                      ///< block whose rows of the equations have no solution
 };
 
 /// One step of length dt. Where the open-close iteration does not settle, the solver fails or a corner moves too far,

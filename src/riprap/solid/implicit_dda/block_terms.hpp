@@ -62,11 +62,11 @@ inline void add_arms(const Vec3& arm_a, const Vec3& arm_b, ArmMoments& moments) 
 
 /// The same sum as add_springs before it is brought to the unknowns: rows and columns count 3 a + i, a = 0 the
 /// translation i, a = 1, 2, 3 the entry (i, a) of the displacement gradient. T is linear in (1, r), so that points of
-/// one stiffness, as those of a face are, cost 16 multiplications each; add_in_unknowns() follows once, when all
+/// one stiffness, as those of a face are, cost 16 multiplications each; bring_to_unknowns() follows once, when all
 /// contacts of a block are in.
 void add_affine_springs(const ArmMoments& moments, const Mat3& stiffness, double factor, double* block);
-/// block += the 12 x 12 numbers of `affine` brought to the unknowns.
-void add_in_unknowns(const Matrix12& affine, double* block);
+/// block = the 12 x 12 numbers of `affine` brought to the unknowns.
+void bring_to_unknowns(const Matrix12& affine, double* block);
 
 /// y = A x
 Vector12 times(const Matrix12& a, const Vector12& x);

@@ -66,7 +66,7 @@ std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, cons
 
 std::size_t ImplicitDda::Scratch::bytes() const {
     return loads.bytes() + engine.equations.matrix.bytes() + engine.equations.pcg.bytes() +
-           bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.found, engine.contacts,
+           bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.found(), engine.contacts,
                     engine.equations.right, engine.equations.solution, engine.equations.diagonal);
 }
 
@@ -112,7 +112,7 @@ void sum_contacts(const implicit_dda::Scratch& engine, body::Loads& loads) {
     for (std::size_t i = 0; i < engine.contacts.size(); ++i) {
         const implicit_dda::ContactTerm& c = engine.contacts[i];
         const Vec3 force = contact_force(c);
-        const auto a = at(engine.found[i].a), b = at(engine.found[i].b);
+        const auto a = at(engine.found()[i].a), b = at(engine.found()[i].b);
         loads.force[a] += force;
         loads.force[b] -= force;
         loads.torque[a] += cross(c.arm_a, force);
@@ -196,6 +196,12 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     if (const auto [a, b] = step.unsettled; a >= 0) {
         return {fmt::format("contacts of '{}' and '{}' open and close without end", scene_->bodies.name(BodyId{a}),
                             scene_->bodies.name(BodyId{b})),
+                outcome.shorten};
+    }
+    if (step.singular >= 0) {
+        return {fmt::format("the stiffness of '{}' is singular: nothing but springs of contacts holds it in a step "
+                            "as long as this",
+                            scene_->bodies.name(BodyId{step.singular})),
                 outcome.shorten};
     }
     if (!outcome.ok()) {

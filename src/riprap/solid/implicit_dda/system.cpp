@@ -68,6 +68,7 @@ linear::SolveReport solve_sor(const SolveSettings& settings, Equations& equation
     linear::SolveReport report;
     for (std::int64_t row = 0; row < a.rows(); ++row) {
         if (!linear::invert_spd<12>(a.block(a.pattern().find(row, row)), &inverse[at(row) * 144])) {
+            equations.singular_row = row;
             report.status = linear::SolveStatus::not_positive_definite;
             return report;
         }
@@ -117,6 +118,7 @@ void link_rows(std::int64_t rows, std::vector<ContactTerm>& contacts, Equations&
         equations.right.assign(at(rows) * 12, 0);
     }
     equations.is_stale.assign(at(rows), 1);
+    equations.is_new.assign(at(rows), 1);
     for (ContactTerm& c : contacts) {
         const bool is_inner = c.row_a >= 0 && c.row_b >= 0;
         c.entry_ab = is_inner ? equations.matrix.pattern().find(c.row_a, c.row_b) : -1;
@@ -131,10 +133,12 @@ bool is_same(const Mat3& a, const Mat3& b) {
 }
 
 /// Sums of one row. Contacts come sorted by pair, and those of a face share normal and springs: arms are summed as long
-/// as stiffness and neighbour stay, blocks as long as the neighbour stays.
+/// as stiffness and neighbour stay, blocks as long as the neighbour stays. Neighbours come in the order of the row's
+/// entries, so that every number of the matrix is written once and none is read.
 class RowSum {
  public:
-    explicit RowSum(linear::BlockCsr<12>& matrix) : matrix_(matrix) {}
+    RowSum(linear::BlockCsr<12>& matrix, std::int64_t row)
+        : matrix_(matrix), next_(matrix.pattern().first(row)), end_(matrix.pattern().end(row)) {}
 
     void add(const Vec3& arm, const Vec3& other, const Mat3& stiffness, std::int64_t entry) {
         if (!is_same(stiffness, stiffness_) || entry != entry_) {
@@ -150,11 +154,15 @@ class RowSum {
             add_arms(arm, other, shared_arms_);
         }
     }
-    /// Brings everything to the unknowns.
-    void close(double* own_block) {
+    /// Brings everything to the unknowns; the block of the row itself is `diagonal` and its contacts.
+    void close(const Matrix12& diagonal, double* own_block) {
         close_group();
         close_neighbour();
-        add_in_unknowns(own_, own_block);
+        write_zeros(end_);
+        bring_to_unknowns(own_, own_block);
+        for (std::size_t i = 0; i < 144; ++i) {
+            own_block[i] += diagonal[i];
+        }
     }
 
  private:
@@ -170,13 +178,23 @@ class RowSum {
     }
     void close_neighbour() {
         if (entry_ >= 0) {
-            add_in_unknowns(shared_, matrix_.block(entry_));
+            write_zeros(entry_);
+            bring_to_unknowns(shared_, matrix_.block(entry_));
+            next_ = entry_ + 1;
             shared_.fill(0);
         }
         entry_ = -1;
     }
 
+    /// Entries before `end` that no closed contact has written.
+    void write_zeros(std::int64_t end) {
+        if (next_ < end) {
+            std::fill(matrix_.block(next_), matrix_.block(next_) + 144 * (end - next_), 0.0);
+        }
+    }
+
     linear::BlockCsr<12>& matrix_;
+    std::int64_t next_, end_;  ///< entries not yet written
     Matrix12 own_{}, shared_{};
     ArmMoments own_arms_{}, shared_arms_{};
     Mat3 stiffness_{};
@@ -185,13 +203,8 @@ class RowSum {
 
 void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Equations& equations) {
     linear::BlockCsr<12>& k = equations.matrix;
-    for (std::int64_t e = k.pattern().first(row); e < k.pattern().end(row); ++e) {
-        std::fill(k.block(e), k.block(e) + 144, 0.0);
-    }
-    double* const own = k.block(k.pattern().find(row, row));
     double* const right = &equations.right[at(row) * 12];
-    std::copy(equations.diagonal[at(row)].begin(), equations.diagonal[at(row)].end(), own);
-    RowSum sum(k);
+    RowSum sum(k, row);
     Vec3 force{};
     Mat3 dipole{};
     for (const std::int32_t number : equations.incident.of(row)) {
@@ -206,7 +219,7 @@ void assemble_row(const std::vector<ContactTerm>& contacts, std::int64_t row, Eq
         force += push;
         dipole = dipole + outer(push, arm);
     }
-    sum.close(own);
+    sum.close(equations.diagonal[at(row)], k.block(k.pattern().find(row, row)));
     const Vector12 load = load_vector(force, dipole);
     for (std::size_t i = 0; i < 12; ++i) {
         right[i] = equations.given[at(row)][i] + load[i];
@@ -220,12 +233,14 @@ void assemble(const std::vector<ContactTerm>& contacts, Equations& equations) {
         if (equations.is_stale[at(row)] != 0) {
             assemble_row(contacts, row, equations);
             equations.is_stale[at(row)] = 0;
+            equations.is_new[at(row)] = 1;
         }
     });
 }
 
 linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
     equations.solution.resize(equations.right.size(), 0);
+    equations.singular_row = -1;
     if (settings.solver == Solver::sor) {
         return solve_sor(settings, equations);
     }
@@ -234,12 +249,16 @@ linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
     }
     const linear::PcgSettings pcg{settings.tolerance, 0, settings.max_iterations};
     const bool is_cholesky = settings.solver == Solver::pcg_cholesky;
-    const linear::SetUp ready =
-        is_cholesky ? equations.cholesky.set_up(equations.matrix) : equations.jacobi.set_up(equations.matrix);
+    const linear::SetUp ready = is_cholesky ? equations.cholesky.set_up(equations.matrix)
+                                            : equations.jacobi.update(equations.matrix, equations.is_new);
     if (!ready.is_ready()) {
+        equations.singular_row = ready.bad_row;
         linear::SolveReport report;
         report.status = linear::SolveStatus::not_positive_definite;
         return report;
+    }
+    if (!is_cholesky) {
+        std::fill(equations.is_new.begin(), equations.is_new.end(), std::uint8_t{0});
     }
     return is_cholesky
                ? solve_pcg(equations.matrix, equations.cholesky, equations.right, equations.solution, pcg,
@@ -254,21 +273,18 @@ Vec3 displacement_at(const Vec3& arm, const double* d) { return Vec3{d[0], d[1],
 
 }  // namespace
 
-void evaluate(const Equations& equations, std::vector<ContactTerm>& contacts) {
-    parallel::for_each(static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
-        ContactTerm& c = contacts[at(i)];
-        Vec3 moved{};
-        if (c.row_a >= 0) {
-            moved += displacement_at(c.arm_a, &equations.solution[at(c.row_a) * 12]);
-        }
-        if (c.row_b >= 0) {
-            moved -= displacement_at(c.arm_b, &equations.solution[at(c.row_b) * 12]);
-        }
-        c.trial.gap = c.gap - dot(c.normal, moved);
-        const Vec3 total = moved + c.prescribed;
-        c.trial.step_slip = total - dot(c.normal, total) * c.normal;
-        c.trial.slip = c.trial.slip_before + c.trial.step_slip;
-    });
+void evaluate(const Equations& equations, ContactTerm& c) {
+    Vec3 moved{};
+    if (c.row_a >= 0) {
+        moved += displacement_at(c.arm_a, &equations.solution[at(c.row_a) * 12]);
+    }
+    if (c.row_b >= 0) {
+        moved -= displacement_at(c.arm_b, &equations.solution[at(c.row_b) * 12]);
+    }
+    c.trial.gap = c.gap - dot(c.normal, moved);
+    const Vec3 total = moved + c.prescribed;
+    c.trial.step_slip = total - dot(c.normal, total) * c.normal;
+    c.trial.slip = c.trial.slip_before + c.trial.step_slip;
 }
 
 }  // namespace riprap::solid::implicit_dda

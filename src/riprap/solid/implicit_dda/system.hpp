@@ -49,6 +49,8 @@ struct Equations {
     std::vector<Vector12> given;     ///< right-hand side without contacts
     RowContacts incident;
     std::vector<std::uint8_t> is_stale;  ///< rows whose contacts have changed since they were assembled
+    std::vector<std::uint8_t> is_new;    ///< rows assembled since the preconditioner took their diagonal blocks
+    std::int64_t singular_row{-1};       ///< row whose diagonal block was not positive definite in the last solve()
     linear::BlockJacobi<12> jacobi;
     linear::IncompleteCholesky<12> cholesky{};
     linear::PcgScratch pcg;
@@ -80,7 +82,7 @@ struct SolveSettings {
 /// Solves from the guess in equations.solution.
 linear::SolveReport solve(const SolveSettings& settings, Equations& equations);
 
-/// Gap and slip of every contact from the solution.
-void evaluate(const Equations& equations, std::vector<ContactTerm>& contacts);
+/// Gap and slip of a contact from the solution.
+void evaluate(const Equations& equations, ContactTerm& contact);
 
 }  // namespace riprap::solid::implicit_dda
