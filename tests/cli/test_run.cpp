@@ -55,7 +55,7 @@ TEST_F(Runs, EveryExampleGetsThroughItsFirstStepsWithItsLedgerLookedAt) {
 TEST_F(Runs, ARunStoppedByMaxStepsPredictsWhatTheWholeTakes) {
     const Ending ending =
         run({"run", "cases/floating_box", "--out", out("a"), "--threads", "1", "--end", "3.5", "--max-steps", "5"});
-    EXPECT_THAT(ending.out, HasSubstr("of at most"));
+    EXPECT_THAT(ending.out, HasSubstr(" s, at most "));
     EXPECT_THAT(ending.out, HasSubstr("(sound in water)"));
     EXPECT_THAT(ending.out, HasSubstr("  5 steps to t = "));
     EXPECT_THAT(ending.out, Not(HasSubstr("to t = 0 s")));

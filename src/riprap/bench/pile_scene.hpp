@@ -11,12 +11,12 @@ namespace riprap::bench {
 struct Pile {
     sim::Model model;
     sim::State state;
-    double dt{0};  ///< step of the card's bound, as a run would choose it [s]
+    double dt{0};  ///< time step that a run would choose from its stability bound [s]
 };
 
-/// Cubes of 1 mm near rest in a square box with room of 13/7 mm for each: dropped as a lattice with random
-/// orientations, friction 0.4877, density 2500 kg/m^3, normal stiffness 1 MPa. Settled in this process, with damping
-/// that is then taken away and soft contacts that stiffen at the end; the same bits every time.
+/// Cubes of 1 mm near rest in a square box: dropped from a lattice of 13/7 mm with random orientations, friction
+/// 0.4877, density 2500 kg/m^3, normal stiffness 1 MPa. Settles them with damping and soft contacts, then removes the
+/// damping and restores the stiffness; the same bits every time.
 Pile drop_cubes(int cubes_x, int cubes_y, int layers);
 
 /// The 735 cubes of [Zhao, 5.5] in their box of 13 x 13 mm: drop_cubes(7, 7, 15), made once and kept.

@@ -50,8 +50,9 @@ std::string to_json(const MachineLimits& machine, const std::vector<Result>& res
 
 std::string to_table(const MachineLimits& machine, const std::vector<Result>& results) {
     const run::MachineInfo info = run::machine_info();
-    std::string text = fmt::format("{}, {} threads; one core is {:.2f} of the reference machine's\n\n", info.processor,
-                                   info.hardware_threads, core_speed(machine));
+    std::string text = fmt::format(
+        "{}, {} threads; single-core speed relative to the reference machine (docs/howto/benchmarks.md): {:.2f}\n\n",
+        info.processor, info.hardware_threads, core_speed(machine));
     std::size_t width = 4;
     for (const Result& r : results) {
         width = std::max(width, r.name.size());

@@ -51,8 +51,8 @@ class FoundContacts {
     FoundContacts(const ContactHistory& history, std::vector<FoundContact>& found)
         : history_(&history), found_(&found) {}
 
-    /// Adds contact `feature` of this pair, each at most once. Where it was there at the last step (is_old), its
-    /// springs are those of then. Valid until the next is added.
+    /// Adds contact `feature` of this pair, each at most once. Where it existed at the last step (is_old), its
+    /// springs are copied from there. The reference is valid until the next add().
     FoundContact& add(std::uint64_t feature);
 
     /// Goes on to another candidate. @param old_begin  first row of the history that can be of this pair

@@ -14,7 +14,7 @@ bool is_before(const FoundContact& x, const FoundContact& y) { return x.feature 
 }  // namespace
 
 FoundContact& FoundContacts::add(std::uint64_t feature) {
-    constexpr std::size_t growth = 4;  // chunks keep what they have once held, so closely
+    constexpr std::size_t growth = 4;  // buffers of chunks are never freed: doubling would waste memory
     if (found_->size() == found_->capacity()) {
         found_->reserve(found_->size() + growth);
     }

@@ -239,7 +239,7 @@ std::string check_text(const CaseCheck& check) {
     const std::string mass_unit = sim::unit_in("kg", check.is_planar);
     std::string text = fmt::format(
         "{}\n  bodies        {} ({} free, {:.6g} {}), {} convex parts, {} shapes\n"
-        "  time step     {:.6g} s of at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
+        "  time step     {:.6g} s, at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
         "  at time 0     {} contact{}, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
         "  memory        {}\n  output        {} in {} frames and the tables\n",
         check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, mass_unit,

@@ -124,7 +124,7 @@ void Driver::announce(const std::string& beginning) {
         sides += fmt::format("  {}\n", side);
     }
     say(
-        fmt::format("{}\n  {}, {}, {}\n{}  time step {:.6g} s of at most {:.6g} s ({})\n"
+        fmt::format("{}\n  {}, {}, {}\n{}  time step {:.6g} s, at most {:.6g} s ({})\n"
                     "  {} steps to t = {:.6g} s, from step {}\n  writing to {}",
                     model().title.empty() ? "(untitled)" : model().title, counted_bodies(model().bodies.size()),
                     counted(model().bodies.part_count(), "convex part"), counted(parallel::thread_count(), "thread"),

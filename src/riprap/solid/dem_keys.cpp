@@ -30,7 +30,7 @@ MethodKeys<DemSettings> DemSettings::keys() {
                "common "
                "plane, as stiff as the area that they stand for or all alike."),
         number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
-               "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
+               "Cundall's damping for quasi-static runs: a fraction of each force component, opposing the velocity."),
         number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),
                "Damping force per mass and velocity."),
         number(&S::grid_factor, "grid_factor", dimension::plain, above(1, 16),
@@ -38,7 +38,7 @@ MethodKeys<DemSettings> DemSettings::keys() {
         number(&S::skin, "skin", dimension::plain, above(0, 2),
                "Margin of the pair cache over the median circumradius; speed only."),
         number(&S::max_potential, "max_potential", dimension::plain, above(0, 1),
-               "An overlap deeper than this share of the inscribed radius ends the run."),
+               "An overlap deeper than this fraction of the inscribed radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster block ends the run.")};
     return {.help = "explicit discrete elements, polyhedra with a distance potential",
             .keys = within(&S::contact, contact_keys()) + chosen(&S::friction, "tangential_law", "Friction") + keys};

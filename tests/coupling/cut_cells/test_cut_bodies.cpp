@@ -247,7 +247,8 @@ TEST(CutCells, a_pocket_that_bodies_close_and_press_together_has_the_pressure_of
     }
 }
 
-/// Two wedges that fill cell (5, 5, 5) of a cube of ten cells by 1.05 of its volume, and leave 0.4 of its low face open.
+/// Two wedges that fill cell (5, 5, 5) of a cube of ten cells by 1.05 of its volume, and leave 0.4 of its low face
+/// open.
 std::vector<GridBody> wedges_that_overlap() {
     std::vector<GridBody> bodies(2);
     for (const double sign : {1.0, -1.0}) {

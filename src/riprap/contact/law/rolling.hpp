@@ -5,7 +5,7 @@
 
 namespace riprap::contact {
 
-/// Rolling couple of a contact after a step.
+/// Rolling couple of a contact at the end of a step.
 template <class T>
 struct RollingResponse {
     Vec3T<T> couple;  ///< on A [N m]; B gets the opposite
@@ -14,7 +14,7 @@ struct RollingResponse {
 };
 
 /// Couple of constant size against rolling (model A of [Ai2011]): -mu_r R* |F_n| w/|w|, w the part of omega_a - omega_b
-/// across the normal. Chatters about rest; for flowing grains.
+/// across the normal. Oscillates around rest; use it for flowing grains only.
 template <class T>
 inline RollingResponse<T> rolling_constant(const Vec3T<T>& rolling, T rolling_friction, T radius, T normal_force,
                                            T dt) {

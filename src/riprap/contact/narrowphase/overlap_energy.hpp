@@ -19,7 +19,9 @@ namespace riprap::contact {
 /// which is nothing where both cells share a corner of the body as apex. Apexes are chosen so that few walls are left;
 /// a contact at one corner or edge of the field body has none.
 ///
-/// @param field_reaches  per face of the field body: it may reach into the surface body; null = unknown
+/// c_j is the apex chosen for face j, n_j its outward normal and w_j = 1/r_j the weight of its depth in phi.
+///
+/// @param field_reaches  per face of the field body: whether it may intersect the surface body; null = unknown
 double volume_sum(const SurfaceInField& side, const std::vector<std::uint8_t>* field_reaches);
 
 }  // namespace riprap::contact

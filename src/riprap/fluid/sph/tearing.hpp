@@ -41,7 +41,7 @@ double density_by_tearing(double bareness, bool leaves_wall, double density, dou
 ///
 /// each fraction in tr M/D between 0 and 1. Water that walls squeeze leaves along the gap, and its pressure goes with
 /// sound by its free sides. Continuity sees the walls come nearer and no side: particles two and more spacings apart
-/// would carry a block as balls of steel. So B is taken times 1 - l: such a particle feels no compression, passes on no
+/// would carry a block like rigid balls. So B is taken times 1 - l: such a particle feels no compression, passes on no
 /// pressure and fills nothing of a joint (docs/theory/sph.md, 4).
 ///
 /// @param alone    tr M_f/D, of its neighbours in the water: 0.08 in a row (2D) with twice the spacing [-]

@@ -9,8 +9,8 @@
 
 namespace riprap::scene {
 
-/// Gaps that are too wide for a joint and too narrow for particles, which come in one by one and shake what stands
-/// beside them (docs/theory/coupling.md, 6).
+/// Gaps that are too wide for a joint and too narrow for particles, which come in one by one, so that the forces on
+/// the bodies beside them are noisy (docs/theory/coupling.md, 6).
 struct NarrowGaps {
     std::int64_t pairs{0};           ///< of convex parts
     double narrowest{0}, widest{0};  ///< [spacings]

@@ -30,11 +30,11 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
                "deepest alone."),
         boolean(&S::allows_pull, "allows_pull", "The dashpot may pull at the end of an impact."),
         number(&S::local_damping, "local_damping", dimension::plain, below(0, 1),
-               "Cundall's damping for quasi-static runs: a share of each force component, against the velocity."),
+               "Cundall's damping for quasi-static runs: a fraction of each force component, opposing the velocity."),
         number(&S::mass_damping, "mass_damping", dimension::frequency, non_negative(),
                "Damping force per mass and velocity."),
         number(&S::max_overlap, "max_overlap", dimension::plain, above(0, 2),
-               "An overlap deeper than this share of the smaller radius ends the run."),
+               "An overlap deeper than this fraction of the smaller radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster body ends the run.")};
     return normal + chosen(&S::tangential, "tangential_law", "Friction") + others;
 }
@@ -44,19 +44,20 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
 MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
     using S = SphereDemSettings;
     const KeyList<S> own{
-        choice(&S::sampling, "spheres",
-               {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}, {"balls", SphereSampling::balls}},
-               "Spheres that stand for a free body: samples of its surface, or one of its volume; or none (balls): it "
-               "meets balls by its faces and its like by the distance potential. Balls and discs are always one."),
+        choice(
+            &S::sampling, "spheres",
+            {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}, {"balls", SphereSampling::balls}},
+            "Spheres that represent a free body: samples of its surface; one of its volume; or none (balls): faces of "
+            "blocks meet spheres, and blocks meet by the distance potential. Balls and discs are always one sphere."),
         number_or_auto(&S::sphere_radius, "sphere_radius", dimension::length, positive(),
                        "Radius of the samples. \"auto\": a third of the least inscribed radius."),
         number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),
         number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies."),
         number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
         number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
-               "Largest rolling couple over radius and normal force."),
+               "Coefficient of rolling friction mu_r: limit of the couple, over R* F_n."),
         number_or_auto(&S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
-                       "Damping of Hertz' contacts in place of the restitution. \"auto\": the one that gives it."),
+                       "Damping ratio of a Hertz contact. \"auto\": follows from `restitution`."),
         number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
         number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
                "Normal stiffness of a contact under normal_law = \"linear\"."),

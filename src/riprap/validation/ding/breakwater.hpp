@@ -7,7 +7,7 @@
 
 namespace riprap::validation::ding {
 
-/// Lengths of the thesis, and what it leaves open: the stones reach to half of the height of the caisson.
+/// Dimensions of [Ding2021, chapter 6]. Assumed, as the thesis gives none: stones up to half the height of the caisson.
 struct Breakwater {
     static constexpr double depth = 10, wave_height = 6, caisson_height = 13, caisson_front = 15.96 * 13,
                             caisson_width = 13, slope_height = 6.5, length = 240, ceiling = 30;

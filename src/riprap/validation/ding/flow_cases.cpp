@@ -21,7 +21,7 @@ GridTrial::Gauge level_at(double x) {
     return [x](const GridTrial& t) { return read_level(t.settings(), t.state(), {x, 0, 0}, 1) - Breakwater::depth; };
 }
 
-/// Whether a column holds air below water: a breaker or a jet.
+/// Returns whether a column holds air below water: a breaker or a jet.
 bool overhangs(const GridTrial& trial, int i) {
     const Mesh& mesh = trial.settings().mesh;
     bool has_air = false;
@@ -37,12 +37,13 @@ bool overhangs(const GridTrial& trial, int i) {
 
 /// Mean velocity up the seaward slope in the armour layer [m/s].
 double velocity_in_layer(const GridTrial& trial) {
-    const double toe = Breakwater::caisson_front - 2 * Breakwater::slope_height;
+    const double slope = Breakwater{}.slope;
+    const double toe = Breakwater::caisson_front - slope * Breakwater::slope_height;
     double sum = 0;
     for (int k = 1; k < 6; ++k) {
-        const double x = toe + 2 * k, y = (x - toe) / 2 - 0.8;
+        const double x = toe + 2 * k, y = (x - toe) / slope - 0.8;
         const Vec3 u = read_velocity(trial.settings(), trial.state(), {x, std::max(y, 0.3), 0});
-        sum += (2 * u.x + u.y) / std::sqrt(5.0) / 5;
+        sum += (slope * u.x + u.y) / std::hypot(slope, 1) / 5;
     }
     return sum;
 }
@@ -125,7 +126,8 @@ void flow_patterns(const CaseSetting& setting, CaseReport& report) {
     }
     report.judge({"fastest flow in the layer, up the slope", "m/s", "with the wave", {}, {}}, forth, 0.05, 5);
     report.judge({"fastest flow in the layer, down the slope", "m/s", "then against it", {}, {}}, back, -5, -0.05);
-    report.judge({"time of the second less the first", "s", "later", {}, {}}, back_at - forth_at, 0, 10);
+    report.judge({"time of peak flow down the slope less that of peak flow up it", "s", "later", {}, {}},
+                 back_at - forth_at, 0, 10);
     trial.report_books(report);
     Plot plot;
     plot.title = "Surface at P2 to P5 and height of the water at the caisson";

@@ -94,7 +94,7 @@ BallastBed make_bed(double length, double thickness, std::uint64_t seed) {
         }
     }
     bed.stone_count = trial.model.block_count() - bed.first_stone;
-    // falls with little friction and slightly damped velocities, which packs it; then friction holds it
+    // Pours the stones with low friction and damping to a dense packing, then restores the friction.
     Joint smooth = ballast_joint();
     smooth.friction = 0.1;
     trial.model.set_joint(0, 0, smooth);
@@ -125,8 +125,8 @@ struct Watch {
     std::int32_t struck{-1};  ///< stone that the ice meets first: the marked one
     Strike result{};
     Vec2 touch{};
-    std::vector<double> rise{}, drift{};     ///< largest way of every stone up and aside [m]
-    std::vector<std::vector<Vec2>> paths{};  ///< of every stone: time and height while it flies
+    std::vector<double> rise{}, drift{};     ///< largest rise and drift of every stone [m]
+    std::vector<std::vector<Vec2>> paths{};  ///< of every stone: time and height while it is well above the bed
 
     void look() {
         if (result.impact_time == 0) {
@@ -174,11 +174,7 @@ struct Watch {
     }
 };
 
-}  // namespace
-
-namespace {
-
-/// Height of the middle of the ice at which it touches the bed, straight under it.
+/// Returns the height of the centre of the ice at which its underside first touches a stone, coming straight down.
 double height_clear_of(const BallastBed& bed, const Shot& shot) {
     const PlanarTrial& trial = bed.trial;
     const double half = shot.corners > 0 ? shot.size.x : 0.5 * shot.size.x;

@@ -31,9 +31,9 @@ struct Strike {
     double highest{0};        ///< rise of a stone [m]
     geometry::Vec2 marked{};  ///< largest displacement along x and y of the marked stone, which the ice meets first [m]
     geometry::Vec2 ice{};     ///< displacement of the ice at the end [m]
-    double ice_way{0};        ///< largest distance of the ice from where it touched [m]
+    double ice_way{0};        ///< largest displacement of the ice after the touch [m]
     double ice_bounce{0};     ///< rise of the ice above the surface after the touch [m]
-    double parabola{0};       ///< 1 - R^2 of the flight of the highest stone against a parabola
+    double parabola{0};       ///< 1 - R^2 of the path of the stone longest in the air against a parabola
     bool has_hit_rail{false};
     double ledger{0};
 };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double piece_length = 0.5;  ///< of a side that one pressure acts on [m]
 
-/// Divides a side from a to b; f(middle, vector area into the block when it lies left of the way from a to b).
+/// Divides a side from a to b; f(midpoint, inward area vector); the block lies left of a -> b.
 template <class F>
 void for_pieces(const Vec2& a, const Vec2& b, const F& f) {
     const double length = norm(b - a);
@@ -104,7 +104,7 @@ void press_caisson(PlanarTrial& trial, std::int32_t caisson, const RecordedWater
     for (std::size_t k = 0; k < 4; ++k) {
         corner[k] = place_of(trial.state, caisson, trial.model.corner[at(first) + k]);
     }
-    // the recorded caisson stays where it is: a wall that has moved feels what its first place felt
+    // Pressures were recorded around a fixed caisson, so each wall reads the column beside its initial position.
     const double front = Breakwater::caisson_front, rear = front + Breakwater::caisson_width;
     const auto wall = [&](double x, double y) { return water.pressure({x, y}, time); };
     for_pieces(corner[1], corner[2], [&](const Vec2& x, const Vec2& inward) {

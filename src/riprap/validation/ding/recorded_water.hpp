@@ -8,8 +8,9 @@
 
 namespace riprap::validation::ding {
 
-/// Pressure around the caisson of the breakwater while a solitary wave strikes it, every tenth of a second: the one-way
-/// transfer of [Ding2021, section 3.5], where the fluid sees solids that stay and the solids feel what it left.
+/// Pressure around the caisson of the breakwater while a solitary wave strikes it, every tenth of a second: one-way
+/// coupling [Ding2021, section 3.5]: the wave runs against fixed solids, and its recorded pressures load the moving
+/// ones.
 class RecordedWater {
  public:
     /// Simulates the wave with cells of `cell` [m] by 0.625 of that and keeps the pressures from `first` to `last` [s].
@@ -31,8 +32,8 @@ class RecordedWater {
     std::vector<std::uint8_t> is_open_;
 };
 
-/// Adds to the loads of a trial what the water does to the sides of a block: pressure at the middle of pieces of half a
-/// metre, its work point [Ding2021, eq. 3.26].
+/// Adds to the loads of a trial what the water does to the sides of a block: pressure at the midpoints of segments of
+/// half a metre, its points of application [Ding2021, eq. 3.26].
 void press_block(PlanarTrial& trial, std::int32_t block, const RecordedWater& water, double time);
 
 /// Adds the loads on the caisson: its front, rear and top, and under its foot pressure that falls linearly from toe to
