@@ -183,10 +183,16 @@ void add_list(CLI::App& app, Action& action) {
 void add_schema(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of the case file");
     auto as_keys = std::make_shared<bool>(false);
-    command->add_flag("--keys", *as_keys, "Print the keys as a list for reading instead");
-    command->callback([&action, as_keys] {
-        action = [as_keys] {
+    auto as_manual = std::make_shared<bool>(false);
+    CLI::Option* keys = command->add_flag("--keys", *as_keys, "Print the keys as a list for reading instead");
+    command->add_flag("--manual", *as_manual, "Print docs/reference/case-file.md instead")->excludes(keys);
+    command->callback([&action, as_keys, as_manual] {
+        action = [as_keys, as_manual] {
             end_with_reader();
+            if (*as_manual) {
+                fmt::print("{}", scene::case_manual());
+                return 0;
+            }
             fmt::print("{}\n", *as_keys ? scene::key_listing() : scene::case_schema());
             return 0;
         };

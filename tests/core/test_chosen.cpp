@@ -57,5 +57,20 @@ TEST(Chosen, the_help_of_the_choice_is_made_of_that_of_its_laws) {
     EXPECT_EQ(key_of(keys, "law").row.words, (std::vector<std::string_view>{"soft", "hard"}));
 }
 
+struct AlsoSoft {
+    static constexpr std::string_view word = "also_soft", help = "gives way too";
+    static KeyList<AlsoSoft> keys() {
+        return {key::number(&AlsoSoft::give, "give", dimension::plain, key::positive(), "How far.")};
+    }
+    double give{3};
+};
+
+TEST(Chosen, two_laws_of_a_list_may_not_have_keys_of_one_name) {
+    struct Both {
+        Chosen<Soft, AlsoSoft> law;
+    };
+    EXPECT_THROW(key::chosen(&Both::law, "law", "What it does"), InternalError);
+}
+
 }  // namespace
 }  // namespace riprap

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "riprap/core/chosen.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/key.hpp"
 
 namespace riprap::key {
 
-/// A word that chooses a law, and the keys of all laws of the list.
+/// A word that chooses a law, and the keys of all laws of the list. A key of one law cannot be that of another: a value
+/// given once would reach only one of them.
 /// @param question  what is chosen, without a full stop; the help of the laws follows
 template <class S, class... Laws>
 KeyList<S> chosen(Chosen<Laws...> S::*member, std::string_view name, std::string_view question) {
@@ -29,6 +34,11 @@ KeyList<S> chosen(Chosen<Laws...> S::*member, std::string_view name, std::string
     const auto add_keys_of = [&]<class Law>(const Law* /*law*/) {
         if constexpr (requires { Law::keys(); }) {
             for (const BoundKey<Law>& key : Law::keys()) {
+                if (std::any_of(list.begin(), list.end(),
+                                [&key](const BoundKey<S>& other) { return other.row.name == key.row.name; })) {
+                    throw InternalError("two laws of '" + std::string(name) + "' have a key '" +
+                                        std::string(key.row.name) + "'");
+                }
                 list.add({key.row, [member, get = key.get](const S& s) { return get((s.*member).template get<Law>()); },
                           [member, set = key.set](S& s, const KeyValue& value) {
                               set((s.*member).template get<Law>(), value);

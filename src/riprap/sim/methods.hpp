@@ -119,6 +119,17 @@ using Fluids = MethodList<       //
     >;
 
 namespace detail {
+template <SolidMethod... Methods>
+constexpr bool are_solids(const MethodList<Methods...>* /*list*/) {
+    return true;
+}
+template <FluidMethod... Methods>
+constexpr bool are_fluids(const MethodList<Methods...>* /*list*/) {
+    return true;
+}
+// A method that lacks a function of the step is named here, by the concept that it does not meet.
+static_assert(are_solids(static_cast<const Solids*>(nullptr)) && are_fluids(static_cast<const Fluids*>(nullptr)));
+
 template <class... Settings>
 struct Choices {
     using Variant = std::variant<Settings...>;

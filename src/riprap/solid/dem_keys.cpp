@@ -41,7 +41,8 @@ MethodKeys<DemSettings> DemSettings::keys() {
                "An overlap deeper than this fraction of the inscribed radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster block ends the run.")};
     return {.help = "explicit discrete elements, polyhedra with a distance potential",
-            .keys = within(&S::contact, contact_keys()) + chosen(&S::friction, "tangential_law", "Friction") + keys};
+            .keys = within(&S::contact, contact_keys()) +
+                    chosen(&S::friction, "tangential_law", "Tangential law of a contact") + keys};
 }
 
 }  // namespace riprap::solid

@@ -9,9 +9,10 @@ namespace riprap::fluid {
 
 /// The viscosities of SPH: one line registers a viscosity. Beside its word and keys (core/chosen.hpp) it has
 ///
-///     double kinematic(settings, strain_rate)     nu [m^2/s]: bounds the step, and as mu = rho_0 nu goes into the
-///     pairs Pair pair(settings, kernel)                 per kernel of the pressure, WendlandC2 and that of Müller's
-///     scheme
+/// - `double kinematic(settings, strain_rate)`: nu [m^2/s], which bounds the step and goes into the pairs as
+///   mu = rho_0 nu;
+/// - `Pair pair(settings, kernel)`: one for each kernel that the pressure may have, `WendlandC2` (delta_sph) and
+///   `SpikyKernel` (Müller's scheme).
 ///
 /// Pair::add<Dim>(v, d, r2, r, F, V, mu_pair, force) writes the viscous force of one pair per V_i [N/m^3], with
 /// d = x_i - x_j [m], v = v_i - v_j [m/s], F = (dW/dr)/r, the volume V of the neighbour and mu_pair = mu_i + mu_j

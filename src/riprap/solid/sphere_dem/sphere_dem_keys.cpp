@@ -36,7 +36,7 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
         number(&S::max_overlap, "max_overlap", dimension::plain, above(0, 2),
                "An overlap deeper than this fraction of the smaller radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster body ends the run.")};
-    return normal + chosen(&S::tangential, "tangential_law", "Friction") + others;
+    return normal + chosen(&S::tangential, "tangential_law", "Tangential law of a contact") + others;
 }
 
 }  // namespace
