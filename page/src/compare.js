@@ -6,6 +6,7 @@ import {reading} from './numbers.js';
 const $ = id => document.getElementById(id);
 const LENGTH = 8;  // seconds from the first time to the last, at pace 1
 const STEPS = 1000;
+const ALIKE = 4;   // sizes of runs up to which they are drawn to one scale
 
 /** The page of one of the runs, from the parts of this one. */
 function pageOf(run) {
@@ -40,6 +41,7 @@ class Comparison {
     this.runs = await Promise.all(this.names.map((name, k) => this.#add(grid, name, page(pageOf(k)))));
     const times = this.runs.flatMap(run => run.times);
     [this.first, this.last] = [Math.min(...times), Math.max(...times)];
+    this.#useOneScale();
     this.#wire();
     this.setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
     await this.show(this.first);
@@ -68,6 +70,15 @@ class Comparison {
     about.dataset.status = [page.riprap.contents.status, missed > 0 ? `${missed} missed` : ''].filter(Boolean).join(', ');
     page.riprap.onView = () => this.#turned(page.riprap);
     return {riprap: page.riprap, times: page.riprap.times, about};
+  }
+
+  /** Shows the same part of space in every run, unless they are of very different sizes. */
+  #useOneScale() {
+    const scenes = this.runs.map(({riprap}) => riprap.scene).filter(Boolean), sizes = scenes.map(scene => scene.size);
+    if (scenes.length > 1 && Math.max(...sizes) < ALIKE * Math.min(...sizes)) {
+      const all = scenes.reduce((box, scene) => box.union(scene.box), scenes[0].box.clone());
+      scenes.forEach(scene => scene.frameOn(all.clone()));
+    }
   }
 
   /** One eye for all: who turns one scene turns the others. Runs of other sizes keep their distances. */

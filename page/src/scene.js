@@ -326,6 +326,14 @@ export class Scene {
     this.#look(this.preset, from);
   }
 
+  /** Takes another box for the one that views show whole, of several runs, say. */
+  frameOn(box) {
+    this.box = box;
+    this.size = lengthOf(box) || 1;
+    this.turn(this.index);
+    this.refit();
+  }
+
   refit() {
     if (this.preset) {
       this.setPreset(this.preset);
