@@ -249,6 +249,6 @@ std::size_t Multigrid::bytes() const {
     return sum;
 }
 
-std::size_t PoissonSolver::bytes() const { return multigrid_.bytes() + bytes_of(r_, z_, d_, q_); }
+std::size_t PoissonSolver::bytes() const { return multigrid_.bytes() + bytes_of(work_.r, work_.d, work_.q); }
 
 }  // namespace riprap::linear

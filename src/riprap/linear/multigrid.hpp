@@ -31,6 +31,7 @@ struct FaceConductance {
 struct PoissonReport {
     int iterations{0};     ///< of conjugate gradients [-]
     double residual{0};    ///< ||b - A p||_2 at the end over that at the start [-]
+    double first{0};       ///< ||b - A p||_2 of the guess
     bool converged{true};  ///< the residual is at or below the tolerance
 };
 
@@ -51,6 +52,9 @@ class Multigrid {
     void build(const FaceConductance& fine);
     /// z = M r.
     void apply(const std::vector<double>& r, std::vector<double>& z);
+    /// Returns M r in single precision, without the factor that `factor` is set to.
+    /// @param size  of r, so that r over it fits single precision: its norm, say
+    const std::vector<float>& apply(const std::vector<double>& r, double size, double& factor);
     int level_count() const { return static_cast<int>(level_count_); }
     std::size_t bytes() const;
 
@@ -85,16 +89,21 @@ class PoissonSolver {
  public:
     /// Takes the operator for the solves that follow.
     void set_operator(const FaceConductance& a);
-    /// Solves A p = b from the guess in p until ||b - A p||_2 is at most `tolerance` times that of the guess, or 1e-14
-    /// times ||b||_2, where round-off ends any solve. Where no face leads out of the box the sum of b over cells has to
-    /// vanish to round-off, and p is fixed by the guess up to a constant.
+    /// Solves A p = b from the guess in p until ||b - A p||_2 is at most `tolerance` times that of the guess, or
+    /// `enough`, or 1e-14 times ||b||_2, where round-off ends any solve. Where no face leads out of the box the sum of
+    /// b over cells has to vanish to round-off, and p is fixed by the guess up to a constant.
     PoissonReport solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
-                        double tolerance, int max_iterations);
+                        double tolerance, int max_iterations, double enough = 0);
     std::size_t bytes() const;
+    /// Arrays that hold nothing between two solves: free for other uses until the next.
+    struct Work {
+        std::vector<double> r, d, q;
+    };
+    Work& work() { return work_; }
 
  private:
     Multigrid multigrid_;
-    std::vector<double> r_, z_, d_, q_;
+    Work work_;
 };
 
 /// y = A x.

@@ -250,27 +250,34 @@ void Multigrid::cycle(std::size_t l) {
     }
 }
 
-void Multigrid::apply(const std::vector<double>& r, std::vector<double>& z) {
+const std::vector<float>& Multigrid::apply(const std::vector<double>& r, double size, double& factor) {
     Level& finest = levels_[0];
-    // residuals of any size fit single precision once they are of size 1
-    const auto largest_in_row = [&](std::int64_t start, std::int64_t) {
-        double largest = 0;
-        for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
-            largest = std::max(largest, std::abs(r[at(i)]));
-        }
-        return largest;
-    };
-    const double size = reduce_rows(finest.box, 0.0, largest_in_row, [](double a, double b) { return std::max(a, b); });
-    const double down = size > 0 ? 1 / size : 0, up = size * scale_;
+    const double down = size > 0 ? 1 / size : 0;
     for_rows(finest.box, [&](std::int64_t start, std::int64_t) {
         for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
             finest.b[at(i)] = static_cast<float>(down * r[at(i)]);
         }
     });
     cycle(0);
-    for_rows(finest.box, [&](std::int64_t start, std::int64_t) {
-        for (std::int64_t i = start; i < start + finest.box.cells[0]; ++i) {
-            z[at(i)] = up * static_cast<double>(finest.x[at(i)]);
+    factor = size * scale_;
+    return finest.x;
+}
+
+void Multigrid::apply(const std::vector<double>& r, std::vector<double>& z) {
+    const CellBox& box = levels_[0].box;
+    double factor = 0;
+    const auto largest_in_row = [&](std::int64_t start, std::int64_t) {
+        double largest = 0;
+        for (std::int64_t i = start; i < start + box.cells[0]; ++i) {
+            largest = std::max(largest, std::abs(r[at(i)]));
+        }
+        return largest;
+    };
+    const double size = reduce_rows(box, 0.0, largest_in_row, [](double a, double b) { return std::max(a, b); });
+    const std::vector<float>& x = apply(r, size, factor);
+    for_rows(box, [&](std::int64_t start, std::int64_t) {
+        for (std::int64_t i = start; i < start + box.cells[0]; ++i) {
+            z[at(i)] = factor * static_cast<double>(x[at(i)]);
         }
     });
 }

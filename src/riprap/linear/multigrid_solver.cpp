@@ -10,17 +10,18 @@ namespace {
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Dot product of two rows in eight running sums, so that it fills vector registers in a fixed order.
-double dot_row(const double* x, const double* y, int n) {
+template <class T>
+double dot_row(const double* x, const T* y, int n) {
     std::array<double, 8> sum{};
     int i = 0;
     for (; i + 8 <= n; i += 8) {
         for (std::size_t lane = 0; lane < 8; ++lane) {
-            sum[lane] += x[i + static_cast<int>(lane)] * y[i + static_cast<int>(lane)];
+            sum[lane] += x[i + static_cast<int>(lane)] * static_cast<double>(y[i + static_cast<int>(lane)]);
         }
     }
     double tail = 0;
     for (; i < n; ++i) {
-        tail += x[i] * y[i];
+        tail += x[i] * static_cast<double>(y[i]);
     }
     return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7])) + tail;
 }
@@ -64,43 +65,48 @@ void apply_operator(const FaceConductance& a, const std::vector<double>& x, std:
 void PoissonSolver::set_operator(const FaceConductance& a) { multigrid_.build(a); }
 
 PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
-                                   double tolerance, int max_iterations) {
+                                   double tolerance, int max_iterations, double enough) {
     const CellBox& box = a.box;
     const int n = box.cells[0];
-    for (auto* field : {&r_, &z_, &d_, &q_}) {
-        field->resize(at(box.size), 0.0);
-    }
+    std::vector<double>&r = work_.r, &d = work_.d, &q = work_.q;
+    r.resize(at(box.size));
+    q.resize(at(box.size));
+    d.assign(at(box.size), 0.0);  // beyond the sides too, where the operator reads it
     const double b_norm = std::sqrt(dot_cells(box, b, b));
     double rr = reduce_rows(
         box, 0.0,
         [&](std::int64_t s, std::int64_t) {
-            apply_row(a, p.data() + s, q_.data() + s, s);
+            apply_row(a, p.data() + s, q.data() + s, s);
             for (std::int64_t i = s; i < s + n; ++i) {
-                r_[at(i)] = b[at(i)] - q_[at(i)];
+                r[at(i)] = b[at(i)] - q[at(i)];
             }
-            return dot_row(r_.data() + s, r_.data() + s, n);
+            return dot_row(r.data() + s, r.data() + s, n);
         },
         sum_of);
-    const double first = std::sqrt(rr), goal = std::max(tolerance * first, round_off * b_norm);
+    const double first = std::sqrt(rr), goal = std::max({tolerance * first, enough, round_off * b_norm});
     PoissonReport report;
     double rz_before = 0;
     while (std::sqrt(rr) > goal && report.iterations < max_iterations) {
-        multigrid_.apply(r_, z_);
-        const double rz = dot_cells(box, r_, z_);
+        double factor = 0;  // z = factor times what the cycle gives
+        const std::vector<float>& z = multigrid_.apply(r, std::sqrt(rr), factor);
+        const double rz =
+            factor *
+            reduce_rows(
+                box, 0.0, [&](std::int64_t s, std::int64_t) { return dot_row(r.data() + s, z.data() + s, n); }, sum_of);
         if (!(rz > 0)) {
             break;
         }
         const double beta = report.iterations == 0 ? 0 : rz / rz_before;
         for_rows(box, [&](std::int64_t s, std::int64_t) {
             for (std::int64_t i = s; i < s + n; ++i) {
-                d_[at(i)] = z_[at(i)] + beta * d_[at(i)];
+                d[at(i)] = factor * static_cast<double>(z[at(i)]) + beta * d[at(i)];
             }
         });
         const double dq = reduce_rows(
             box, 0.0,
             [&](std::int64_t s, std::int64_t) {
-                apply_row(a, d_.data() + s, q_.data() + s, s);
-                return dot_row(d_.data() + s, q_.data() + s, n);
+                apply_row(a, d.data() + s, q.data() + s, s);
+                return dot_row(d.data() + s, q.data() + s, n);
             },
             sum_of);
         if (!(dq > 0)) {
@@ -111,15 +117,16 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
             box, 0.0,
             [&](std::int64_t s, std::int64_t) {
                 for (std::int64_t i = s; i < s + n; ++i) {
-                    p[at(i)] += alpha * d_[at(i)];
-                    r_[at(i)] -= alpha * q_[at(i)];
+                    p[at(i)] += alpha * d[at(i)];
+                    r[at(i)] -= alpha * q[at(i)];
                 }
-                return dot_row(r_.data() + s, r_.data() + s, n);
+                return dot_row(r.data() + s, r.data() + s, n);
             },
             sum_of);
         rz_before = rz;
         ++report.iterations;
     }
+    report.first = first;
     report.residual = first > 0 ? std::sqrt(rr) / first : 0;
     report.converged = std::sqrt(rr) <= goal;
     return report;

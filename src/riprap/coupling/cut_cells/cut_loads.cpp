@@ -2,6 +2,7 @@
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
 
 #include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/viscous.hpp"
 
 namespace riprap::coupling {
 
@@ -62,7 +63,7 @@ std::vector<GridLoad> cut_loads(const fluid::grid::GridSettings& settings, const
     }
     for (const MeshFace& face : cut.near_faces) {
         const auto a = at(face.axis);
-        const double drag = scratch.stress.wall_drag[a][at(face.index)];
+        const double drag = fluid::grid::wall_drag(settings, scratch, face.axis, face.index, face.place);
         if (drag == 0) {
             continue;
         }

@@ -33,18 +33,6 @@ void for_faces_of(const CellBox& box, const std::array<int, 3>& place, const F& 
     }
 }
 
-/// Whether a flat index is that of a cell, not of a ghost.
-bool is_in_box(const CellBox& box, std::int64_t cell) {
-    for (int a = box.axes - 1; a >= 0; --a) {
-        const std::int64_t p = cell / box.stride[at(a)] - box.pad[at(a)];
-        if (p < 0 || p >= box.cells[at(a)]) {
-            return false;
-        }
-        cell %= box.stride[at(a)];
-    }
-    return true;
-}
-
 std::array<Vec3, 3> middles(const Vec3& p, const Vec3& q, const Vec3& r) {
     return {(p + q) * 0.5, (q + r) * 0.5, (r + p) * 0.5};
 }
@@ -59,8 +47,8 @@ Cutter::Cutter(const Mesh& mesh) : mesh_(&mesh) {
     touched_.assign(size, -1);
     for (int a = 0; a < 3; ++a) {
         out_.open.area[at(a)].assign(size, 1.0);
-        out_.open.body_velocity[at(a)].assign(size, 0.0);
-        out_.open.wall_distance[at(a)].assign(size, 1e30);
+        out_.open.body_velocity[at(a)].assign(size, 0.0F);
+        out_.open.wall_distance[at(a)].assign(size, 1e30F);
         out_.nearest[at(a)].assign(size, -1);
         below_[at(a)].assign(size, 0.0);
         above_[at(a)].assign(size, 0.0);
@@ -178,10 +166,10 @@ void Cutter::find_distances(const PartPlanes& part, const GridBody& body, std::i
                     const int p = std::array{i, j, k}[at(a)];
                     x[a] -= 0.5 * mesh_->h(a, p);
                     const auto f = at(mesh_->box.index(i, j, k));
-                    const double distance = part.distance(x);
+                    const auto distance = static_cast<float>(part.distance(x));
                     if (distance < out_.open.wall_distance[at(a)][f]) {
                         out_.open.wall_distance[at(a)][f] = distance;
-                        out_.open.body_velocity[at(a)][f] = body.velocity_at(x)[a];
+                        out_.open.body_velocity[at(a)][f] = static_cast<float>(body.velocity_at(x)[a]);
                         out_.nearest[at(a)][f] = number;
                     }
                 }
@@ -370,7 +358,7 @@ void Cutter::find_joints() {
             JointCell joint{cells[i], {}};
             for_neighbours(cells[i], [&](std::int64_t beside) {
                 const std::ptrdiff_t known = place_of(beside);
-                if (is_first && out_.open.volume[at(beside)] > 0 && is_in_box(box, beside)) {
+                if (is_first && out_.open.volume[at(beside)] > 0 && box.has_cell(beside)) {
                     joint.sources.push_back(beside);
                 } else if (!is_first && known >= 0 && number[at(known)] != unknown) {
                     joint.sources.push_back(-1 - number[at(known)]);

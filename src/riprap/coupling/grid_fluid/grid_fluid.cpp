@@ -264,13 +264,7 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
         set_open_shares(settings, water, s, std::move(scratch_->cut.open));
         note_cut(middle, *fields_);
     }
-    const double volume_before = water.water_volume;
-    const auto start = settings.outer_corrections > 1 ? water.velocity : std::array<std::vector<double>, 3>{};
-    begin_step(settings, water, s, span.dt);
-    for (int pass = 1; pass < settings.outer_corrections; ++pass) {
-        scratch_->iterations += project_velocity(settings, water, s, span.dt).iterations;
-        correct_step(settings, water, s, start, volume_before, span.dt);
-    }
+    scratch_->iterations += begin_step(settings, water, s, span.dt);
     if (settings_->coupling == GridCoupling::two_way) {
         scratch_->feedback = added_mass_shares(*scene_, *settings_, water, scratch_->cut);
     }

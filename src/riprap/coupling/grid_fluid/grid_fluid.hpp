@@ -45,7 +45,7 @@ struct GridFluidSettings {
     fluid::grid::Turbulence turbulence{fluid::grid::Turbulence::laminar};
     fluid::grid::VofScheme vof{fluid::grid::VofScheme::plic};
     double compression{1}, courant{0.45}, tolerance{1e-5};
-    int outer_corrections{1};
+    int outer_corrections{1}, pressure_corrections{1};
     GridCoupling coupling{GridCoupling::two_way};
 
     FieldScene scene;                ///< where the fluid is

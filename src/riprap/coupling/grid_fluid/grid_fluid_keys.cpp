@@ -51,6 +51,10 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                     "Strength of the compressive scheme."),
              integer(&S::outer_corrections, "outer_corrections", 1, 4,
                      "Passes over transport, momentum and pressure in a step; 2: second order in time."),
+             integer(
+                 &S::pressure_corrections, "pressure_corrections", 1, 4,
+                 "Pressures in a pass, each but the first after the explicit momentum has been found again with the "
+                 "mean velocity of both ends of the step."),
              choice(&S::coupling, "coupling", {{"two_way", GridCoupling::two_way}, {"one_way", GridCoupling::one_way}},
                     "Water and bodies move each other; or water flows around bodies that stand where they start, and "
                     "bodies feel its pressure there."),

@@ -19,6 +19,7 @@ struct Reader {
     const GridFluidSettings& settings;
     const fluid::grid::GridState& water;
     const fluid::grid::OpenShares& open;
+    const fluid::grid::Room* room;  ///< that `open` leaves, where it has been made
     const Mesh& mesh() const { return settings.grid.mesh; }
 
     double share(std::int64_t c) const { return open.has_bodies ? open.volume[at(c)] : 1; }
@@ -110,11 +111,12 @@ struct Reader {
                     }
                     const std::int64_t f = box.index(place[0], place[1], place[2]);
                     const double u = water.velocity[at(axis)][at(f)];
-                    const double area = open.has_bodies ? open.area[at(axis)][at(f)] : 1;
                     std::array<int, 3> inside = place;
                     inside[at(axis)] = std::min(face, box.cells[at(axis)] - 1);
-                    const double whole = mesh().face_area(axis, inside[0], inside[1], inside[2]);
-                    sum += covered * u * area * whole * water.fraction[at(u > 0 ? f - box.stride[at(axis)] : f)];
+                    const double area = mesh().face_area(axis, inside[0], inside[1], inside[2]) *
+                                        (open.has_bodies && room == nullptr ? open.area[at(axis)][at(f)] : 1);
+                    sum += covered * u * (room != nullptr ? room->area[at(axis)][at(f)] : area) *
+                           water.fraction[at(u > 0 ? f - box.stride[at(axis)] : f)];
                 }
             }
         }
@@ -160,7 +162,8 @@ std::array<double, 3> GridFluid::read(const FluidScene& scene, const Settings& s
     if (!is_ready && scene.bodies.size() > 0) {
         anew = cut_again(scene, settings, fields).open;
     }
-    const Reader reader{settings, fields.water, is_ready ? scratch->grid.open : anew};
+    const Reader reader{settings, fields.water, is_ready ? scratch->grid.open : anew,
+                        is_ready ? &scratch->grid.room : nullptr};
     switch (gauge.kind) {
         case fluid::GaugeKind::pressure:
             return {reader.pressure(gauge.point)};

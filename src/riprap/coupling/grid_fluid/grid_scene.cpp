@@ -111,6 +111,7 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.vof = vof;
     grid.compression = compression;
     grid.outer_corrections = outer_corrections;
+    grid.pressure_corrections = pressure_corrections;
     grid.courant = courant;
     grid.tolerance = tolerance;
     problems = add_waves(*this);

@@ -5,6 +5,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/fresh_cells.hpp"
 #include "riprap/fluid/grid/k_epsilon.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
@@ -12,6 +13,7 @@
 #include "riprap/fluid/grid/pressure.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 #include "riprap/fluid/grid/surface_tension.hpp"
+#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/fluid/grid/viscous.hpp"
 
 namespace riprap::fluid::grid {
@@ -115,25 +117,22 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
     }
     const Mesh& mesh = settings.mesh;
     const auto size = at(mesh.box.size);
-    for (auto* field : {&s.room.capacity, &s.room.capacity_before, &s.start.fraction, &s.moved.water, &s.inertia.mass,
-                        &s.inertia.mass_before, &s.stress.viscosity, &s.stress.fluidity, &s.projection.right}) {
+    for (auto* field : {&s.room.capacity, &s.inertia.mass, &s.inertia.mass_before, &s.stress.viscosity,
+                        &s.stress.fluidity, &s.projection.right}) {
         field->assign(size, 0.0);
     }
     s.moved.colour.assign(size, 0);
     if (settings.surface_tension > 0) {
         s.stress.curvature.assign(size, 0.0);
     }
-    s.moved.plane.assign(size, {});
     for (int a = 0; a < mesh.box.axes; ++a) {
-        for (auto* fields :
-             {&s.room.area, &s.start.carrier, &s.moved.water_flux, &s.moved.flux, &s.projection.predicted}) {
+        for (auto* fields : {&s.room.area, &s.start.carrier, &s.moved.water_flux, &s.moved.flux}) {
             (*fields)[at(a)].assign(size, 0.0);
         }
     }
     s.projection.conductance = linear::FaceConductance(mesh.box);
     s.medium = medium_fields(settings);
     find_capacities(settings, s);
-    s.room.capacity_before = s.room.capacity;
     if (settings.turbulence != Turbulence::laminar) {
         s.stress.eddy_viscosity.assign(size, 0.0);
         find_eddy_viscosity(settings, state, s);
@@ -149,17 +148,18 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
     prepare(settings, state, s);
     const bool is_first = !s.open.has_bodies;
     s.open = std::move(shares);
-    s.room.capacity_before = s.room.capacity;
+    if (!is_first) {
+        s.room.capacity_before = s.room.capacity;
+    }
     find_capacities(settings, s);
+    s.open.area = {};
     s.pockets = find_pockets(settings, s);
     if (is_first) {
-        s.room.capacity_before = s.room.capacity;
-        for (int a = 0; a < settings.mesh.box.axes; ++a) {
-            s.stress.wall_drag[at(a)].assign(at(settings.mesh.box.size), 0.0);
-        }
         if (state.step == 0) {
             state.water_volume = water_volume(settings, state, s);
         }
+    } else {
+        fill_fresh_cells(settings, state, s);
     }
 }
 
@@ -209,26 +209,83 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
     return dt;
 }
 
-void begin_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
-    prepare(settings, state, s);
-    s.start.fraction = state.fraction;
-    fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
-    s.start.carrier = state.velocity;
-    fill_fraction_ghosts(settings, s.start.carrier, state.time, s.start.fraction);
+namespace {
+
+using FaceFields = std::array<std::vector<double>, 3>;
+
+/// Water with the carrier, and the masses and stresses that follow from where it is.
+void carry_water(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     move_water(settings, state, s, dt);
     find_masses(settings, state, s);
+    find_mass_fluxes(settings, s);
     find_curvature(settings, state, s);
-    if (s.medium.has_stones || settings.outer_corrections > 1) {
-        s.start.pore_velocity = state.velocity;
+    s.projection.has_operator = false;
+}
+
+/// Sets the carrier to the mean velocity of both ends of the step.
+/// @param start  velocity at the start of the step [m/s]
+void find_middle(const GridSettings& settings, GridState& state, GridScratch& s, const FaceFields& start, double dt) {
+    fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
+    for (int a = 0; a < settings.mesh.box.axes; ++a) {
+        const auto &u = start[at(a)], &v = state.velocity[at(a)];
+        auto& middle = s.start.carrier[at(a)];
+        parallel::for_each(settings.mesh.box.size,
+                           [&](std::int64_t i) { middle[at(i)] = 0.5 * (u[at(i)] + v[at(i)]); });
+    }
+    fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.start.carrier);
+}
+
+/// Momentum once more with the carrier; the transport of water and masses stays as it is.
+void correct_momentum(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    if (!s.medium.has_stones) {
+        predict_velocity(settings, state, s, s.start.carrier, true, dt);
+        return;
+    }
+    FaceFields middle = s.start.carrier;
+    to_pore_velocity(settings, s, middle);
+    predict_velocity(settings, state, s, middle, true, dt);
+    s.projection.has_operator = false;  // the resistance of stones grows with the speed
+}
+
+}  // namespace
+
+int begin_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
+    prepare(settings, state, s);
+    s.projection.first_residual = 0;
+    fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
+    s.start.carrier = state.velocity;
+    fill_fraction_ghosts(settings, s.start.carrier, state.time, state.fraction);
+    find_masses_before(settings, state, s);
+    if (settings.outer_corrections > 1) {
+        s.start.fraction = state.fraction;
+    }
+    const double volume_before = state.water_volume;
+    carry_water(settings, state, s, dt);
+    const int pressures = settings.outer_corrections * settings.pressure_corrections;
+    const bool has_stones = s.medium.has_stones;
+    if (has_stones || pressures > 1) {
+        s.start.pore_velocity = s.start.carrier;
         to_pore_velocity(settings, s, s.start.pore_velocity);
     }
-    if (s.open.has_bodies) {
-        find_wall_drag(settings, s);
-    }
-    fill_velocity_ghosts(settings, state.time + dt, state.fraction,
-                         state.velocity);  // what sides give at the end of the step
+    const FaceFields kept = has_stones && pressures > 1 ? s.start.carrier : FaceFields{};
+    const FaceFields& start = has_stones ? kept : s.start.pore_velocity;
+    // what sides give at the end of the step
+    fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
     predict_velocity(settings, state, s, s.start.pore_velocity[0].empty() ? s.start.carrier : s.start.pore_velocity,
-                     settings.outer_corrections > 1, dt);
+                     pressures > 1, dt);
+    int iterations = 0;
+    for (int next = 1; next < pressures; ++next) {
+        const bool is_inner = next % settings.pressure_corrections != 0;
+        iterations += project_velocity(settings, state, s, dt, is_inner).iterations;
+        find_middle(settings, state, s, start, dt);
+        if (!is_inner) {
+            state.fraction = s.start.fraction;
+            state.water_volume = volume_before;
+            carry_water(settings, state, s, dt);
+        }
+        correct_momentum(settings, state, s, dt);
+    }
+    return iterations;
 }
 
 void end_step(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
@@ -236,48 +293,22 @@ void end_step(const GridSettings& settings, GridState& state, GridScratch& s, do
     if (settings.turbulence != Turbulence::laminar) {
         advance_turbulence(settings, state, s, dt);
     }
-    s.room.capacity_before = s.room.capacity;
+    s.room.capacity_before.clear();
     state.time += dt;
     state.step += 1;
     state.last_step = dt;
 }
 
-void correct_step(const GridSettings& settings, GridState& state, GridScratch& s,
-                  const std::array<std::vector<double>, 3>& start, double volume_before, double dt) {
-    fill_velocity_ghosts(settings, state.time + dt, state.fraction, state.velocity);
-    for (int a = 0; a < settings.mesh.box.axes; ++a) {
-        for (std::size_t i = 0; i < start[at(a)].size(); ++i) {
-            s.start.carrier[at(a)][i] = 0.5 * (start[at(a)][i] + state.velocity[at(a)][i]);
-        }
-    }
-    fill_velocity_ghosts(settings, state.time + 0.5 * dt, state.fraction, s.start.carrier);
-    state.fraction = s.start.fraction;
-    state.water_volume = volume_before;
-    move_water(settings, state, s, dt);
-    find_masses(settings, state, s);
-    find_curvature(settings, state, s);
-    auto middle = s.start.carrier;
-    to_pore_velocity(settings, s, middle);
-    predict_velocity(settings, state, s, middle, true, dt);
-}
-
 GridReport advance(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
-    prepare(settings, state, s);
-    const double volume_before = state.water_volume;
-    const bool is_once = settings.outer_corrections == 1;
-    const auto start = is_once ? std::array<std::vector<double>, 3>{} : state.velocity;
     begin_step(settings, state, s, dt);
-    linear::PoissonReport report = project_velocity(settings, state, s, dt);
-    for (int pass = 1; pass < settings.outer_corrections; ++pass) {
-        correct_step(settings, state, s, start, volume_before, dt);
-        report = project_velocity(settings, state, s, dt);
-    }
+    const linear::PoissonReport report = project_velocity(settings, state, s, dt);
     end_step(settings, state, s, dt);
     return {report.iterations, report.residual, report.converged};
 }
 
 namespace {
-std::size_t bytes_of_faces(const std::array<std::vector<double>, 3>& faces) {
+template <class T>
+std::size_t bytes_of_faces(const std::array<std::vector<T>, 3>& faces) {
     return bytes_of(faces[0], faces[1], faces[2]);
 }
 }  // namespace
@@ -287,13 +318,11 @@ std::size_t StepStart::bytes() const {
     return bytes_of(fraction) + bytes_of_faces(carrier) + bytes_of_faces(pore_velocity);
 }
 std::size_t Transport::bytes() const {
-    return bytes_of(water, end_fraction, flushed_fraction, settling, colour, plane) + bytes_of_faces(flux) +
+    return bytes_of(settling, colour, plane.number, plane.row_begin, plane.plane) + bytes_of_faces(flux) +
            bytes_of_faces(water_flux);
 }
 std::size_t Inertia::bytes() const { return bytes_of(mass, mass_before) + bytes_of_faces(mass_flux); }
-std::size_t Stress::bytes() const {
-    return bytes_of(viscosity, fluidity, eddy_viscosity, curvature) + bytes_of_faces(wall_drag);
-}
+std::size_t Stress::bytes() const { return bytes_of(viscosity, fluidity, eddy_viscosity, curvature); }
 std::size_t Projection::bytes() const {
     return bytes_of(right) + bytes_of_faces(predicted) + bytes_of_faces(conductance.face) + solver.bytes();
 }

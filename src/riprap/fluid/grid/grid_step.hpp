@@ -31,19 +31,14 @@ struct GridReport {
     bool converged{true};
 };
 
-/// Advances by dt: water, masses, momentum, pressure, `outer_corrections` times over, then turbulence.
+/// Advances by dt: water, masses, momentum and pressure, `outer_corrections` times over, in each of which momentum and
+/// pressure are repeated `pressure_corrections` times; then turbulence.
 GridReport advance(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
-/// The parts of advance: all before the pressure, which the motion of solids at the end of the step does not change;
-/// and what follows it.
-void begin_step(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
+/// The parts of advance: all before the last pressure, which the motion of solids at the end of the step does not
+/// change, and what follows it.
+/// @return iterations of the pressures before the last
+int begin_step(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 void end_step(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
-
-/// Transport and stresses once more, with the velocity of the middle of the step: what an outer correction does between
-/// two pressures.
-/// @param start  velocity at the start of the step [m/s]
-/// @param volume_before  GridState::water_volume there [m^3]
-void correct_step(const GridSettings& settings, GridState& state, GridScratch& scratch,
-                  const std::array<std::vector<double>, 3>& start, double volume_before, double dt);
 
 }  // namespace riprap::fluid::grid

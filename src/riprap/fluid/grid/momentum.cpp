@@ -62,15 +62,30 @@ Vec3 body_force(const GridSettings& settings, double time) {
     return settings.frame_acceleration ? settings.gravity + settings.frame_acceleration(time) : settings.gravity;
 }
 
-void find_masses(const GridSettings& settings, const GridState& state, GridScratch& s) {
-    const CellBox& box = settings.mesh.box;
+namespace {
+
+/// Calls f(index, i, j, k) for cells and the first layer of ghosts.
+template <class F>
+void for_cells_and_beside(const CellBox& box, const F& f) {
     std::array<int, 3> first{}, last = box.cells;
     for (int a = 0; a < box.axes; ++a) {
         first[at(a)] = -1;
         last[at(a)] += 1;
     }
-    for_box(box, first, last, [&](std::int64_t c, int, int, int) {
-        s.inertia.mass_before[at(c)] = s.room.capacity_before[at(c)] * density_of(settings, s.start.fraction[at(c)]);
+    for_box(box, first, last, f);
+}
+
+}  // namespace
+
+void find_masses_before(const GridSettings& settings, const GridState& state, GridScratch& s) {
+    const std::vector<double>& room = s.room.before();
+    for_cells_and_beside(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+        s.inertia.mass_before[at(c)] = room[at(c)] * density_of(settings, state.fraction[at(c)]);
+    });
+}
+
+void find_masses(const GridSettings& settings, const GridState& state, GridScratch& s) {
+    for_cells_and_beside(settings.mesh.box, [&](std::int64_t c, int, int, int) {
         s.inertia.mass[at(c)] = s.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
         s.stress.viscosity[at(c)] = viscosity_of(settings, state.fraction[at(c)]) +
                                     (s.stress.eddy_viscosity.empty() ? 0.0
@@ -142,7 +157,7 @@ struct Prediction {
         const double inertia = (1 + medium.added_mass) * density;
         const double speed = medium.quadratic > 0 ? filter_speed(settings, s, a, f) : 0;
         const double resistance = medium.porosity * (medium.linear + medium.quadratic * speed);
-        const double wall = s.open.has_bodies ? s.stress.wall_drag[at(a)][at(f)] : 0;
+        const double wall = s.open.has_bodies ? wall_drag(settings, s, a, f, place) : 0;
         const double wall_velocity = s.open.has_bodies ? s.open.body_velocity[at(a)][at(f)] : 0;
         const double factor = medium.porosity / (inertia + dt * (resistance + wall));
         predicted = factor * (inertia * carried + dt * (force + wall * wall_velocity));
@@ -158,7 +173,6 @@ struct Prediction {
 void predict_velocity(const GridSettings& settings, const GridState& state, GridScratch& s,
                       const std::array<std::vector<double>, 3>& advected, bool is_midpoint, double dt) {
     const CellBox& box = settings.mesh.box;
-    find_mass_fluxes(settings, s);
     for (int a = 0; a < box.axes; ++a) {
         const Prediction prediction{settings, state, s, body_force(settings, state.time + dt), a, dt};
         for_face_rows(box, a, [&](std::int64_t row, int faces, const std::array<int, 3>& first) {

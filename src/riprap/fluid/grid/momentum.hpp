@@ -13,7 +13,9 @@ double viscosity_of(const GridSettings& settings, double fraction);
 /// Gravity and the acceleration of the frame at a time [m/s^2].
 Vec3 body_force(const GridSettings& settings, double time);
 
-/// Masses of cells before and after the transport of water, which went with scratch.moved.water_flux [kg].
+/// Masses of cells at the start of the step, before the transport of water [kg].
+void find_masses_before(const GridSettings& settings, const GridState& state, GridScratch& scratch);
+/// Masses of cells after the transport of water, which went with scratch.moved.water_flux [kg].
 void find_masses(const GridSettings& settings, const GridState& state, GridScratch& scratch);
 
 /// Velocity before the pressure, and how much the pressure drives through faces (scratch.projection.predicted,

@@ -14,6 +14,17 @@ constexpr double most_flushed = 0.5;
 /// Sweeps over such cells; each carries water through one more of them in a row [-].
 constexpr int flush_sweeps = 4;
 
+/// Arrays of the transport, in the memory of the pressure's solver, which is idle until then.
+struct Buffers {
+    std::vector<double>& water;         ///< in cells, between two directions [m^3]
+    std::vector<double>& end_fraction;  ///< of slivers beside solids, at the end of the step [-]
+    std::vector<double>& flushed;       ///< the same, one sweep further [-]
+};
+Buffers buffers_of(GridScratch& s) {
+    linear::PoissonSolver::Work& work = s.projection.solver.work();
+    return {work.r, work.d, work.q};
+}
+
 /// Volume that leaves a cell in the step through all its faces [m^3].
 double outflow(const CellBox& box, const GridScratch& s, std::int64_t c) {
     double out = 0;
@@ -25,7 +36,7 @@ double outflow(const CellBox& box, const GridScratch& s, std::int64_t c) {
 }
 
 bool is_sliver(const CellBox& box, const GridScratch& s, std::int64_t c, double volume) {
-    const double capacity = std::min(s.room.capacity[at(c)], s.room.capacity_before[at(c)]);
+    const double capacity = std::min(s.room.capacity[at(c)], s.room.before()[at(c)]);
     return capacity < 0.999 * volume && capacity < outflow(box, s, c) / most_flushed;
 }
 
@@ -52,8 +63,8 @@ double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, i
 /// Fractions at the end of the step of slivers, which the step flushes: (alpha C + inflow of water)/(C + inflow).
 void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
-    std::vector<double>& end_fraction = s.moved.end_fraction;
-    std::vector<double>& flushed = s.moved.flushed_fraction;
+    const Buffers buffers = buffers_of(s);
+    std::vector<double>&end_fraction = buffers.end_fraction, &flushed = buffers.flushed;
     end_fraction = state.fraction;
     flushed.resize(end_fraction.size());
     for (int sweep = 0; sweep < flush_sweeps; ++sweep) {
@@ -61,8 +72,7 @@ void flush_slivers(const GridSettings& settings, const GridState& state, GridScr
             if (!is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
                 return;
             }
-            double water = state.fraction[at(c)] * s.room.capacity_before[at(c)],
-                   volume = s.room.capacity_before[at(c)];
+            double water = state.fraction[at(c)] * s.room.before()[at(c)], volume = s.room.before()[at(c)];
             for (int a = 0; a < box.axes; ++a) {
                 const std::int64_t stride = box.stride[at(a)];
                 const double low = std::max(0.0, s.moved.flux[at(a)][at(c)]);
@@ -84,6 +94,9 @@ void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
     for (int a = 0; a < settings.mesh.box.axes; ++a) {
         if (s.moved.flux[at(a)].empty()) {
             s.moved.flux[at(a)] = std::move(s.inertia.mass_flux[at(a)]);
+        }
+        if (s.moved.water_flux[at(a)].empty()) {
+            s.moved.water_flux[at(a)] = std::move(s.projection.predicted[at(a)]);
         }
         for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
             s.moved.flux[at(a)][at(f)] = s.start.carrier[at(a)][at(f)] * s.room.area[at(a)][at(f)] * dt;
@@ -119,6 +132,7 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
     const std::int64_t stride = box.stride[at(a)];
+    const Buffers buffers = buffers_of(s);
     fill_fraction_ghosts(settings, s.start.carrier, state.time, state.fraction);
     reconstruct_surface(mesh, state.fraction, s.moved.plane);
     for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
@@ -138,16 +152,16 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
             flushed = is_sliver(box, s, donor, mesh.volume(d[0], d[1], d[2]));
         }
         s.moved.water_flux[at(a)][at(f)] =
-            volume * (flushed ? s.moved.end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
+            volume * (flushed ? buffers.end_fraction[at(donor)] : donated(mesh, state, s, a, f, place[at(a)], dt));
     });
     for_cells(box, [&](std::int64_t c, int, int, int) {
         const double out = s.moved.flux[at(a)][at(c + stride)] - s.moved.flux[at(a)][at(c)];
         const double water_out = s.moved.water_flux[at(a)][at(c + stride)] - s.moved.water_flux[at(a)][at(c)];
-        s.moved.water[at(c)] += (s.moved.colour[at(c)] != 0 ? out : 0) - water_out;
-        const double capacity = s.room.capacity_before[at(c)];
+        buffers.water[at(c)] += (s.moved.colour[at(c)] != 0 ? out : 0) - water_out;
+        const double capacity = s.room.before()[at(c)];
         // between directions a fraction may leave 0..1 only where solids move or leave slivers
         state.fraction[at(c)] =
-            capacity > 0 ? std::clamp(s.moved.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
+            capacity > 0 ? std::clamp(buffers.water[at(c)] / capacity, 0.0, 1.0) : state.fraction[at(c)];
     });
 }
 
@@ -170,9 +184,10 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
         if (s.open.has_bodies) {
             flush_slivers(settings, state, s);
         }
-        for_cells(box, [&](std::int64_t c, int, int, int) {
-            s.moved.water[at(c)] = state.fraction[at(c)] * s.room.capacity_before[at(c)];
-        });
+        std::vector<double>& water = buffers_of(s).water;
+        water.resize(state.fraction.size());
+        for_cells(
+            box, [&](std::int64_t c, int, int, int) { water[at(c)] = state.fraction[at(c)] * s.room.before()[at(c)]; });
         for (int turn = 0; turn < box.axes; ++turn) {
             const int a = static_cast<int>((turn + state.step) % box.axes);
             move_along(settings, state, s, a, dt);
@@ -180,8 +195,8 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
         for_cells(box, [&](std::int64_t c, int, int, int) {
             const double capacity = s.room.capacity[at(c)];
             if (capacity > 0) {
-                const double grown = capacity - s.room.capacity_before[at(c)];
-                state.fraction[at(c)] = (s.moved.water[at(c)] + (s.moved.colour[at(c)] != 0 ? grown : 0)) / capacity;
+                const double grown = capacity - s.room.before()[at(c)];
+                state.fraction[at(c)] = (water[at(c)] + (s.moved.colour[at(c)] != 0 ? grown : 0)) / capacity;
             }
         });
     }

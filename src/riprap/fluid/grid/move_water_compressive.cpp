@@ -61,13 +61,13 @@ void move_water_compressive(const GridSettings& settings, GridState& state, Grid
     // Zalesak's limit: what comes in or leaves beyond the first-order flux keeps cells between 0 and 1
     std::vector<double> in_share(at(box.size), 0.0), out_share(at(box.size), 0.0);
     const auto after = [&](std::int64_t c) {
-        double out = 0, water = old[at(c)] * s.room.capacity_before[at(c)];
+        double out = 0, water = old[at(c)] * s.room.before()[at(c)];
         for (int a = 0; a < box.axes; ++a) {
             const std::int64_t t = box.stride[at(a)];
             out += s.moved.flux[at(a)][at(c + t)] - s.moved.flux[at(a)][at(c)];
             water -= s.moved.water_flux[at(a)][at(c + t)] - s.moved.water_flux[at(a)][at(c)];
         }
-        return water + old[at(c)] * (out + s.room.capacity[at(c)] - s.room.capacity_before[at(c)]);
+        return water + old[at(c)] * (out + s.room.capacity[at(c)] - s.room.before()[at(c)]);
     };
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double in = 0, out = 0;

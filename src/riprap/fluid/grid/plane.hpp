@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace riprap::fluid::grid {
 
@@ -92,6 +94,15 @@ inline double plane_constant(std::array<double, 3> m, double volume) {
 struct CellPlane {
     std::array<double, 3> n{};
     double d{0};
+};
+
+/// Planes of mixed cells, row after row; those of other cells are never asked for.
+struct CellPlanes {
+    std::vector<std::int32_t> number;     ///< per cell, where it is mixed
+    std::vector<std::int32_t> row_begin;  ///< of rows of cells
+    std::vector<CellPlane> plane;
+
+    const CellPlane& operator[](std::size_t cell) const { return plane[static_cast<std::size_t>(number[cell])]; }
 };
 
 /// Places the plane of given normal so that it holds the fraction.

@@ -14,11 +14,12 @@ namespace riprap::fluid::grid {
 /// from the poses of bodies; all open where there are none.
 struct OpenShares {
     bool has_bodies{false};
-    std::vector<double> volume;                        ///< theta, open share of a cell, 0 to 1 [-]
-    std::array<std::vector<double>, 3> area;           ///< open share of the face below the cell, 0 to 1 [-]
-    std::vector<double> displacement;                  ///< d(theta V)/dt by the motion of solids [m^3/s]
-    std::array<std::vector<double>, 3> body_velocity;  ///< of the solid at the face [m/s]
-    std::array<std::vector<double>, 3> wall_distance;  ///< signed, of a face's centre from the solid, > 0 in fluid [m]
+    std::vector<double> volume;  ///< theta, open share of a cell, 0 to 1 [-]
+    /// Open share of the face below the cell, 0 to 1 [-]; set_open_shares makes Room::area of it and gives it up.
+    std::array<std::vector<double>, 3> area;
+    std::vector<double> displacement;                 ///< d(theta V)/dt by the motion of solids; empty: none [m^3/s]
+    std::array<std::vector<float>, 3> body_velocity;  ///< of the solid at the face [m/s]
+    std::array<std::vector<float>, 3> wall_distance;  ///< signed, of a face's centre from the solid, > 0 in fluid [m]
 };
 
 /// Open cells that solids shut off from the rest, and cells of the rest around them.
@@ -35,15 +36,18 @@ struct MediumFields {
 
 /// Room for fluid that stones and solids leave: written by set_open_shares, read by all stages.
 struct Room {
-    std::vector<double> capacity, capacity_before;  ///< n theta V of cells, now and at the last step [m^3]
-    std::array<std::vector<double>, 3> area;        ///< open area of faces [m^2]
+    std::vector<double> capacity;             ///< n theta V of cells at the end of the step [m^3]
+    std::vector<double> capacity_before;      ///< the same at its start; empty where solids stand [m^3]
+    std::array<std::vector<double>, 3> area;  ///< open area of faces [m^2]
+
+    const std::vector<double>& before() const { return capacity_before.empty() ? capacity : capacity_before; }
 
     std::size_t bytes() const;
 };
 
 /// Fluid at the start of the step: written by begin_step; correct_step puts the mean velocity into `carrier`.
 struct StepStart {
-    std::vector<double> fraction;                      ///< [-]
+    std::vector<double> fraction;                      ///< empty with one pass, which needs it no more [-]
     std::array<std::vector<double>, 3> carrier;        ///< velocity that transports [m/s]
     std::array<std::vector<double>, 3> pore_velocity;  ///< in the pores; empty where that is `carrier` [m/s]
 
@@ -59,13 +63,11 @@ struct StepStart {
 struct Transport {
     /// Volume through a face in the step [m^3]; its memory goes on to Inertia::mass_flux and back.
     std::array<std::vector<double>, 3> flux;
-    std::array<std::vector<double>, 3> water_flux;  ///< water through a face in the step, along +axis [m^3]
-    std::vector<double> water;                      ///< in cells, between two directions [m^3]
-    std::vector<double> end_fraction;               ///< of slivers beside solids, at the end of the step [-]
-    std::vector<double> flushed_fraction;           ///< the same, one sweep further [-]
-    std::vector<double> settling;                   ///< fraction that a cell can take or give as volume settles [-]
-    std::vector<std::uint8_t> colour;               ///< colour function of the dilation term, 0 or 1
-    std::vector<CellPlane> plane;                   ///< surface in mixed cells
+    /// Water through a face in the step, along +axis [m^3]; its memory goes on to Projection::predicted and back.
+    std::array<std::vector<double>, 3> water_flux;
+    std::vector<double> settling;      ///< fraction that a cell can take or give as volume settles [-]
+    std::vector<std::uint8_t> colour;  ///< colour function of the dilation term, 0 or 1
+    CellPlanes plane;                  ///< surface in mixed cells
 
     std::size_t bytes() const;
 };
@@ -78,13 +80,12 @@ struct Inertia {
     std::size_t bytes() const;
 };
 
-/// Stresses: written by find_masses, find_curvature, find_wall_drag and the turbulence, read by predict_velocity.
+/// Stresses: written by find_masses, find_curvature and the turbulence, read by predict_velocity.
 struct Stress {
-    std::vector<double> viscosity;                 ///< mu + mu_t in cells [Pa s]
-    std::vector<double> fluidity;                  ///< 1/viscosity [1/(Pa s)]
-    std::vector<double> eddy_viscosity;            ///< nu_t; empty in laminar flow [m^2/s]
-    std::vector<double> curvature;                 ///< of the surface in mixed cells; empty without tension [1/m]
-    std::array<std::vector<double>, 3> wall_drag;  ///< 2 axes: shear of solids per velocity [kg/(m^3 s)]
+    std::vector<double> viscosity;       ///< mu + mu_t in cells [Pa s]
+    std::vector<double> fluidity;        ///< 1/viscosity [1/(Pa s)]
+    std::vector<double> eddy_viscosity;  ///< nu_t; empty in laminar flow [m^2/s]
+    std::vector<double> curvature;       ///< of the surface in mixed cells; empty without tension [1/m]
 
     std::size_t bytes() const;
 };
@@ -93,6 +94,8 @@ struct Stress {
 struct Projection {
     std::array<std::vector<double>, 3> predicted;  ///< velocity before the pressure [m/s]
     linear::FaceConductance conductance;           ///< volume per second that 1 Pa drives through a face
+    bool has_operator{false};                      ///< the solver has taken this conductance
+    double first_residual{0};                      ///< of the first solve of the step; 0: there was none yet
     std::vector<double> right;                     ///< right-hand side
     linear::PoissonSolver solver;
 

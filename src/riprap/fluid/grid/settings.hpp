@@ -102,8 +102,10 @@ struct GridSettings {
     std::vector<Sponge> sponges{};
     Turbulence turbulence{Turbulence::laminar};
     VofScheme vof{VofScheme::plic};
-    double compression{1};      ///< C_alpha of the compressive scheme [-]
-    int outer_corrections{1};   ///< passes over transport, momentum and pressure; 2 is second order in time [-]
+    double compression{1};     ///< C_alpha of the compressive scheme [-]
+    int outer_corrections{1};  ///< passes over transport, momentum and pressure; 2 is second order in time [-]
+    /// Pressures in a pass, each after the first with the explicit momentum of the mean velocity of both ends [-].
+    int pressure_corrections{1};
     double courant{0.45};       ///< largest sum over axes of |u| dt/h, below 0.5 for bounded fractions [-]
     double longest_step{1e30};  ///< [s]
     double tolerance{1e-5};     ///< of the pressure equation: residual at its end over that at its start [-]

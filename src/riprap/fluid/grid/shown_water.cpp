@@ -46,7 +46,7 @@ std::vector<Vec3> section(const std::array<double, 3>& n, double d, int axes) {
 
 /// Way from the centre of a full cell to its point: up to half a cell below a surface that lies in the lower half of a
 /// cell beside it, which has no point of its own, so that the surface of balls rises without steps [m].
-Vec3 way_to_surface(const Mesh& mesh, const GridState& state, const std::vector<CellPlane>& plane, std::int64_t c,
+Vec3 way_to_surface(const Mesh& mesh, const GridState& state, const CellPlanes& plane, std::int64_t c,
                     const Vec3& size) {
     Vec3 way{};
     double farthest = 0;
@@ -73,7 +73,7 @@ ShownWater show_water(const GridSettings& settings, const GridState& state, cons
     const CellBox& box = mesh.box;
     ShownWater shown;
     shown.spacing = mesh.smallest_width();
-    std::vector<CellPlane> plane(at(box.size));
+    CellPlanes plane;
     reconstruct_surface(mesh, state.fraction, plane);
     const Vec3 g = body_force(settings, state.time);
     for (int k = 0; k < box.cells[2]; ++k) {

@@ -67,16 +67,43 @@ Normal surface_normal(const CellBox& box, const std::vector<double>& f, std::int
     return largest(best) > largest(by_youngs) && sum_of_sizes(by_youngs) > 0 ? by_youngs : best;
 }
 
-void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, std::vector<CellPlane>& plane) {
+void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, CellPlanes& planes) {
     const CellBox& box = mesh.box;
     std::array<int, 3> first{}, last = box.cells;
     for (int a = 0; a < box.axes; ++a) {
         first[at(a)] = -1;
         last[at(a)] += 1;
     }
-    for_box(box, first, last, [&](std::int64_t c, int, int, int) {
-        if (is_mixed(fraction[at(c)])) {
-            plane[at(c)] = place_plane(surface_normal(box, fraction, c), fraction[at(c)]);
+    const std::int64_t rows_y = last[1] - first[1], rows = rows_y * (last[2] - first[2]);
+    const auto for_mixed = [&](const auto& in_row) {  // in_row(row, first flat index, last)
+        parallel::for_ranges(rows, box.row_grain(), [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t row = begin; row < end; ++row) {
+                const std::int64_t start = box.index(first[0], first[1] + static_cast<int>(row % rows_y),
+                                                     first[2] + static_cast<int>(row / rows_y));
+                in_row(row, start, start + last[0] - first[0]);
+            }
+        });
+    };
+    planes.number.resize(at(box.size));
+    planes.row_begin.assign(at(rows) + 1, 0);
+    for_mixed([&](std::int64_t row, std::int64_t begin, std::int64_t end) {
+        std::int32_t count = 0;
+        for (std::int64_t c = begin; c < end; ++c) {
+            count += is_mixed(fraction[at(c)]) ? 1 : 0;
+        }
+        planes.row_begin[at(row) + 1] = count;
+    });
+    for (std::size_t row = 0; row < at(rows); ++row) {
+        planes.row_begin[row + 1] += planes.row_begin[row];
+    }
+    planes.plane.resize(at(planes.row_begin.back()));
+    for_mixed([&](std::int64_t row, std::int64_t begin, std::int64_t end) {
+        std::int32_t next = planes.row_begin[at(row)];
+        for (std::int64_t c = begin; next < planes.row_begin[at(row) + 1] && c < end; ++c) {
+            if (is_mixed(fraction[at(c)])) {
+                planes.plane[at(next)] = place_plane(surface_normal(box, fraction, c), fraction[at(c)]);
+                planes.number[at(c)] = next++;
+            }
         }
     });
 }

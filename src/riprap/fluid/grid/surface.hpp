@@ -16,7 +16,7 @@ inline bool is_mixed(double fraction) { return fraction > least_fraction && frac
 std::array<double, 3> surface_normal(const CellBox& box, const std::vector<double>& fraction, std::int64_t cell);
 
 /// Places the planes of all mixed cells and of the ghosts beside them.
-void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, std::vector<CellPlane>& plane);
+void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, CellPlanes& planes);
 
 /// Moves the water with scratch.start.carrier for dt: state.fraction, scratch.moved.water_flux, scratch.moved.flux.
 /// Directions one after the other, in turn from step to step, with the dilation term of [Weymouth2010], which leaves

@@ -79,7 +79,14 @@ void find_mass_fluxes(const GridSettings& settings, GridScratch& s) {
                 flux[at(i)] = water * wet[at(i)] + air * (flux[at(i)] - wet[at(i)]);
             }
         });
+        s.projection.predicted[at(a)] = std::move(s.moved.water_flux[at(a)]);
     }
+}
+
+double water_through(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face, double dt) {
+    const double water = settings.water.density, air = settings.has_surface ? settings.air.density : 0;
+    const double speed = s.start.carrier[at(a)][at(face)], volume = speed * s.room.area[at(a)][at(face)] * dt;
+    return (s.inertia.mass_flux[at(a)][at(face)] - air * volume) / (water - air);
 }
 
 void carry_row(const GridSettings& settings, const GridScratch& s, const std::vector<double>& u, int a,

@@ -67,7 +67,7 @@ struct EdgeStress {
             }
         }
         if (s.open.has_bodies) {
-            const double* const distance = s.open.wall_distance[at(a)].data() + start;
+            const float* const distance = s.open.wall_distance[at(a)].data() + start;
             for (int i = 0; i < n; ++i) {
                 stress[i] = distance[i] <= 0 || distance[i - t] <= 0 ? 0 : stress[i];
             }
@@ -82,7 +82,7 @@ void viscous_row(const GridSettings& settings, const GridScratch& s, int a, std:
     const Mesh& mesh = settings.mesh;
     const std::int64_t sa = mesh.box.stride[at(a)];
     const double *u = s.start.carrier[at(a)].data() + start, *mu = s.stress.viscosity.data() + start;
-    const double* const distance = s.open.has_bodies ? s.open.wall_distance[at(a)].data() + start : nullptr;
+    const float* const distance = s.open.has_bodies ? s.open.wall_distance[at(a)].data() + start : nullptr;
     {  // along the axis: 2 mu du/dx at the two centres
         RowArray low, high, between;
         find_inverse(mesh.width[at(a)], a, place[at(a)] - 1, n, low);
@@ -123,43 +123,34 @@ void viscous_row(const GridSettings& settings, const GridScratch& s, int a, std:
     }
 }
 
-void find_wall_drag(const GridSettings& settings, GridScratch& s) {
-    const Mesh& mesh = settings.mesh;
-    const CellBox& box = mesh.box;
-    for (int a = 0; a < box.axes; ++a) {
-        const std::int64_t sa = box.stride[at(a)];
-        const auto& distance = s.open.wall_distance[at(a)];
-        for_faces(box, a, [&](std::int64_t f, int i, int j, int k) {
-            double& drag = s.stress.wall_drag[at(a)][at(f)];
-            drag = 0;
-            if (s.room.area[at(a)][at(f)] == 0) {
-                return;
-            }
-            const std::array<int, 3> place{i, j, k};
-            const double mu = 0.5 * (s.stress.viscosity[at(f - sa)] + s.stress.viscosity[at(f)]);
-            const double here = distance[at(f)];
-            constexpr double far = 1e29;  // of faces that know no solid
-            if (here > far) {
-                return;
-            }
-            if (here <= 0) {  // the open part of the face is a layer beside the solid
-                const double h = mesh.smallest_width(), layer = std::max(s.open.area[at(a)][at(f)], least_layer) * h;
-                drag = 2 * mu / (layer * layer);
-                return;
-            }
-            for (int b = 0; b < box.axes; ++b) {
-                const int q = place[at(b)];
-                const double h = b == a ? mesh.d(a, q) : mesh.h(b, q);
-                for (const std::int64_t side : {-box.stride[at(b)], box.stride[at(b)]}) {
-                    const double there = distance[at(f + side)];
-                    if (there <= 0) {
-                        const double share = std::max(here / (here - there), least_distance);
-                        drag += (b == a ? 2 : 1) * mu / (share * h * h);
-                    }
-                }
-            }
-        });
+double wall_drag(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face,
+                 const std::array<int, 3>& place) {
+    constexpr float far = 1e29F;  // of faces that know no solid
+    const auto& distance = s.open.wall_distance[at(a)];
+    const double here = distance[at(face)], area = s.room.area[at(a)][at(face)];
+    if (distance[at(face)] > far || area == 0) {
+        return 0;
     }
+    const Mesh& mesh = settings.mesh;
+    const double mu = 0.5 * (s.stress.viscosity[at(face - mesh.box.stride[at(a)])] + s.stress.viscosity[at(face)]);
+    if (here <= 0) {  // the open part of the face is a layer beside the solid
+        const double share = area / mesh.face_area(a, place[0], place[1], place[2]);
+        const double layer = std::max(share, least_layer) * mesh.smallest_width();
+        return 2 * mu / (layer * layer);
+    }
+    double drag = 0;
+    for (int b = 0; b < mesh.box.axes; ++b) {
+        const int q = place[at(b)];
+        const double h = b == a ? mesh.d(a, q) : mesh.h(b, q);
+        for (const std::int64_t side : {-mesh.box.stride[at(b)], mesh.box.stride[at(b)]}) {
+            const double there = distance[at(face + side)];
+            if (there <= 0) {
+                const double share = std::max(here / (here - there), least_distance);
+                drag += (b == a ? 2 : 1) * mu / (share * h * h);
+            }
+        }
+    }
+    return drag;
 }
 
 }  // namespace riprap::fluid::grid

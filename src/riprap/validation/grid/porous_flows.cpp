@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "riprap/fluid/grid/porous.hpp"
+#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/grid/grid_trial.hpp"
 
@@ -98,7 +99,7 @@ void dupuit(const CaseSetting& setting, CaseReport& report) {
         const int i = mesh.cell_at(0, place);
         double sum = 0;
         for (int j = 0; j < mesh.box.cells[1]; ++j) {
-            sum += t.scratch().moved.water_flux[0][at(mesh.box.index(i, j, 0))];
+            sum += water_through(t.settings(), t.scratch(), 0, mesh.box.index(i, j, 0), t.state().last_step);
         }
         return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
     };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/coupling/cut_cells/cut_bodies.hpp"
+#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/fluid/grid/wave_side.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/grid/grid_trial.hpp"
@@ -205,7 +206,7 @@ void overtopping(const CaseSetting& setting, CaseReport& report) {
         const int i = mesh.cell_at(0, 2.0);
         double sum = 0;
         for (int j = 0; j < mesh.box.cells[1]; ++j) {
-            sum += t.scratch().moved.water_flux[0][at(mesh.box.index(i, j, 0))];
+            sum += water_through(t.settings(), t.scratch(), 0, mesh.box.index(i, j, 0), t.state().last_step);
         }
         return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
     });

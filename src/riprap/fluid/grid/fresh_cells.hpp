@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/grid/scratch.hpp"
+#include "riprap/fluid/grid/settings.hpp"
+#include "riprap/fluid/grid/state.hpp"
+
+namespace riprap::fluid::grid {
+
+/// Gives cells that solids opened since the last step the mean water fraction of the cells that their open faces lead
+/// to, by the area of these; through further fresh cells where no other is beside them. What they hold says which of
+/// water and air fills the room that opens (docs/theory/grid.md, 3): a closed cell keeps what was in it long ago.
+void fill_fresh_cells(const GridSettings& settings, GridState& state, const GridScratch& scratch);
+
+}  // namespace riprap::fluid::grid
