@@ -124,7 +124,13 @@ void ContactFinder::find_pairs(const BlockSystem& system, const BlockState& stat
         is_mobile_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             body_[i] = static_cast<std::int32_t>(i);
-            is_mobile_[i] = system.is_fixed[i] == 0 ? 1 : 0;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t is_mobile = system.is_fixed[i] == 0 ? 1 : 0;
+        if (is_mobile_[i] != is_mobile) {  // a block is released: pairs with what is fixed were left out until now
+            is_mobile_[i] = is_mobile;
+            cache_ = {};
         }
     }
     parallel::for_each(system.size(), [&](std::int64_t i) {

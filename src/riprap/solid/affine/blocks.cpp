@@ -104,13 +104,26 @@ std::int32_t add_polyhedron(BlockSystem& system, BlockState& state, const geomet
     return add_block(system, state, block);
 }
 
+namespace {
+
+/// Outward normal of a half-space where its body is; a block that loads do not move is turned, never strained.
+Vec3 placed_normal(const Shape& shape, const BlockState& state, std::int32_t block) {
+    return normalized(rows_at(state.deformation, at(block)) * shape.plane_normal);
+}
+/// Offset of { x : normal . x <= offset } there [m].
+double placed_offset(const Shape& shape, const BlockState& state, std::int32_t block) {
+    return shape.plane_offset + dot(placed_normal(shape, state, block), state.position[at(block)]);
+}
+
+}  // namespace
+
 contact::PlacedHull PlacedBlocks::hull(const BlockSystem& system, const BlockState& state, std::int32_t block) const {
     const Shape& shape = system.shape_of(block);
     const auto part = [block](const std::vector<Vec3>& values, const std::vector<std::int32_t>& begin) {
         return std::span(values).subspan(at(begin[at(block)]), at(begin[at(block) + 1] - begin[at(block)]));
     };
     return {&shape.topology, part(vertices, system.vertex_begin), part(normals, system.face_begin),
-            state.position[at(block)], shape.plane_offset};
+            state.position[at(block)], shape.is_half_space() ? placed_offset(shape, state, block) : 0};
 }
 
 void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBlocks& placed) {
@@ -121,7 +134,7 @@ void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBloc
         const Shape& shape = system.shapes[at(system.shape[b])];
         Vec3* const normals = &placed.normals[at(system.face_begin[b])];
         if (shape.is_half_space()) {
-            normals[0] = shape.plane_normal;
+            normals[0] = placed_normal(shape, state, static_cast<std::int32_t>(i));
             return;
         }
         const Mat3 f = rows_at(state.deformation, b);

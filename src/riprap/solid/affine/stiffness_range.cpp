@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::solid::affine {
@@ -13,7 +14,7 @@ std::vector<SceneProblem> stiffness_problems(const SolidScene& scene, const Elas
     double smallest = 0;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
         const body::Part& part = scene.bodies.parts[at(scene.bodies.part_begin[at(b)])];
-        if (scene.bodies.drive[at(b)] == body::Drive::free && !scene.shapes.is_half_space(part.shape)) {
+        if (body::may_move(scene.bodies, at(b)) && !scene.shapes.is_half_space(part.shape)) {
             const double radius = scene.shapes.view(part.shape).circumradius;
             smallest = smallest > 0 ? std::min(smallest, radius) : radius;
         }

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 
 namespace riprap::solid {
@@ -66,7 +68,7 @@ StepLimit ExplicitDda::limit() const {
         return {};
     }
     for (std::int32_t b = 0; b < scratch_->system.size(); ++b) {
-        scratch_->system.is_fixed[at(b)] = is_free(scene_->bodies, BodyId{b}, 0) ? 0 : 1;
+        scratch_->system.is_fixed[at(b)] = body::may_move(scene_->bodies, at(b)) ? 0 : 1;
     }
     return {explicit_dda::stable_step(scratch_->system, fields_->blocks), false,
             "strain modes and contact points of the blocks"};
@@ -118,6 +120,8 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     }
     system.gravity = scene_->gravity.at(span.middle());
     drive_blocks(*scene_, span, system, fields_->blocks);
+    const std::vector<affine::ReleasedBlock> released =
+        released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
     explicit_dda::StepReport step;
     const affine::Outcome outcome =
         explicit_dda::advance(system, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull}, *fields_,
@@ -131,6 +135,9 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         scratch_->loads.torque[at(b)] = 2.0 * affine::spin_of(scratch_->engine.loads[at(b)].dipole);
     }
     book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    for (const affine::ReleasedBlock& block : released) {
+        book_released_at_middle(system, fields_->blocks, span.dt, block, report.kick);
+    }
     write_bodies(system, fields_->blocks, state_.bodies);
     report.gravity = system.gravity;
     report.kick_time = span.middle();

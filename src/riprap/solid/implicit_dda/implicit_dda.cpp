@@ -12,6 +12,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/linear/cholmod.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 
 namespace riprap::solid {
@@ -189,6 +190,8 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     }
     system.gravity = scene_->gravity.at(span.middle());
     drive_blocks(*scene_, span, system, fields_->blocks);
+    const std::vector<affine::ReleasedBlock> released =
+        released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
     implicit_dda::StepReport step;
     const affine::Outcome outcome =
         implicit_dda::advance(system, scratch_->fixed_points, settings_->engine, span.dt,
@@ -211,6 +214,9 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     sum_contacts(scratch_->engine, scratch_->loads);
     sum_fixed_points(scratch_->fixed_points, scratch_->engine, fields_->blocks, span.dt, scratch_->loads, report.kick);
     book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    for (const affine::ReleasedBlock& block : released) {
+        book_released(system, fields_->blocks, block, report.kick);
+    }
     write_bodies(system, fields_->blocks, state_.bodies);
     write_mean_rates(scratch_->engine, span.dt, state_.bodies);
     report.gravity = system.gravity;

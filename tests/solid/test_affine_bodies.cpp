@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies that loads do not move, as both three-dimensional DDAs meet them: half-spaces where their bodies are, and
+// blocks that are released.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "riprap/geometry/shapes.hpp"
+#include "riprap/solid/explicit_dda/explicit_dda.hpp"
+#include "riprap/solid/implicit_dda/implicit_dda.hpp"
+
+namespace riprap::solid {
+namespace {
+
+template <class Method>
+struct FieldsOf;
+template <>
+struct FieldsOf<ImplicitDda> {
+    using type = implicit_dda::State;
+};
+template <>
+struct FieldsOf<ExplicitDda> {
+    using type = explicit_dda::State;
+};
+
+template <class Method>
+struct Scene {
+    geometry::ShapeSet shapes;
+    material::MaterialSet materials;
+    body::BodySet bodies;
+    body::BodyState state;
+    body::Gravity gravity{{0, 0, -9.81}};
+    contact::ContactHistory contacts;
+    double previous_dt{0};
+    typename Method::Settings settings;
+    typename FieldsOf<Method>::type fields{};
+    typename Method::Scratch scratch;
+    double time{0}, dt{5e-4};
+
+    Scene() {
+        materials.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5});
+        mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
+        settings.elasticity = {1e8, 0.25, 1e7};
+    }
+    void add(const Pose& pose, ShapeId shape, body::Drive drive, double release = INFINITY) {
+        body::NewBody block;
+        block.name = "block";
+        block.material = MaterialId{0};
+        block.density = 2000;
+        block.drive = drive;
+        block.release_time = release;
+        block.pose = pose;
+        block.parts = {{BodyId{}, shape, Pose{}}};
+        add_body(bodies, state, shapes, block);
+    }
+    void add_cube(const Pose& pose, body::Drive drive = body::Drive::free, double release = INFINITY) {
+        add(pose, shapes.add_convex(geometry::cube(1), false, nullptr), drive, release);
+    }
+    SolidReport step() {
+        const SolidScene scene{shapes, materials, bodies, gravity, {}};
+        Method method(scene, settings, {state, contacts, previous_dt}, fields, scratch);
+        SolidReport report;
+        EXPECT_EQ(method.advance({time, dt}, {}, Measure::energy, report).problem, "");
+        time += dt;
+        return report;
+    }
+};
+
+template <class Method>
+class AffineBodies : public ::testing::Test {};
+using Methods = ::testing::Types<ImplicitDda, ExplicitDda>;
+TYPED_TEST_SUITE(AffineBodies, Methods);
+
+TYPED_TEST(AffineBodies, AHalfSpaceIsWhereItsBodyIs) {
+    // The same floor by its offset, and by position and orientation of its body; the whole turned by 30 degrees.
+    const Quat turn = from_rotation_vector({0, std::numbers::pi / 6, 0});
+    Scene<TypeParam> plain, turned;
+    plain.add({}, plain.shapes.add_half_space({0, 0, 1}, -0.6), body::Drive::fixed);
+    plain.add_cube({});
+    turned.add({rotate(turn, {0, 0, -0.6}), turn}, turned.shapes.add_half_space({0, 0, 1}, 0), body::Drive::fixed);
+    turned.add_cube({{}, turn});
+    turned.gravity = {rotate(turn, {0, 0, -9.81})};
+    double lowest = 0;
+    for (int i = 0; i < 600; ++i) {
+        plain.step();
+        turned.step();
+        lowest = std::min(lowest, plain.state.position[1].z);
+    }
+    EXPECT_LT(lowest, -0.1);   // it falls
+    EXPECT_GT(lowest, -0.13);  // until the floor throws it back
+    EXPECT_LT(norm(turned.state.position[1] - rotate(turn, plain.state.position[1])), 1e-9);
+}
+
+TYPED_TEST(AffineBodies, ABlockIsHeldOnceItIsReleased) {
+    Scene<TypeParam> scene;
+    scene.add_cube({{0, 0, -0.5}, {}}, body::Drive::fixed);
+    scene.add_cube({{0, 0, 0.5}, {}}, body::Drive::fixed, 0.01);
+    KickReport sum;
+    int count = 0;
+    double energy = 0;
+    for (int i = 0; i < 400; ++i) {
+        const SolidReport report = scene.step();
+        sum.released_mass_moment += report.kick.released_mass_moment;
+        energy += report.kick.released_energy;
+        count += report.kick.released_mass_moment.z != 0 ? 1 : 0;
+    }
+    EXPECT_EQ(count, 1);
+    EXPECT_NEAR(energy, 2000 * 9.81 * 0.5, 5);
+    EXPECT_NEAR(sum.released_mass_moment.z, 2000 * 0.5, 1);
+    EXPECT_LT(scene.state.position[1].z, 0.5);
+    EXPECT_GT(scene.state.position[1].z, 0.49);
+}
+
+TYPED_TEST(AffineBodies, ScratchMayBeDroppedAcrossARelease) {
+    const auto run = [](bool is_dropped) {
+        Scene<TypeParam> scene;
+        scene.add_cube({{0, 0, -0.5}, {}}, body::Drive::fixed);
+        scene.add_cube({{0.1, 0, 0.5}, {}}, body::Drive::fixed, 0.0101);
+        for (int i = 0; i < 60; ++i) {
+            if (is_dropped) {
+                scene.scratch = {};
+            }
+            scene.step();
+        }
+        return scene.fields;
+    };
+    EXPECT_TRUE(run(false) == run(true));
+}
+
+}  // namespace
+}  // namespace riprap::solid
