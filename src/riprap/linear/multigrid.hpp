@@ -91,7 +91,7 @@ class PoissonSolver {
     void set_operator(const FaceConductance& a);
     /// Solves A p = b from the guess in p until ||b - A p||_2 is at most `tolerance` times that of the guess, or
     /// `enough`, or 1e-14 times ||b||_2, where round-off ends any solve. Where no face leads out of the box the sum of
-    /// b over cells has to vanish to round-off, and p is fixed by the guess up to a constant.
+    /// b over cells has to vanish to round-off, and p is fixed by the guess up to a constant. b may be work().r.
     PoissonReport solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,
                         double tolerance, int max_iterations, double enough = 0);
     std::size_t bytes() const;

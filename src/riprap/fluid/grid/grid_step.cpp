@@ -117,8 +117,7 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
     }
     const Mesh& mesh = settings.mesh;
     const auto size = at(mesh.box.size);
-    for (auto* field : {&s.room.capacity, &s.inertia.mass, &s.inertia.mass_before, &s.stress.viscosity,
-                        &s.stress.fluidity, &s.projection.right}) {
+    for (auto* field : {&s.room.capacity, &s.inertia.mass, &s.inertia.mass_before, &s.stress.viscosity}) {
         field->assign(size, 0.0);
     }
     s.moved.colour.assign(size, 0);
@@ -322,9 +321,9 @@ std::size_t Transport::bytes() const {
            bytes_of_faces(water_flux);
 }
 std::size_t Inertia::bytes() const { return bytes_of(mass, mass_before) + bytes_of_faces(mass_flux); }
-std::size_t Stress::bytes() const { return bytes_of(viscosity, fluidity, eddy_viscosity, curvature); }
+std::size_t Stress::bytes() const { return bytes_of(viscosity, eddy_viscosity, curvature); }
 std::size_t Projection::bytes() const {
-    return bytes_of(right) + bytes_of_faces(predicted) + bytes_of_faces(conductance.face) + solver.bytes();
+    return bytes_of_faces(predicted) + bytes_of_faces(conductance.face) + solver.bytes();
 }
 
 std::size_t GridScratch::bytes() const {

@@ -91,7 +91,6 @@ void find_masses(const GridSettings& settings, const GridState& state, GridScrat
                                     (s.stress.eddy_viscosity.empty() ? 0.0
                                                                      : density_of(settings, state.fraction[at(c)]) *
                                                                            s.stress.eddy_viscosity[at(c)]);
-        s.stress.fluidity[at(c)] = 1 / s.stress.viscosity[at(c)];
     });
     if (settings.has_surface) {
         reconstruct_surface(settings.mesh, state.fraction, s.moved.plane);

@@ -128,11 +128,11 @@ void balance_pockets(const std::vector<Pocket>& pockets, GridScratch& s) {
     for (const Pocket& pocket : pockets) {
         double sum = 0, volume = 0;
         for (const std::int64_t c : pocket.cells) {
-            sum += s.projection.right[at(c)];
+            sum += s.projection.right()[at(c)];
             volume += s.room.capacity[at(c)];
         }
         for (const std::int64_t c : pocket.cells) {
-            s.projection.right[at(c)] -= sum / volume * s.room.capacity[at(c)];
+            s.projection.right()[at(c)] -= sum / volume * s.room.capacity[at(c)];
         }
     }
 }

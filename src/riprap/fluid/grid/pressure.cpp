@@ -51,7 +51,7 @@ void add_open_sides(const GridSettings& settings, const GridState& state, GridSc
             }
             if (layer == 0) {
                 const double p = side_pressure(settings, state, side, ghost, place, g);
-                s.projection.right[at(inside)] +=
+                s.projection.right()[at(inside)] +=
                     s.projection.conductance.face[at(a)][at(side % 2 == 0 ? inside : ghost)] * p;
             }
         });
@@ -67,17 +67,17 @@ void balance(const GridSettings& settings, GridScratch& s) {
         }
     }
     double sum = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.projection.right[at(c)]; }, sum_of);
+        box, 0.0, [&](std::int64_t c, int, int, int) { return s.projection.right()[at(c)]; }, sum_of);
     double volume = reduce_cells(
         box, 0.0, [&](std::int64_t c, int, int, int) { return s.room.capacity[at(c)]; }, sum_of);
     for (const Pocket& pocket : s.pockets) {
         for (const std::int64_t c : pocket.cells) {
-            sum -= s.projection.right[at(c)];
+            sum -= s.projection.right()[at(c)];
             volume -= s.room.capacity[at(c)];
         }
     }
     for_cells(box, [&](std::int64_t c, int, int, int) {
-        s.projection.right[at(c)] -= sum * s.room.capacity[at(c)] / volume;
+        s.projection.right()[at(c)] -= sum * s.room.capacity[at(c)] / volume;
     });
 }
 
@@ -97,9 +97,10 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
                                        bool is_rough) {
     const CellBox& box = settings.mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
+    s.projection.right().resize(at(box.size));
     // net_outflow sums in the same order for a fluid at rest as for one that moves: exact zeros stay zero
     for_cells(box, [&](std::int64_t c, int, int, int) {
-        s.projection.right[at(c)] = s.room.capacity[at(c)] > 0 ? -net_outflow(box, s.projection.predicted, s, c) : 0;
+        s.projection.right()[at(c)] = s.room.capacity[at(c)] > 0 ? -net_outflow(box, s.projection.predicted, s, c) : 0;
     });
     add_open_sides(settings, state, s, dt);
     balance(settings, s);
@@ -111,7 +112,7 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
                     s.projection.conductance.face[at(a)][at(c + box.stride[at(a)])];
         }
         if (open == 0) {
-            s.projection.right[at(c)] = 0;
+            s.projection.right()[at(c)] = 0;
             state.pressure[at(c)] = 0;
         }
     });
@@ -130,7 +131,7 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
     const double enough =
         state.step == 0 || settings.pressure_corrections == 1 ? 0 : settings.tolerance * s.projection.first_residual;
     const linear::PoissonReport report = s.projection.solver.solve(
-        s.projection.conductance, s.projection.right, state.pressure, tolerance, settings.longest_solve, enough);
+        s.projection.conductance, s.projection.right(), state.pressure, tolerance, settings.longest_solve, enough);
     if (s.projection.first_residual == 0) {
         s.projection.first_residual = report.first;
     }

@@ -45,7 +45,8 @@ struct Room {
     std::size_t bytes() const;
 };
 
-/// Fluid at the start of the step: written by begin_step; correct_step puts the mean velocity into `carrier`.
+/// Fluid at the start of the step: written by begin_step, which puts the mean velocity into `carrier` for what it
+/// repeats.
 struct StepStart {
     std::vector<double> fraction;                      ///< empty with one pass, which needs it no more [-]
     std::array<std::vector<double>, 3> carrier;        ///< velocity that transports [m/s]
@@ -83,7 +84,6 @@ struct Inertia {
 /// Stresses: written by find_masses, find_curvature and the turbulence, read by predict_velocity.
 struct Stress {
     std::vector<double> viscosity;       ///< mu + mu_t in cells [Pa s]
-    std::vector<double> fluidity;        ///< 1/viscosity [1/(Pa s)]
     std::vector<double> eddy_viscosity;  ///< nu_t; empty in laminar flow [m^2/s]
     std::vector<double> curvature;       ///< of the surface in mixed cells; empty without tension [1/m]
 
@@ -96,9 +96,10 @@ struct Projection {
     linear::FaceConductance conductance;           ///< volume per second that 1 Pa drives through a face
     bool has_operator{false};                      ///< the solver has taken this conductance
     double first_residual{0};                      ///< of the first solve of the step; 0: there was none yet
-    std::vector<double> right;                     ///< right-hand side
     linear::PoissonSolver solver;
 
+    /// Right-hand side of the equation, in the memory of the residual that the solver makes of it.
+    std::vector<double>& right() { return solver.work().r; }
     std::size_t bytes() const;
 };
 

@@ -44,24 +44,25 @@ struct EdgeStress {
         const CellBox& box = mesh.box;
         const std::int64_t t = box.stride[at(b)], sa = box.stride[at(a)];
         const double *u = s.start.carrier[at(a)].data() + start, *v = s.start.carrier[at(b)].data() + start;
-        const double* const phi = s.stress.fluidity.data() + start;
+        const double* const mu = s.stress.viscosity.data() + start;
         // on a side, what its ghosts hold: no eddies on a wall
         const bool on_low = b != 0 && upper == 0, on_high = b != 0 && upper == box.cells[at(b)];
-        const double *above = on_low ? phi - t : phi, *below = on_high ? phi : phi - t;
+        const double *above = on_low ? mu - t : mu, *below = on_high ? mu : mu - t;
         RowArray across, along;
         find_inverse(mesh.distance[at(b)], b, upper, n, across);
         find_inverse(mesh.distance[at(a)], a, place[at(a)], n, along);
 #pragma GCC ivdep
         for (int i = 0; i < n; ++i) {
-            const double mu = 4 / (above[i] + below[i] + above[i - sa] + below[i - sa]);
-            stress[i] = mu * ((u[i] - u[i - t]) * across[at(i)] + (v[i] - v[i - sa]) * along[at(i)]);
+            const double p = above[i] * below[i], q = above[i - sa] * below[i - sa];
+            const double mean = 4 * p * q / (q * (above[i] + below[i]) + p * (above[i - sa] + below[i - sa]));
+            stress[i] = mean * ((u[i] - u[i - t]) * across[at(i)] + (v[i] - v[i - sa]) * along[at(i)]);
         }
         if (b == 0) {
             for (const int side : {0, box.cells[0]}) {
                 const int i = side - upper;
                 if (i >= 0 && i < n) {
                     const std::int64_t ghost = side == 0 ? i - 1 : i;
-                    stress[i] = 2 / (phi[ghost] + phi[ghost - sa]) *
+                    stress[i] = 2 * mu[ghost] * mu[ghost - sa] / (mu[ghost] + mu[ghost - sa]) *
                                 ((u[i] - u[i - t]) * across[at(i)] + (v[i] - v[i - sa]) * along[at(i)]);
                 }
             }

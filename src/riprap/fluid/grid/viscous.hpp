@@ -7,7 +7,7 @@
 namespace riprap::fluid::grid {
 
 /// Forces per volume of the stress mu (grad U + grad U^T) on a row of velocity cells [N/m^3], from
-/// scratch.start.carrier's ghosts and values, scratch.stress.viscosity and scratch.stress.fluidity. Viscosities at
+/// scratch.start.carrier's ghosts and values, scratch.stress.viscosity. Viscosities at
 /// edges are harmonic means: shear along the surface is the same on both sides of it, and a velocity cell of air is not
 /// dragged by all of the water's viscosity. The shear of solids is left to wall_drag.
 /// @param start  flat index of the first face of the row
