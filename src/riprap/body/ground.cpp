@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::body {
@@ -27,7 +28,7 @@ std::int32_t only_face(const geometry::ConvexView& view) {
 
 bool is_ground(const BodySet& bodies, const geometry::ShapeSet& shapes, BodyId body) {
     const auto b = at(body.value);
-    if (bodies.drive[b] == Drive::free || std::isfinite(bodies.release_time[b])) {
+    if (may_move(bodies, b)) {
         return false;
     }
     for (std::int32_t p = bodies.part_begin[b]; p < bodies.part_begin[b + 1]; ++p) {

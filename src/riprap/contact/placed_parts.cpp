@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/contact/placed_parts.hpp"
 
-#include <cmath>
-
+#include "riprap/body/may_move.hpp"
 #include "riprap/contact/broadphase/giants.hpp"
 #include "riprap/contact/broadphase/pair_cache.hpp"
 #include "riprap/core/index.hpp"
@@ -25,10 +24,7 @@ void describe_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodie
         const auto body = at(part.body.value);
         placed.radii[p] = shapes.view(part.shape).circumradius;
         placed.body[p] = part.body.value;
-        placed.is_mobile[p] = (bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body])) &&
-                                      (left_out.empty() || left_out[body] == 0)
-                                  ? 1
-                                  : 0;
+        placed.is_mobile[p] = may_move(bodies, body) && (left_out.empty() || left_out[body] == 0) ? 1 : 0;
     }
     placed.median_radius = median_radius(placed.radii);
     placed.giants.clear();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/pair_physics.hpp"
 
-#include <cmath>
-
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::solid {
@@ -24,8 +23,7 @@ std::vector<UnansweredBody> unanswered_bodies(const body::BodySet& bodies, std::
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         const auto kind = static_cast<std::size_t>(kinds[at(b)]);
         first[kind] = first[kind] < 0 ? b : first[kind];
-        can_move[kind] =
-            can_move[kind] || bodies.drive[at(b)] == body::Drive::free || std::isfinite(bodies.release_time[at(b)]);
+        can_move[kind] = can_move[kind] || may_move(bodies, at(b));
     }
     std::vector<UnansweredBody> found;
     for (std::size_t kind = 0; kind < count; ++kind) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::solid {
@@ -90,10 +91,6 @@ double omega_squared(const Stiffness& body, const Stiffness& neighbour) {
            (1 / body.mass + 1 / std::sqrt(body.mass * neighbour.mass));
 }
 
-bool can_move(const body::BodySet& bodies, std::int32_t body) {
-    return bodies.drive[at(body)] == body::Drive::free || std::isfinite(bodies.release_time[at(body)]);
-}
-
 }  // namespace
 
 DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
@@ -108,7 +105,7 @@ DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSe
             continue;
         }
         const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);
-        if (!can_move(bodies, body)) {
+        if (!may_move(bodies, at(body))) {
             steepest_support = std::max(steepest_support, own.gradient);
             continue;
         }
@@ -123,7 +120,7 @@ DemTimeStep time_step_bound(const body::BodySet& bodies, const geometry::ShapeSe
     const LargestDamping damping = largest_damping(materials);
     const Stiffness support{0, 0, steepest_support, std::numeric_limits<double>::infinity()};
     for (std::int32_t body = 0; body < bodies.size(); ++body) {
-        if (!can_move(bodies, body) || is_left_out(body)) {
+        if (!may_move(bodies, at(body)) || is_left_out(body)) {
             continue;
         }
         const Stiffness own = stiffness_of(bodies, shapes, materials, body, shear);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -66,10 +67,6 @@ void add_face(std::int32_t body, const std::vector<Vec3>& face, const Vec3& norm
             panels.push_back({body, piece, normal});
         }
     }
-}
-
-bool may_move(const body::BodySet& bodies, std::size_t b) {
-    return bodies.drive[b] == body::Drive::free || std::isfinite(bodies.release_time[b]);
 }
 
 /// Tells whether a point lies in some other body.

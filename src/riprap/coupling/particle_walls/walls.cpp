@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/samples/near_samples.hpp"
@@ -120,9 +121,8 @@ WallBodies describe_bodies(const body::BodySet& bodies, const ParticleFluid& wat
     found.is_still.resize(count);
     found.is_loose.resize(count);
     for (std::size_t b = 0; b < count; ++b) {
-        const bool is_released = std::isfinite(bodies.release_time[b]);
-        found.is_still[b] = bodies.drive[b] == body::Drive::fixed && !is_released ? 1 : 0;
-        found.is_loose[b] = bodies.drive[b] == body::Drive::free || is_released ? 1 : 0;
+        found.is_loose[b] = may_move(bodies, b) ? 1 : 0;
+        found.is_still[b] = bodies.drive[b] == body::Drive::fixed && found.is_loose[b] == 0 ? 1 : 0;
     }
     const SampleSet& samples = water.samples;
     for (std::size_t i = 0; i < samples.body.size(); ++i) {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/coupling/joints/joint_pairs.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
@@ -13,7 +13,7 @@ void build_joints(CaseBuild& build, const Value& table, coupling::ParticleFluid&
     const body::BodySet& bodies = build.model.bodies;
     bool has_loose = false, has_driven = false;
     for (std::size_t b = 0; b < bodies.drive.size(); ++b) {
-        const bool is_loose = bodies.drive[b] == body::Drive::free || std::isfinite(bodies.release_time[b]);
+        const bool is_loose = may_move(bodies, b);
         has_loose = has_loose || is_loose;
         has_driven = has_driven || (bodies.drive[b] == body::Drive::driven && !is_loose);
     }

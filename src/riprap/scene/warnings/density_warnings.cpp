@@ -2,9 +2,9 @@
 // Densities in the wrong unit make a case that runs: blocks that weigh nothing are carried away by the first water.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string_view>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
@@ -40,8 +40,8 @@ void warn_of_densities(CaseBuild& build) {
     const body::BodySet& bodies = build.model.bodies;
     std::int32_t told = -1;  // a name: copies are told of once
     for (std::int32_t i = 0; i < bodies.size(); ++i) {
-        const bool is_ever_free = bodies.drive[at(i)] == body::Drive::free || std::isfinite(bodies.release_time[at(i)]);
-        const double density = is_ever_free ? bodies.mass[at(i)] / volume_of(build, BodyId{i}) : lightest_solid;
+        const double density =
+            may_move(bodies, at(i)) ? bodies.mass[at(i)] / volume_of(build, BodyId{i}) : lightest_solid;
         if ((density < lightest_solid || density > heaviest_solid) && bodies.name_id[at(i)] != told) {
             told = bodies.name_id[at(i)];
             const std::string& name = bodies.names[at(told)];

@@ -2,19 +2,15 @@
 #include "riprap/solid/sphere_dem/place.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "riprap/body/locks.hpp"
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::solid::sphere_dem {
 
 namespace {
-
-bool may_move(const body::BodySet& bodies, std::size_t body) {
-    return bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body]);
-}
 
 Vec3 centroid(const TriangleSet& triangles, std::size_t t) {
     return (triangles.corners[3 * t] + triangles.corners[3 * t + 1] + triangles.corners[3 * t + 2]) / 3.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/body/multisphere.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/shapes.hpp"
@@ -12,10 +13,6 @@
 namespace riprap::solid::sphere_dem {
 
 namespace {
-
-bool may_move(const body::BodySet& bodies, std::size_t body) {
-    return bodies.drive[body] == body::Drive::free || std::isfinite(bodies.release_time[body]);
-}
 
 /// Extent of a shape along its axes [m].
 Vec3 extent(const geometry::Polyhedron& shape) {

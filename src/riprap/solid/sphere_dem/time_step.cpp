@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/contact/law/hertz.hpp"
 #include "riprap/contact/law/linear_spring.hpp"
 #include "riprap/core/index.hpp"
@@ -33,10 +34,6 @@ double smallest_radius(const SphereSet& spheres, std::size_t body) {
     return least;
 }
 
-bool may_move(const body::BodySet& bodies, std::int32_t body) {
-    return bodies.drive[at(body)] == body::Drive::free || std::isfinite(bodies.release_time[at(body)]);
-}
-
 double fastest(const body::BodyState& state) {
     const double squared = parallel::reduce(
         state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[at(i)]); },
@@ -50,7 +47,7 @@ double lightest_face(const SphereModel& model) {
     const body::BodySet& bodies = model.bodies;
     double least = std::numeric_limits<double>::infinity();
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
-        if (!may_move(bodies, b) || model.spheres.count_of(b) > 0) {
+        if (!may_move(bodies, at(b)) || model.spheres.count_of(b) > 0) {
             continue;
         }
         double reach = 0;
@@ -80,7 +77,7 @@ SphereStep step_limit(const SphereModel& model, const body::BodyState& state, do
         pairs.push_back(stiffest_pair(model, MaterialId{m}));
     }
     for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
-        if (!may_move(model.bodies, b) || model.spheres.count_of(b) == 0) {
+        if (!may_move(model.bodies, at(b)) || model.spheres.count_of(b) == 0) {
             continue;
         }
         const double radius = smallest_radius(model.spheres, at(b)), mass = model.bodies.mass[at(b)];
