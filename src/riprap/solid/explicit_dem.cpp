@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 
+#include "riprap/body/drives.hpp"
 #include "riprap/body/locks.hpp"
 #include "riprap/contact/law/mindlin.hpp"
 #include "riprap/core/index.hpp"
@@ -25,8 +26,8 @@ void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t
         state.position[i] = driven.pose.position;
         state.orientation[i] = driven.pose.orientation;
         state.velocity[i] = driven.velocity;
+        body::advance_correction(state, i, dt);
         if (!state.drive_offset.empty()) {
-            state.drive_offset[i] += dt * state.drive_rate[i];
             state.position[i] += state.drive_offset[i];
             state.velocity[i] += state.drive_rate[i];
         }

@@ -109,7 +109,8 @@ void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockS
     }
 }
 
-void drive_blocks(const SolidScene& scene, const TimeSpan& span, BlockSystem& system, BlockState& blocks) {
+void drive_blocks(const SolidScene& scene, const TimeSpan& span, const body::BodyState& bodies, BlockSystem& system,
+                  BlockState& blocks) {
     for (std::int32_t b = 0; b < system.size(); ++b) {
         const auto i = at(b);
         const BodyId id{b};
@@ -123,7 +124,8 @@ void drive_blocks(const SolidScene& scene, const TimeSpan& span, BlockSystem& sy
             const Pose here = driven_state(scene.bodies, id, span.time).pose;
             const Pose there = driven_state(scene.bodies, id, span.end()).pose;
             const Vec3 turn = to_rotation_vector(there.orientation * conjugate(here.orientation));
-            blocks.velocity[i] = (there.position - here.position) / span.dt;
+            const Vec3 correction = bodies.drive_rate.empty() ? Vec3{} : bodies.drive_rate[i];
+            blocks.velocity[i] = (there.position - here.position) / span.dt + correction;
             set_rows(blocks.velocity_gradient, i, cross_matrix(turn / span.dt));
         }
     }

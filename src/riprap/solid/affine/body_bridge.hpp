@@ -32,7 +32,9 @@ void start_stretching(body::BodyState& bodies);
 void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks);
 
 /// Says which blocks loads move now, and gives the others the velocity that takes them to their place at span.end().
-void drive_blocks(const SolidScene& scene, const TimeSpan& span, BlockSystem& system, BlockState& blocks);
+/// @param bodies  rates of the corrections of absorbing paddles
+void drive_blocks(const SolidScene& scene, const TimeSpan& span, const body::BodyState& bodies, BlockSystem& system,
+                  BlockState& blocks);
 
 /// Writes poses, velocities, angular momenta, stretches U (body axes) and rates of stretching D (world axes) of F = R
 /// U.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/body/drives.hpp"
 #include "riprap/body/may_move.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
@@ -119,7 +120,8 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
     }
     system.gravity = scene_->gravity.at(span.middle());
-    drive_blocks(*scene_, span, system, fields_->blocks);
+    drive_blocks(*scene_, span, state_.bodies, system, fields_->blocks);
+    body::advance_corrections(state_.bodies, span.dt);
     const std::vector<affine::ReleasedBlock> released =
         released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
     explicit_dda::StepReport step;

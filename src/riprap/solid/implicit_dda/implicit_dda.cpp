@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/body/drives.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -189,7 +190,8 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
     }
     system.gravity = scene_->gravity.at(span.middle());
-    drive_blocks(*scene_, span, system, fields_->blocks);
+    drive_blocks(*scene_, span, state_.bodies, system, fields_->blocks);
+    body::advance_corrections(state_.bodies, span.dt);
     const std::vector<affine::ReleasedBlock> released =
         released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
     implicit_dda::StepReport step;

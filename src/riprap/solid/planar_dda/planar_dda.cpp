@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "riprap/body/drives.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
@@ -302,6 +303,7 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     }
     const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
     planar_dda::read_loads(loads, scratch_->given);
+    body::advance_corrections(state_.bodies, span.dt);
     planar_dda::drive_blocks(*scene_, span, state_.bodies, fields_->blocks, scene, scratch_->driven);
     const Vec3 gravity = scene_->gravity.at(span.middle());
     book_released(scene.model, *fields_, gravity, report.kick);
