@@ -50,6 +50,18 @@ scene::LoadedCase read(const std::string& contact) {
     return scene::read_case_text(text, "case.toml", "/nonexistent");
 }
 
+TEST(SphereCases, tell_how_deep_a_ball_is_in_the_floor) {
+    scene::LoadedCase loaded = read("[contact]\nrestitution_mixing = \"mean\"");
+    loaded.model.gravity.value = {};
+    sim::initialise(loaded.model, loaded.state);
+    loaded.state.bodies.position[1] = {0, 0, 0.05 - 1e-4};
+    loaded.state.bodies.velocity[1] = {};
+    sim::Scratch scratch;
+    const sim::StepReport report = advance(loaded.model, loaded.state, scratch, 1e-6, sim::Measure::energy);
+    EXPECT_NEAR(report.max_depth, 1e-4, 1e-12);
+    EXPECT_NEAR(report.max_potential, 1e-4 / 0.05, 1e-12);
+}
+
 /// Speed after the impact over that before.
 double restitution(const std::string& contact) {
     scene::LoadedCase loaded = read(contact);

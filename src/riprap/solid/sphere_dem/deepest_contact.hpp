@@ -15,4 +15,7 @@ struct DeepestContact {
 /// Finds the deepest contact of the last evaluation, of spheres or with walls; for messages.
 DeepestContact deepest_contact(const SphereModel& model, const SphereState& state, const SphereScratch& scratch);
 
+/// Returns the largest overlap of those contacts [m].
+double largest_overlap(const SphereModel& model, const SphereState& state, const SphereScratch& scratch);
+
 }  // namespace riprap::solid::sphere_dem

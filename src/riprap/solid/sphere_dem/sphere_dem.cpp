@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "riprap/body/ground.hpp"
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
@@ -76,10 +77,8 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
         scratch.table = sphere_dem::pair_table(scene.materials, settings);
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
             const bool has_spheres = scratch.spheres.count_of(b) > 0;
-            const bool may_move =
-                scene.bodies.drive[at(b)] == body::Drive::free || std::isfinite(scene.bodies.release_time[at(b)]);
             scratch.faces.left_out.push_back(has_spheres ? 1 : 0);
-            scratch.do_faces_meet = scratch.do_faces_meet || (may_move && !has_spheres);
+            scratch.do_faces_meet = scratch.do_faces_meet || (may_move(scene.bodies, at(b)) && !has_spheres);
         }
         scratch.is_built = true;
     }
@@ -131,6 +130,9 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     report.damping_loss = sums.damping_loss;
     report.own = {sums.rolling_loss};
     report.max_potential = sums.deepest;
+    if (measure == Measure::energy) {
+        report.max_depth = largest_overlap(model(), *fields_, buffers);
+    }
     report.contact_count = count_touching(model(), *fields_);
     report.pair_count = buffers.slots.count + static_cast<std::int64_t>(buffers.wall_pairs.size());
     const Outcome overlap_of_faces = do_faces_meet ? faces_meet.book(buffers.kinematics, span.dt, report) : Outcome{};
