@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scratch is kept for speed only. Every shipped case, dry and wet, is run with all of it dropped before steps chosen at
-// random; what is listed in it must not depend on when it was listed.
+// Scratch is kept for speed only. Every shipped case and a case of every method is run with all of it dropped before
+// steps chosen at random; what is listed in it must not depend on when it was listed.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -47,12 +47,40 @@ std::vector<ShippedCase> shipped_cases() {
             {"wave_flume", {"fluid.spacing=0.025"}, 60}};
 }
 
+std::string path_of(const ShippedCase& shipped) { return fmt::format("cases/{}/case.toml", shipped.name); }
+
+/// A case of one method, see test_method_keys.cpp; solids have a body that is let go on the way.
+struct MethodCase {
+    const char* name;
+    std::vector<std::string> overrides;
+    std::int64_t steps;
+};
+
+std::vector<MethodCase> method_cases() {
+    const std::vector<std::string> release{"body.lone.fixed=true", "body.lone.release_time=0.004",
+                                           "body.lone.velocity=[0,0,0]", "body.lone.angular_velocity=[0,0,0]"};
+    const std::vector<std::string> planar{"body.lone.fixed=true", "body.lone.release_time=0.004",
+                                          "body.lone.angular_velocity=0"};
+    return {{"solid-distance_potential_dem", release, 60},
+            {"solid-sphere_dem", release, 60},
+            {"solid-planar_dda", planar, 30},
+            {"solid-implicit_dda", {}, 30},
+            {"solid-explicit_dda", {}, 60},
+            {"fluid-sph", {}, 30},
+            {"fluid-wcmps", {}, 30},
+            {"fluid-mps", {}, 12},
+            {"fluid-grid", {}, 12},
+            {"fluid-hydrostatic", {}, 30}};
+}
+
+std::string path_of(const MethodCase& method) { return fmt::format("tests/run/methods/{}.toml", method.name); }
+
 /// Hash of the State after every step.
 /// @param is_dropped  asked before every step with its number: whether Scratch is dropped there
 template <class IsDropped>
-std::vector<std::uint64_t> walk(const ShippedCase& shipped, std::int64_t steps, const IsDropped& is_dropped) {
-    const std::vector<std::string> overrides = is_full() ? std::vector<std::string>{} : shipped.coarser;
-    scene::LoadedCase loaded = scene::read_case(fmt::format("cases/{}/case.toml", shipped.name), overrides);
+std::vector<std::uint64_t> walk(const std::string& path, const std::vector<std::string>& overrides, std::int64_t steps,
+                                const IsDropped& is_dropped) {
+    scene::LoadedCase loaded = scene::read_case(path, overrides);
     sim::State& state = loaded.state;
     sim::initialise(loaded.model, state);
     sim::Scratch scratch;
@@ -79,6 +107,21 @@ std::int64_t first_difference(const std::vector<std::uint64_t>& a, const std::ve
     return -1;
 }
 
+/// Compares a run with others in which Scratch is dropped now and then.
+void drop_and_compare(const std::string& path, const std::vector<std::string>& overrides, std::int64_t steps) {
+    parallel::set_thread_count(1);
+    const std::vector<std::uint64_t> straight = walk(path, overrides, steps, [](std::int64_t) { return false; });
+    parallel::set_thread_count(2);
+    for (const std::uint64_t seed : {3, 11}) {
+        // Seldom enough that lists grow old in between, and often enough that some are made anew between two listings.
+        const auto is_dropped = [seed](std::int64_t step) {
+            return geometry::unit_interval(geometry::mix_bits(seed, static_cast<std::uint64_t>(step))) < 0.25;
+        };
+        EXPECT_EQ(first_difference(straight, walk(path, overrides, steps, is_dropped)), -1) << "seed " << seed;
+    }
+    parallel::set_thread_count(1);
+}
+
 class DroppedScratch : public ::testing::TestWithParam<ShippedCase> {
  protected:
     ~DroppedScratch() override { parallel::set_thread_count(1); }
@@ -87,20 +130,39 @@ class DroppedScratch : public ::testing::TestWithParam<ShippedCase> {
 TEST_P(DroppedScratch, LeavesEveryBitOfTheStateAsItWas) {
     const ShippedCase& shipped = GetParam();
     const std::int64_t steps = is_full() ? 5 * shipped.steps : shipped.steps;
-    parallel::set_thread_count(1);
-    const std::vector<std::uint64_t> straight = walk(shipped, steps, [](std::int64_t) { return false; });
-    parallel::set_thread_count(2);
-    for (const std::uint64_t seed : {3, 11}) {
-        // Seldom enough that lists grow old in between, and often enough that some are made anew between two listings.
-        const auto is_dropped = [seed](std::int64_t step) {
-            return geometry::unit_interval(geometry::mix_bits(seed, static_cast<std::uint64_t>(step))) < 0.25;
-        };
-        EXPECT_EQ(first_difference(straight, walk(shipped, steps, is_dropped)), -1) << "seed " << seed;
-    }
+    drop_and_compare(path_of(shipped), is_full() ? std::vector<std::string>{} : shipped.coarser, steps);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, DroppedScratch, testing::ValuesIn(shipped_cases()),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+class DroppedScratchOfMethod : public ::testing::TestWithParam<MethodCase> {
+ protected:
+    ~DroppedScratchOfMethod() override { parallel::set_thread_count(1); }
+};
+
+TEST_P(DroppedScratchOfMethod, leaves_every_bit_of_the_state_as_it_was) {
+    drop_and_compare(path_of(GetParam()), GetParam().overrides, GetParam().steps);
+}
+
+std::string word_of(const MethodCase& method) {
+    std::string word = method.name;
+    word[word.find('-')] = '_';
+    return word;
+}
+INSTANTIATE_TEST_SUITE_P(Methods, DroppedScratchOfMethod, testing::ValuesIn(method_cases()),
+                         [](const auto& instance) { return word_of(instance.param); });
+
+TEST(MethodCases, are_all_run_with_dropped_scratch) {
+    std::set<std::string> tried, there;
+    for (const MethodCase& one : method_cases()) {
+        tried.insert(one.name);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator("tests/run/methods")) {
+        there.insert(entry.path().stem());
+    }
+    EXPECT_EQ(tried, there);
+}
 
 TEST(ShippedCases, AreAllRunWithDroppedScratch) {
     std::set<std::string> tried, shipped;
