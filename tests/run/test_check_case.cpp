@@ -71,7 +71,7 @@ std::string blocks(double beside, double under) {
 TEST(CheckCase, gaps_that_are_neither_joints_nor_hold_particles_are_counted) {
     const CaseCheck check = check_of(blocks(0.5, 1.5));
     EXPECT_EQ(check.gaps.pairs, 2);
-    EXPECT_THAT(check_text(check), HasSubstr("  gaps          'floor' and 'right' and 1 more pair stand 0.5 to 1.5"));
+    EXPECT_THAT(check_text(check), HasSubstr("  gaps          'floor' and 'right' and 1 more pair are 0.5 to 1.5"));
     EXPECT_EQ(check_of(blocks(0, 0)).gaps.pairs, 0);
     EXPECT_EQ(check_of(blocks(0.25, 2)).gaps.pairs, 0);
     EXPECT_EQ(check_of(blocks(0, 1)).gaps.pairs, 1);
