@@ -41,8 +41,9 @@ void return_freed_arrays() {
 #endif
 }
 
+/// Tells why the program ends, on a standard error that nobody may read any more: fmt::print would throw then.
 int fail(riprap::ExitCode code, const char* message) {
-    fmt::print(stderr, "riprap: {}\n", riprap::printable(message));
+    std::fputs(fmt::format("riprap: {}\n", riprap::printable(message)).c_str(), stderr);
     return static_cast<int>(code);
 }
 
@@ -80,7 +81,7 @@ int guarded_command_line(int argument_count, char** arguments) {
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::bad_case, "out of memory; `riprap check` says what a case needs");
     } catch (const std::exception& error) {
-        if (std::ferror(stdout) != 0) {
+        if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0) {
             return static_cast<int>(ExitCode::file_system);  // main tells it
         }
         return fail(ExitCode::internal, fmt::format("internal error, please report it: {}", error.what()).c_str());

@@ -26,6 +26,7 @@ export class Recording {
     this.contents = contents;
     this.times = contents.times;
     this.groups = new Map();
+    this.waterGroups = new Map();
     this.bodyCount = contents.bodies ? contents.bodies.shape.length : 0;
   }
 
@@ -44,8 +45,25 @@ export class Recording {
     if (!this.groups.has(group)) {
       this.groups.set(group, this.#load(group));
     }
-    const {frames, water} = await this.groups.get(group);
-    return {...frames[within], water: await water?.frame(within)};
+    const [frames, water] = await Promise.all([this.groups.get(group), this.#waterOf(index)]);
+    return {...frames[within], water};
+  }
+
+  /** Particles of one frame. Their groups are shorter where there are many: a group is unpacked whole. */
+  async #waterOf(index) {
+    if (!this.contents.water) {
+      return undefined;
+    }
+    const size = this.contents.water.group, group = Math.floor(index / size);
+    if (!this.waterGroups.has(group)) {
+      this.waterGroups.set(group, takeChunk(`water-${group}`).then(bytes => {
+        if (!bytes) {
+          throw new Error('the file does not hold it');
+        }
+        return new WaterGroup(bytes);
+      }));
+    }
+    return (await this.waterGroups.get(group)).frame(index % size);
   }
 
   /** Unpacks everything, one frame after another. */
@@ -59,11 +77,11 @@ export class Recording {
     const first = group * this.contents.group;
     const count = Math.min(this.contents.group, this.frameCount - first);
     const shownCount = this.contents.bodies?.shown?.length ?? 0;
-    const [pose, motion, shown, contacts, water] = await Promise.all([
+    const [pose, motion, shown, contacts] = await Promise.all([
       this.#rows(`poses-${group}`, Float64Array, POSE), this.#rows(`motion-${group}`, Float32Array, MOTION),
       shownCount ? this.#rows(`shown-${group}`, Float32Array, shownCount) : null,
-      takeChunk(`contacts-${group}`), takeChunk(`water-${group}`)]);
-    if ((this.contents.bodies && !pose) || (this.contents.water && !water)) {
+      takeChunk(`contacts-${group}`)]);
+    if (this.contents.bodies && !pose) {
       throw new Error('the file does not hold it');
     }
     const contactRows = contacts ? new Float32Array(joinPlanes(contacts, 4).buffer) : null;
@@ -80,7 +98,7 @@ export class Recording {
       });
       contactsBefore += contactCount;
     }
-    return {frames, water: water ? new WaterGroup(water) : null};
+    return frames;
   }
 
   async #rows(name, Type, perBody) {

@@ -67,6 +67,15 @@ TEST(WaterStream, EveryCoordinateComesBackWithinHalfAStep) {
     EXPECT_GT(largest_error(frames, water), 0.9 * water.error());  // the bound is not idle either
 }
 
+TEST(WaterStream, GroupsOfManyParticlesAreShortSoThatAFirstFrameIsSoonUnpacked) {
+    const std::vector<WaterFrame> few = stirred(12, 30), many = stirred(60, 9);  // 216 000 particles
+    const PackedWater short_ones = pack_water(source_of(many), many.size(), spacing, 1U << 30U);
+    EXPECT_EQ(pack_water(source_of(few), few.size(), spacing, 1U << 30U).group_frames, frames_per_group);
+    EXPECT_EQ(short_ones.group_frames, fewest_group_frames);
+    EXPECT_EQ(short_ones.groups.size(), 3U);
+    EXPECT_EQ(decode_group(short_ones.groups[2]).size(), 1U);
+}
+
 TEST(WaterStream, PressureAndSpeedComeBackWithinAHalfOfA255thOfTheirRange) {
     const std::vector<WaterFrame> frames = stirred(8, 3);
     const PackedWater water = pack_water(source_of(frames), frames.size(), spacing, 1U << 30U);

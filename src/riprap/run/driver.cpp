@@ -232,10 +232,9 @@ void Driver::tell_prediction(const Progress& progress) {
     const double step_seconds = progress.seconds_per_step(state().step), total = predicted_seconds(progress);
     const std::int64_t particles = state().fluid.size(), left = simulation_.steps_to_end();
     const std::string text = fmt::format(
-        "stopped by max_steps: {:.4g} ms per step{}, about {} steps more to t = {:.6g} s; predicted total {} with {} "
-        "threads",
+        "stopped by max_steps: {:.4g} ms per step{}, about {} steps more to t = {:.6g} s; predicted total {} with {}",
         1e3 * step_seconds, particles > 0 ? fmt::format(" with {} particles of water", particles) : std::string(), left,
-        simulation_.end(), duration_text(total), parallel::thread_count());
+        simulation_.end(), duration_text(total), counted(parallel::thread_count(), "thread"));
     log_->add("prediction", text,
               {{"seconds_per_step", step_seconds}, {"steps_left", static_cast<double>(left)}, {"seconds", total}});
     say(text);

@@ -91,13 +91,19 @@ std::string pack_group(const WaterSource& source, std::size_t begin, std::size_t
     return encode_group(numbers);
 }
 
+/// Frames of a group: a page unpacks a group whole before it shows the first frame of it.
+std::size_t group_frames_of(std::size_t particles) {
+    constexpr std::size_t unpacked_at_once = 1'000'000;  // of particles, in all frames of a group
+    return std::clamp(unpacked_at_once / std::max<std::size_t>(particles, 1), fewest_group_frames, frames_per_group);
+}
+
 /// All groups, or as many as fit into the budget.
 bool pack_groups(const WaterSource& source, std::size_t frame_count, std::size_t budget, PackedWater& water) {
     water.groups.clear();
     std::size_t bytes = 0;
-    for (std::size_t begin = 0; begin < frame_count; begin += frames_per_group) {
+    for (std::size_t begin = 0; begin < frame_count; begin += water.group_frames) {
         water.groups.push_back(
-            pack_group(source, begin, std::min(begin + frames_per_group, frame_count), water.scale, water.stride));
+            pack_group(source, begin, std::min(begin + water.group_frames, frame_count), water.scale, water.stride));
         bytes += water.groups.back().size();
         if (bytes > budget) {
             return false;
@@ -108,9 +114,9 @@ bool pack_groups(const WaterSource& source, std::size_t frame_count, std::size_t
 
 /// Tells whether the group in the middle promises that all of them fit: a cheap answer before an expensive one.
 bool may_fit(const WaterSource& source, std::size_t frame_count, std::size_t budget, const PackedWater& water) {
-    const std::size_t groups = (frame_count + frames_per_group - 1) / frames_per_group;
-    const std::size_t begin = groups / 2 * frames_per_group;
-    const std::size_t end = std::min(begin + frames_per_group, frame_count);
+    const std::size_t groups = (frame_count + water.group_frames - 1) / water.group_frames;
+    const std::size_t begin = groups / 2 * water.group_frames;
+    const std::size_t end = std::min(begin + water.group_frames, frame_count);
     const std::size_t sample = pack_group(source, begin, end, water.scale, water.stride).size();
     return sample * frame_count / (end - begin) <= budget;
 }
@@ -148,8 +154,9 @@ PackedWater pack_water(const WaterSource& source, std::size_t frame_count, doubl
     // Without a spacing, or with one that says nothing: a grain that the eye cannot see.
     double wanted = spacing > 0 ? finest_step * spacing : extent / 4096;
     const double coarsest = wanted * coarsest_step / finest_step;
-    const bool is_short = frame_count <= 2 * frames_per_group;
     while (true) {
+        water.group_frames = group_frames_of(bounds.most_particles / water.stride);
+        const bool is_short = frame_count <= 2 * water.group_frames;
         // A scene without extent needs a step as well.
         water.scale.step = std::max(coordinate_step(extent, wanted), std::numeric_limits<double>::min());
         const bool promises = is_short || may_fit(source, frame_count, budget, water);

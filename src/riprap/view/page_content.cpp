@@ -233,7 +233,7 @@ class Packer {
     double bytes_without_water() const {
         const std::string contents = contents_json();
         const auto escaped = static_cast<std::size_t>(std::count(contents.begin(), contents.end(), '<'));
-        const std::size_t pieces = content_.chunks.size() + shown_.size() / frames_per_group + 1;
+        const std::size_t pieces = content_.chunks.size() + shown_.size() / fewest_group_frames + 1;
         return static_cast<double>(page_template().size() + contents.size() + escape_growth * escaped +
                                    bytes_per_piece * pieces + room_for_words) +
                base64_growth * static_cast<double>(content_.packed_bytes());
@@ -270,6 +270,7 @@ class Packer {
                   {"speed", water.scale.speed_high},
                   {"spacing", reader.spacing() * std::cbrt(static_cast<double>(water.stride))},
                   {"particles", water.most_particles},
+                  {"group", water.group_frames},
                   {"stride", water.stride}};
     }
 

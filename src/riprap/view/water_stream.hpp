@@ -19,7 +19,7 @@
 
 namespace riprap::view {
 
-/// Frames of one group; the first of each is stored without its past.
+/// Most frames of one group; the first of each is stored without its past.
 inline constexpr std::size_t frames_per_group = 25;
 
 /// The particles of one frame, in the order of their ids.
