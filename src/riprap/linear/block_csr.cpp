@@ -15,7 +15,11 @@ inline constexpr std::size_t lanes = B % 4 == 0   ? 4
                                      : B % 2 == 0 ? 2
                                                   : 1;
 
-/// sum_j A_ij x_j over one row.
+template <int B>
+inline constexpr std::size_t bytes_of_block = BlockCsr<B>::block_numbers * sizeof(double);
+
+/// sum_j A_ij x_j over one row. Large blocks are asked for two ahead: processors by themselves fetch ahead of a stream
+/// to the end of a page only.
 template <int B>
 void multiply_row(const double* value, const std::int32_t* column, std::int64_t count, const double* x, double* y) {
     if constexpr (lanes < B >> 1) {
@@ -24,6 +28,11 @@ void multiply_row(const double* value, const std::int32_t* column, std::int64_t 
         Lanes sum[parts]{};
         for (std::int64_t k = 0; k < count; ++k) {
             const double* const v = x + std::int64_t{column[k]} * B;
+            if constexpr (B == 12) {
+                for (std::size_t line = 0; line < bytes_of_block<B>; line += 64) {
+                    __builtin_prefetch(reinterpret_cast<const char*>(value) + 2 * bytes_of_block<B> + line);
+                }
+            }
             for (int c = 0; c < B; ++c, value += B) {
                 for (std::size_t part = 0; part < parts; ++part) {
                     sum[part] += v[c] * Lanes::load(value + part * lanes<B>);
