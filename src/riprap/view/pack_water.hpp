@@ -19,12 +19,12 @@ inline constexpr std::size_t fewest_group_frames = 4;
 /// Water of a whole run, packed.
 struct PackedWater {
     WaterScale scale;
-    Vec3 low, high;                   ///< box that holds the water but for the 0.2 % outermost on each side [m]
+    Vec3 low, high;  ///< box that holds the water but for the 0.2 % outermost on each side [m]
     std::size_t group_frames{frames_per_group};  ///< frames of a group: fewer where there are many particles
     std::vector<std::string> groups;
-    std::size_t most_particles{0};    ///< in a frame, as stored
-    std::size_t stride{1};            ///< every so many-th particle was kept
-    std::size_t not_numbers{0};       ///< pressures and speeds that are not finite: stored as the lower bound
+    std::size_t most_particles{0};  ///< in a frame, as stored
+    std::size_t stride{1};          ///< every so many-th particle was kept
+    std::size_t not_numbers{0};     ///< pressures and speeds that are not finite: stored as the lower bound
     double error() const { return scale.step / 2; }  ///< bound per coordinate [m]
     std::size_t bytes() const;
 };
