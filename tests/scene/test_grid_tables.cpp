@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waves, stones and sponges of the grid fluid: what is refused, with the number and what to change.
+#include <cmath>
+
 #include "case_fixture.hpp"
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 
@@ -35,6 +37,23 @@ std::string wave(const std::string& keys) { return tank + "[[fluid.wave]]\ntowar
 struct Refusal {
     std::string name, text, message, allowed;
 };
+
+TEST(GridWaves, a_sea_by_a_file_has_the_height_and_the_period_of_its_spectrum) {
+    const TemporaryFolder folder;
+    folder.write("sea.csv", "f,S\n0.2,0.0\n0.4,0.05\n0.6,0.0\n");
+    const std::string by_file = wave("wave = \"irregular\"\nspectrum_file = \"sea.csv\"\n");
+    const auto sea_of = [&](const std::string& text) {
+        const LoadedCase loaded = read(text, {}, folder.path().string());
+        return std::get<coupling::GridFluidSettings>(loaded.model.fluid).scene.waves.at(0);
+    };
+    // m_0 is the area of the triangle: 0.2 Hz times 0.05 m^2 s.
+    EXPECT_NEAR(sea_of(by_file).height, 4 * std::sqrt(0.01), 1e-12);
+    EXPECT_NEAR(sea_of(by_file).period, 2.5, 1e-12);
+    EXPECT_NEAR(sea_of(by_file).ramp, 5.0, 1e-12);
+    const auto scaled = sea_of(by_file + "height = 0.3\n");
+    EXPECT_NEAR(scaled.height, 0.3, 1e-12);
+    EXPECT_NEAR(scaled.spectrum.significant_height(), 0.3, 1e-12);
+}
 
 class GridTables : public testing::TestWithParam<Refusal> {};
 

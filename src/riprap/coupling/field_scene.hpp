@@ -8,6 +8,7 @@
 #include "riprap/coupling/fill.hpp"
 #include "riprap/fluid/grid/settings.hpp"
 #include "riprap/fluid/particle/domain.hpp"
+#include "riprap/wave/irregular_wave.hpp"
 
 namespace riprap::coupling {
 
@@ -25,18 +26,19 @@ struct WavesAtSide {
         second_order,  ///< the same by Stokes' second order
         solitary,      ///< one solitary wave, by the stream function
         boussinesq,    ///< one solitary wave by the second-order formulas of [Ding2021, eqs. 6.2, 6.3]
-        irregular,     ///< a sea of a JONSWAP spectrum
+        irregular,     ///< a sea
     };
     int side{0};  ///< twice the axis, plus 1 for the high side
     Kind kind{Kind::none};
-    double height{0};       ///< H, of a sea H_m0 [m]
-    double period{0};       ///< T, of a sea T_p [s]
-    double depth{0};        ///< of still water [m]
-    double crest_time{-1};  ///< at which the (first) crest comes in [s]; negative: as soon as it can from still water
-    double ramp{0};         ///< in which regular waves and seas grow [s]
-    double gamma{3.3};      ///< peak enhancement of a sea [-]
-    std::uint64_t seed{1};  ///< of the phases of a sea
-    bool absorbs{false};    ///< lets out what arrives
+    double height{0};         ///< H, of a sea H_m0 [m]
+    double period{0};         ///< T, of a sea T_p [s]
+    double depth{0};          ///< of still water [m]
+    double crest_time{-1};    ///< at which the (first) crest comes in [s]; negative: as soon as it can from still water
+    double ramp{0};           ///< in which regular waves and seas grow [s]
+    double gamma{3.3};        ///< peak enhancement of a sea [-]
+    std::uint64_t seed{1};    ///< of the phases of a sea
+    wave::Spectrum spectrum;  ///< of a sea; empty: JONSWAP
+    bool absorbs{false};      ///< lets out what arrives
 };
 
 /// A part of a side of the domain through which water enters or leaves.

@@ -81,8 +81,11 @@ IncomingWaves waves_by_theory(const WavesAtSide& said, double gravity) {
                     }};
         }
         case Kind::irregular: {
+            constexpr int components = 200;
             const wave::IrregularWave sea =
-                wave::jonswap_sea(said.height, said.period, said.gamma, said.depth, gravity, 200, said.seed);
+                said.spectrum.is_empty() ? wave::jonswap_sea(said.height, said.period, said.gamma, said.depth, gravity,
+                                                             components, said.seed)
+                                         : wave::sea_of(said.spectrum, said.depth, gravity, components, said.seed);
             return ramped({[sea](double t) { return sea.elevation(0, t); },
                            [sea](double above_bed, double t) { return sea.velocity(0, above_bed, t); }},
                           said.ramp);

@@ -4,6 +4,7 @@
 
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
+#include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 
@@ -34,20 +35,31 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
     wave.period = get_number_or(table, "period", 0);
     wave.crest_time = get_number_or(table, "crest_time", -1);
     wave.ramp = get_number_or(table, "ramp", 2 * wave.period);
-    const bool is_pierson = get_word(table, "spectrum", spectra()) == SpectrumKind::pierson_moskowitz;
-    wave.gamma = is_pierson ? 1 : get_number(table, "gamma");
-    wave.seed = static_cast<std::uint64_t>(get_integer(table, "seed"));
     wave.absorbs = get(table, "absorb").boolean;
     if (wave.kind == Kind::none && !wave.absorbs) {
         build.problem(table.place, "a side that neither makes nor absorbs waves", "absorb = true, or another wave");
+        return false;
+    }
+    if (wave.kind == Kind::irregular) {
+        const auto sea = read_sea(build, table);
+        if (!sea) {
+            return false;
+        }
+        wave.height = sea->height;
+        wave.period = sea->period;
+        wave.ramp = get_number_or(table, "ramp", 2 * wave.period);
+        wave.gamma = sea->gamma;
+        wave.seed = sea->seed;
+        wave.spectrum = sea->spectrum;
+    } else if (const Value* file = table.find("spectrum_file")) {
+        build.problem(file->place, "a spectrum of a wave that is no sea", "wave = \"irregular\"");
         return false;
     }
     if (wave.kind != Kind::none && wave.height == 0) {
         build.problem(table.place, "a wave without 'height'", "the height of the wave, or wave = \"none\"");
         return false;
     }
-    const bool has_period =
-        wave.kind == Kind::regular || wave.kind == Kind::second_order || wave.kind == Kind::irregular;
+    const bool has_period = wave.kind == Kind::regular || wave.kind == Kind::second_order;
     if (has_period && wave.period == 0) {
         build.problem(table.place, "a regular wave without 'period'", "the period of the wave");
         return false;

@@ -103,6 +103,11 @@ const Table& fluid_wave_table() {
           {}},
          {"spectrum", {choice(spectra())}, "Spectrum of a sea.", Value::of("jonswap")},
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
+         {"spectrum_file",
+          {path()},
+          "Of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and 'period'; "
+          "scaled to 'height' where that is given.",
+          {}},
          {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
     return table;
 }
