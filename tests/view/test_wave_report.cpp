@@ -157,5 +157,18 @@ TEST(WaveReport, what_cannot_be_answered_is_refused_with_the_reason) {
     EXPECT_THAT([] { analyse_waves(waves_of(maker, {}), {}); }, ThrowsMessage<BadRequest>(HasSubstr("no gauge")));
 }
 
+TEST(WaveReport, ASingleWaveIsFoundInTheFirstHalfOfTheRunToo) {
+    RecordedRun run = waves_of(maker, {3.0});
+    for (std::size_t i = 0; i < run.probes.values[0].size(); ++i) {
+        run.probes.values[1][i] = depth + 0.1 / std::pow(std::cosh(2 * (run.probes.values[0][i] - 2.5)), 2);
+    }
+    const GaugeWaves first = analyse_waves(run, {}).gauges[0];
+    EXPECT_NEAR(first.rise, 0.1, 1e-4);
+    EXPECT_NEAR(first.rise_time, 2.5, 1e-9);
+    WaveRequest late;
+    late.from = 5.0;
+    EXPECT_LT(analyse_waves(run, late).gauges[0].rise, 1e-5);
+}
+
 }  // namespace
 }  // namespace riprap::view

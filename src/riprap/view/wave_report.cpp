@@ -193,7 +193,9 @@ WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request) {
                 fmt::format("'{}' has no value in {} of {} rows: waves with such rows are not counted", gauge.gauge,
                             waves.missing, record.level.size()));
         }
-        set_rise(record, waves);
+        // A single wave may be over before the second half begins.
+        const double begin = request.from ? report.from : run.probes.values[0].front();
+        set_rise(record_of(run.probes, gauge.gauge, begin, report.to), waves);
         set_shares(record, waves);
         if (report.period) {
             const Record whole = record_of(run.probes, gauge.gauge, report.whole_from, report.to);

@@ -30,8 +30,10 @@ struct GaugeWaves {
     wave::WaveStatistics waves;        ///< over the whole stretch
     std::int64_t missing;              ///< rows of the stretch without a value
     std::complex<double> amplitude{};  ///< at the period, over whole periods of the stretch, wave::harmonic [m]
-    double rise{0}, rise_time{0};      ///< highest value above that at the start of the stretch [m], and when [s]
-    double peak_period{0};             ///< T_p, wave::weighted_peak_period [s]
+    /// Highest value above the first [m], and when [s]; from `from` on, else of the whole run: a single wave may be
+    /// over before the stretch begins.
+    double rise{0}, rise_time{0};
+    double peak_period{0};                     ///< T_p, wave::weighted_peak_period [s]
     std::vector<wave::Exceedance> exceeded{};  ///< by shares of the waves
 };
 
