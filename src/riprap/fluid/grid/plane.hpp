@@ -96,13 +96,17 @@ struct CellPlane {
     double d{0};
 };
 
-/// Planes of mixed cells, row after row; those of other cells are never asked for.
+/// Planes of mixed cells, row after row.
 struct CellPlanes {
-    std::vector<std::int32_t> number;     ///< per cell, where it is mixed
+    std::vector<std::int32_t> number;     ///< per cell; -1 = the cell was not mixed
     std::vector<std::int32_t> row_begin;  ///< of rows of cells
     std::vector<CellPlane> plane;
 
-    const CellPlane& operator[](std::size_t cell) const { return plane[static_cast<std::size_t>(number[cell])]; }
+    /// Returns the plane of a cell; without direction, through its centre, where the cell was not mixed.
+    const CellPlane& operator[](std::size_t cell) const {
+        static constexpr CellPlane none{};
+        return number[cell] < 0 ? none : plane[static_cast<std::size_t>(number[cell])];
+    }
 };
 
 /// Places the plane of given normal so that it holds the fraction.

@@ -54,9 +54,11 @@ Vec3 way_to_surface(const Mesh& mesh, const GridState& state, const CellPlanes& 
         for (const int side : {-1, 1}) {
             const std::int64_t beside = c + side * mesh.box.stride[at(a)];
             const double fraction = state.fraction[at(beside)];
+            if (!is_mixed(fraction) || fraction >= 0.5 || fraction <= farthest) {
+                continue;  // only mixed cells have a plane
+            }
             const auto& n = plane[at(beside)].n;
-            const double most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
-            if (is_mixed(fraction) && fraction < 0.5 && side * n[at(a)] >= most && fraction > farthest) {
+            if (side * n[at(a)] >= std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])})) {
                 farthest = fraction;
                 way = {};
                 way[a] = side * fraction * size[a];

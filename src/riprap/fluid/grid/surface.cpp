@@ -84,7 +84,7 @@ void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, 
             }
         });
     };
-    planes.number.resize(at(box.size));
+    planes.number.assign(at(box.size), -1);
     planes.row_begin.assign(at(rows) + 1, 0);
     for_mixed([&](std::int64_t row, std::int64_t begin, std::int64_t end) {
         std::int32_t count = 0;
