@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every word of output.probe.quantity gives values of its own: the cases of tests/run/methods, and two for what
 // those lack, are run for a few steps, and no two words may read the same in all of them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
