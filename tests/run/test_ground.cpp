@@ -11,6 +11,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/body/ground.hpp"
+#include "riprap/io/vtp.hpp"
 #include "riprap/run/simulation.hpp"
 
 namespace riprap::run {
@@ -108,6 +109,26 @@ TEST(Ground, of_triangles_from_a_file_without_an_up_lets_a_block_slide_the_same_
     const Vec3 rough =
         place_of_last(run(folder, slope("{ mesh = { file = 'bed.obj', units = 'm', thickness = 0.6 } }", box)));
     EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth - Vec3{0.0625, 0.02, 0.1082531754730548}));
+}
+
+TEST(Ground, is_the_same_from_a_file_of_paraview_as_from_another) {
+    const CaseFolder folder;
+    const std::vector<Vec3> corners{{-1, -1, tangent}, {2, -1, -2 * tangent}, {2, 1, -2 * tangent}, {-1, 1, tangent}};
+    std::string obj;
+    for (const Vec3& x : corners) {
+        obj += fmt::format("v {:.17g} {:.17g} {:.17g}\n", x.x, x.y, x.z);
+    }
+    folder.write("bed.obj", obj + "f 1 2 3\nf 1 3 4\n");
+    io::PolyData faces;
+    faces.points = corners;
+    faces.connectivity = {0, 1, 2, 0, 2, 3};
+    faces.offsets = {3, 6};
+    folder.write("bed.vtp", io::encode_vtp(faces, 0));
+    const auto place = [&](const std::string& file) {
+        return place_of_last(
+            run(folder, slope("{ mesh = { file = '" + file + "', units = 'm', thickness = 0.6 } }", box)));
+    };
+    EXPECT_EQ(place("bed.vtp"), place("bed.obj"));
 }
 
 TEST(Ground, lets_a_ball_roll_over_its_triangles_as_over_a_plane) {

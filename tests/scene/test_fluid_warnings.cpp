@@ -69,6 +69,17 @@ TEST(FluidWarnings, a_driven_wall_that_moves_out_of_the_domain_but_not_a_gate_th
     EXPECT_THAT(moving("[0, 3]"), ElementsAre());
 }
 
+TEST(FluidWarnings, a_pusher_below_the_water_that_moves_out_of_the_open_top) {
+    const auto lifted = [](const std::string& velocity) {
+        return test::read(flume + body("pusher", "[0.5, 0.2]", "[1.0, 0.1]",
+                                       "motion = { linear = { velocity = [0, " + velocity + "] } }"))
+            .warnings;
+    };
+    EXPECT_THAT(lifted("0.5"), ElementsAre());
+    EXPECT_THAT(lifted("2"),
+                ElementsAre(HasSubstr("'pusher' moves out of 'fluid.domain': it reaches y = 2.2 m at t = 1 s")));
+}
+
 TEST(FluidWarnings, a_wall_that_water_passes_through_holds_none) {
     const auto wall = [](const std::string& place) {
         return test::read(flume + body("wall", "[0.2, 1.0]", place, "fixed = true\nwet = false")).warnings;

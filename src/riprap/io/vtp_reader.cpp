@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/vtk_data.hpp"
+#include "riprap/io/vtk_xml.hpp"
 
 namespace riprap::io {
 
@@ -35,46 +35,6 @@ SectionName name_of(VtpSection section) {
             return {"<CellData>", "</CellData>"};
     }
     return {};
-}
-
-/// An element: what stands in its opening tag and between its tags.
-struct Element {
-    std::string_view tag, content;
-};
-
-std::string_view attribute(std::string_view tag, std::string_view name) {
-    const std::string key = ' ' + std::string(name) + "=\"";
-    const std::size_t at = tag.find(key);
-    if (at == std::string_view::npos) {
-        return {};
-    }
-    const std::size_t begin = at + key.size();
-    const std::size_t end = tag.find('"', begin);
-    return end == std::string_view::npos ? std::string_view{} : tag.substr(begin, end - begin);
-}
-
-std::optional<Element> data_array(std::string_view section, std::string_view name) {
-    std::size_t at = 0;
-    while ((at = section.find("<DataArray", at)) != std::string_view::npos) {
-        const std::size_t tag_end = section.find('>', at);
-        const std::size_t end = section.find("</DataArray>", at);
-        if (tag_end == std::string_view::npos || end == std::string_view::npos || end < tag_end) {
-            return std::nullopt;
-        }
-        const std::string_view tag = section.substr(at, tag_end - at);
-        if (attribute(tag, "Name") == name) {
-            return Element{tag, section.substr(tag_end + 1, end - tag_end - 1)};
-        }
-        at = end;
-    }
-    return std::nullopt;
-}
-
-template <class T>
-std::optional<T> number(std::string_view text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size() ? std::optional<T>(value) : std::nullopt;
 }
 
 template <class From, class To>
@@ -122,8 +82,8 @@ VtpFile::VtpFile(std::string text, std::string name) : text_(std::move(text)), n
     }
     const std::size_t at = all.find("<Piece");
     const std::string_view piece = at == std::string_view::npos ? "" : all.substr(at, all.find('>', at) - at);
-    const auto points = number<std::size_t>(attribute(piece, "NumberOfPoints"));
-    const auto polygons = number<std::size_t>(attribute(piece, "NumberOfPolys"));
+    const auto points = vtk_number<std::size_t>(vtk_attribute(piece, "NumberOfPoints"));
+    const auto polygons = vtk_number<std::size_t>(vtk_attribute(piece, "NumberOfPolys"));
     if (!points || !polygons) {
         refuse("it does not say how many points and polygons it has");
     }
@@ -132,8 +92,8 @@ VtpFile::VtpFile(std::string text, std::string name) : text_(std::move(text)), n
     }
     point_count_ = *points;
     polygon_count_ = *polygons;
-    const auto time_value = data_array(section(VtpSection::field), "TimeValue");
-    const auto time = time_value ? number<double>(time_value->content) : std::nullopt;
+    const auto time_value = vtk_data_array(section(VtpSection::field), "TimeValue");
+    const auto time = time_value ? vtk_number<double>(time_value->content) : std::nullopt;
     if (!time || !std::isfinite(*time)) {
         refuse("it does not say its time (TimeValue)");
     }
@@ -154,28 +114,28 @@ std::vector<std::string> VtpFile::names(VtpSection section) const {
     std::vector<std::string> found;
     for (std::size_t at = text.find("<DataArray"); at != std::string_view::npos; at = text.find("<DataArray", at + 1)) {
         const std::size_t end = text.find('>', at);
-        found.emplace_back(attribute(text.substr(at, end == std::string_view::npos ? end : end - at), "Name"));
+        found.emplace_back(vtk_attribute(text.substr(at, end == std::string_view::npos ? end : end - at), "Name"));
     }
     return found;
 }
 
 bool VtpFile::has(VtpSection section, std::string_view array) const {
-    return data_array(this->section(section), array).has_value();
+    return vtk_data_array(this->section(section), array).has_value();
 }
 
 template <class T>
 std::vector<T> VtpFile::values(VtpSection section, std::string_view array, std::optional<std::size_t> expected) const {
-    const auto element = data_array(this->section(section), array);
+    const auto element = vtk_data_array(this->section(section), array);
     if (!element) {
         refuse(fmt::format("it has no array '{}'", array));
     }
     try {
-        if (attribute(element->tag, "format") != "binary") {
+        if (vtk_attribute(element->tag, "format") != "binary") {
             throw FileError("not inline base64");
         }
         const std::size_t most_bytes = expected ? sizeof(double) * *expected : frame_limit;
         std::vector<T> values =
-            convert<T>(decode_vtk_array(element->content, most_bytes), attribute(element->tag, "type"));
+            convert<T>(decode_vtk_array(element->content, most_bytes), vtk_attribute(element->tag, "type"));
         if (expected && values.size() != *expected) {
             throw FileError(fmt::format("{} values where {} are needed", values.size(), *expected));
         }
@@ -224,8 +184,8 @@ std::vector<PvdEntry> read_pvd(const std::filesystem::path& path) {
             break;  // the list is cut; what stands before it counts
         }
         const std::string_view tag = all.substr(at, end - at);
-        const auto time = number<double>(attribute(tag, "timestep"));
-        const std::string_view file = attribute(tag, "file");
+        const auto time = vtk_number<double>(vtk_attribute(tag, "timestep"));
+        const std::string_view file = vtk_attribute(tag, "file");
         if (time && std::isfinite(*time) && !file.empty()) {
             entries.push_back({*time, std::string(file)});
         }

@@ -167,7 +167,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);
-    warn_of_driven_leaving(build, fluid);
+    warn_of_driven_leaving(build, fluid, filling.particles.position);
     warn_of_dry_walls(build, fluid, filling.particles.position);
     build.state.fluid = std::move(filling.particles);
     build_openings(build, *table, fluid);

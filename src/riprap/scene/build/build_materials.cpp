@@ -67,8 +67,8 @@ void read_number(const Value& table, std::string_view key, std::optional<double>
 }
 
 /// Warns of a restitution that nothing reads: what loses energy in contacts of other methods is a damping.
-void warn_of_restitution(CaseBuild& build, const Value& material) {
-    const Value* restitution = material.find("restitution");
+void warn_of_restitution(CaseBuild& build, const Value& table) {
+    const Value* restitution = table.find("restitution");
     if (restitution != nullptr && !std::holds_alternative<solid::SphereDemSettings>(build.model.solid)) {
         build.warnings.push_back(to_string(
             Diagnostic{restitution->place, "'restitution' does nothing here: solid.method \"sphere_dem\" alone has it",
@@ -93,6 +93,7 @@ void read_pair(CaseBuild& build, const Value& pair) {
     PairProperties properties = set.pairs[a * size + b];
     read_surface(pair, properties);
     read_number(pair, "restitution", properties.restitution);
+    warn_of_restitution(build, pair);
     set.pairs[a * size + b] = properties;
     set.pairs[b * size + a] = properties;
 }

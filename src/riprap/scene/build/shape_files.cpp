@@ -75,7 +75,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::audited(const geometry::Sur
     return pieces;
 }
 
-std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, bool is_stl) {
+std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, SurfaceReader reader) {
     const Value& path = get(table, "file");
     const auto bytes = files_.read(path.text, limits::surface_bytes, path.place, problems_);
     if (!bytes) {
@@ -84,7 +84,7 @@ std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, 
     const double scale = get_word(table, "units", length_units()) * get_number(table, "scale");
     geometry::Surface surface;
     try {
-        surface = is_stl ? geometry::read_stl(*bytes, path.text, scale) : geometry::read_obj(*bytes, path.text, scale);
+        surface = reader(*bytes, path.text, scale);
     } catch (const CaseError& error) {
         problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
         return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, 
 }
 
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
-    const auto surface = read_surface(table, is_stl);
+    const auto surface = read_surface(table, is_stl ? geometry::read_stl : geometry::read_obj);
     if (!surface) {
         return std::nullopt;
     }
@@ -108,7 +108,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& t
 }
 
 std::optional<Polyhedron> ShapeLibrary::closed_surface(const Value& table, bool is_stl) {
-    const auto surface = read_surface(table, is_stl);
+    const auto surface = read_surface(table, is_stl ? geometry::read_stl : geometry::read_obj);
     if (!surface) {
         return std::nullopt;
     }

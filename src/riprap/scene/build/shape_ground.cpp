@@ -7,6 +7,9 @@
 
 #include "riprap/geometry/ground_cells.hpp"
 #include "riprap/geometry/height_grid.hpp"
+#include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/stl.hpp"
+#include "riprap/io/vtp_surface.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
@@ -97,14 +100,17 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
 
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& table) {
     const Value& path = get(table, "file");
-    const bool is_stl = ends_with(path.text, ".stl");
-    if (is_planar_ || (!is_stl && !ends_with(path.text, ".obj"))) {
+    const SurfaceReader reader = ends_with(path.text, ".stl")   ? geometry::read_stl
+                                 : ends_with(path.text, ".obj") ? geometry::read_obj
+                                 : ends_with(path.text, ".vtp") ? io::read_vtp_surface
+                                                                : nullptr;
+    if (is_planar_ || reader == nullptr) {
         problems_.push_back({path.place,
-                             is_planar_ ? "a mesh cannot stand in a planar scene" : "neither an STL nor an OBJ file",
-                             is_planar_ ? "terrain = { profile = ... }" : "a name that ends in .stl or .obj"});
+                             is_planar_ ? "a mesh cannot stand in a planar scene" : "neither an STL, OBJ nor VTP file",
+                             is_planar_ ? "terrain = { profile = ... }" : "a name that ends in .stl, .obj or .vtp"});
         return std::nullopt;
     }
-    const auto surface = read_surface(table, is_stl);
+    const auto surface = read_surface(table, reader);
     if (!surface) {
         return std::nullopt;
     }

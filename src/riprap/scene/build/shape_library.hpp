@@ -44,6 +44,9 @@ class ShapeLibrary {
     }
 
  private:
+    /// Reads the bytes of a file of this name; metres per unit of the file.
+    using SurfaceReader = geometry::Surface (*)(std::string_view bytes, const std::string& file, double scale);
+
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
     std::optional<std::vector<geometry::Polyhedron>> make_armour(const Value& table);
@@ -52,7 +55,7 @@ class ShapeLibrary {
     std::optional<std::vector<geometry::Polyhedron>> make_profile(const Value& table);
     std::optional<std::vector<geometry::Polyhedron>> make_mesh(const Value& table);
     /// A surface as its file has it, its notes among the warnings.
-    std::optional<geometry::Surface> read_surface(const Value& table, bool is_stl);
+    std::optional<geometry::Surface> read_surface(const Value& table, SurfaceReader reader);
     std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_random_hull(const Value& table);

@@ -129,11 +129,11 @@ const Table& mesh_table() {
         "have a motion. Bodies slide over inner edges as over a plane (docs/howto/surfaces.md).",
         {{"file",
           {path()},
-          "STL (.stl) or OBJ (.obj) file in the folder of the case; triangles wind counter-clockwise seen from "
-          "outside.",
+          "STL (.stl), OBJ (.obj) or ParaView (.vtp) file in the folder of the case; triangles wind "
+          "counter-clockwise seen from outside.",
           {},
           true},
-         {"units", {choice(length_units())}, "Unit of the numbers in the file; STL carries none.", {}, true},
+         {"units", {choice(length_units())}, "Unit of the numbers in the file, which carries none.", {}, true},
          {"scale", {number(dimension::plain, positive())}, "Further factor on all coordinates.", Value::of(1.0)},
          {"thickness",
           {length},

@@ -25,8 +25,9 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
 /// Bodies that forces can move and whose centres start outside of the domain of the water, in one line for all.
 void warn_of_bodies_outside(CaseBuild& build, const coupling::ParticleFluid& fluid);
 
-/// Driven bodies, paddles aside, that move out of the domain by more than a spacing, but through its top.
-void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& fluid);
+/// Driven bodies, paddles aside, that move out of the domain by more than a spacing; through its top only those that
+/// water lies on, for a gate is lifted out of it.
+void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& fluid, const std::vector<Vec3>& water);
 
 /// Fixed and driven bodies that water stands at and passes through.
 void warn_of_dry_walls(CaseBuild& build, const coupling::ParticleFluid& fluid, const std::vector<Vec3>& water);

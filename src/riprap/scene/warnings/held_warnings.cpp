@@ -37,7 +37,26 @@ struct Leaving {
     int side{-1};        ///< twice the axis, plus 1 for the high side
 };
 
-Leaving leaving_of(const CaseBuild& build, BodyId body, const fluid::Domain& domain) {
+/// Tells whether some water starts on a face of the body that looks up.
+bool carries_water(const CaseBuild& build, BodyId body, double spacing, const std::vector<Vec3>& water) {
+    const body::BodySet& bodies = build.model.bodies;
+    const auto b = static_cast<std::size_t>(body.value);
+    for (std::int32_t p = bodies.part_begin[b]; p < bodies.part_begin[b + 1]; ++p) {
+        const PlacedPart part = placed(build, bodies.parts[static_cast<std::size_t>(p)]);
+        const Vec3 up = rotate_back(part.pose.orientation, build.up());
+        if (std::any_of(water.begin(), water.end(), [&](const Vec3& x) {
+                const std::int32_t face = face_before(part, x, touching * spacing);
+                return face >= 0 && dot(part.shape.normal(face), up) > 0.5;
+            })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Leaving leaving_of(const CaseBuild& build, BodyId body, const coupling::ParticleFluid& fluid,
+                   const std::vector<Vec3>& water) {
+    const fluid::Domain& domain = fluid.settings().domain;
     const Vec3 up = build.up();
     constexpr std::int64_t most_looks = 400;
     const std::int64_t looks = std::min(most_looks, look_count(build.model.bodies, body, build.model.time.end));
@@ -45,7 +64,8 @@ Leaving leaving_of(const CaseBuild& build, BodyId body, const fluid::Domain& dom
     for (int side = 0; side < 2 * domain.dimension; ++side) {
         const int axis = side / 2;
         const double sign = side % 2 == 1 ? 1 : -1, end = side % 2 == 1 ? domain.high[axis] : domain.low[axis];
-        if (domain.is_periodic[static_cast<std::size_t>(axis)] || sign * up[axis] > 0.5) {
+        const bool is_gate = sign * up[axis] > 0.5 && !carries_water(build, body, fluid.settings().spacing, water);
+        if (domain.is_periodic[static_cast<std::size_t>(axis)] || is_gate) {
             continue;  // a gate is lifted out of the water
         }
         double at_start = 0;
@@ -70,7 +90,7 @@ bool is_paddle(const CaseBuild& build, BodyId body) {
 
 }  // namespace
 
-void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& fluid) {
+void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& fluid, const std::vector<Vec3>& water) {
     const body::BodySet& bodies = build.model.bodies;
     const fluid::Domain& domain = fluid.settings().domain;
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
@@ -80,7 +100,7 @@ void warn_of_driven_leaving(CaseBuild& build, const coupling::ParticleFluid& flu
         if (bodies.drive[i] != body::Drive::driven || fluid.is_dry[i] != 0 || !has_size || is_paddle(build, {b})) {
             continue;
         }
-        const Leaving leaving = leaving_of(build, {b}, domain);
+        const Leaving leaving = leaving_of(build, {b}, fluid, water);
         if (leaving.farthest > fluid.settings().spacing) {
             const int axis = leaving.side / 2;
             warn_at(
