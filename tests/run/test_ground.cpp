@@ -4,116 +4,38 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <functional>
-#include <memory>
 #include <string>
 
-#include "io/temporary_folder.hpp"
+#include "ground_case.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/io/vtp.hpp"
-#include "riprap/run/simulation.hpp"
 
 namespace riprap::run {
 namespace {
 
-/// A folder with the files of a case.
-class CaseFolder {
- public:
-    std::string path() const { return folder_.path().string(); }
-
-    /// Heights of a surface z(x, y) on points `pitch` apart from (x, y) = (-1, -1).
-    void write_heights(int columns, int rows, double pitch, const std::function<double(double, double)>& z) const {
-        std::ofstream file(folder_ / "bed.asc");
-        file << fmt::format("ncols {}\nnrows {}\nxllcenter -1\nyllcenter -1\ncellsize {}\n", columns, rows, pitch);
-        for (int j = rows - 1; j >= 0; --j) {
-            for (int i = 0; i < columns; ++i) {
-                file << fmt::format("{:.17g} ", z(-1 + pitch * i, -1 + pitch * j));
-            }
-            file << '\n';
-        }
-    }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-
- private:
-    TemporaryFolder folder_;
-};
-
-std::unique_ptr<Simulation> run(const CaseFolder& folder, const std::string& text) {
-    auto simulation = std::make_unique<Simulation>(scene::read_case_text(text, "case.toml", folder.path()));
-    while (simulation->steps_left() > 0) {
-        const StepOutcome outcome = simulation->step(sim::Measure::energy);
-        if (outcome.kind == StepOutcome::Kind::refused) {
-            throw std::runtime_error(outcome.reason);
-        }
-    }
-    return simulation;
-}
-
-Vec3 place_of_last(const std::unique_ptr<Simulation>& simulation) { return simulation->state().bodies.position.back(); }
-
-/// A block, or a ball, on a slope of 30 degrees: half a second of sliding.
-std::string slope(const std::string& ground, const std::string& block, const std::string& method = "") {
-    return fmt::format(R"(gravity = [0.0, 0.0, -9.81]
-end = 0.5
-{}
-[material.rock]
-density = 2500.0
-normal_stiffness = 1.0e7
-friction_angle_deg = 20.0
-damping_ratio = 0.1
-[[body]]
-name = "ground"
-material = "rock"
-fixed = true
-shape = {}
-[[body]]
-name = "block"
-material = "rock"
-orientation = {{ axis_angle = {{ axis = [0, 1, 0], angle_deg = 30 }} }}
-{}
-)",
-                       method, ground, block);
-}
-
-const double tangent = std::tan(M_PI / 6);
-const std::string box = "shape = { box = [0.5, 0.5, 0.25] }\nposition = [0.0625, 0.02, 0.1082531754730548]";
-const std::string plane = "{ half_space = { normal = [0.5, 0, 0.8660254037844386] } }";
-
 TEST(Ground, lets_a_block_slide_over_its_triangles_as_over_a_plane) {
     CaseFolder folder;
-    folder.write_heights(21, 13, 0.17, [](double x, double) { return -tangent * x; });
-    const Vec3 smooth = place_of_last(run(folder, slope(plane, box)));
-    const Vec3 rough = place_of_last(run(folder, slope("{ terrain = { file = 'bed.asc', thickness = 1 } }", box)));
-    const double way = norm(smooth - Vec3{0.0625, 0.02, 0.1082531754730548});
-    EXPECT_NEAR(way, 0.5 * 9.81 * (0.5 - tangent * 1.5 * std::tan(M_PI / 9)) * 0.25, 2e-3);
+    folder.write_heights(21, 13, 0.17, [](double x, double) { return -slope_tangent * x; });
+    const Vec3 smooth = place_of_last(run(folder, slope(slope_plane, slope_box)));
+    const Vec3 rough = place_of_last(run(folder, slope(slope_grid, slope_box)));
+    const double way = norm(smooth - slope_start);
+    EXPECT_NEAR(way, 0.5 * 9.81 * (0.5 - slope_tangent * 1.5 * std::tan(M_PI / 9)) * 0.25, 2e-3);
     EXPECT_LT(norm(rough - smooth), 1e-3 * way);
 }
 
 TEST(Ground, of_triangles_from_a_file_without_an_up_lets_a_block_slide_the_same_way) {
     CaseFolder folder;
-    std::string obj;
-    for (int i = 0; i < 12; ++i) {  // an uneven strip, its points askew in the plane
-        const double x = -1 + 0.21 * i + 0.05 * (i % 3);
-        obj += fmt::format("v {} -1 {}\nv {} {} {}\nv {} 1 {}\n", x, -tangent * x, x + 0.03, 0.1 * (i % 4),
-                           -tangent * (x + 0.03), x, -tangent * x);
-    }
-    for (int i = 0; i < 11; ++i) {
-        for (int k = 1; k <= 2; ++k) {
-            const int a = 3 * i + k;
-            obj += fmt::format("f {} {} {}\nf {} {} {}\n", a, a + 3, a + 4, a, a + 4, a + 1);
-        }
-    }
-    folder.write("bed.obj", obj);
-    const Vec3 smooth = place_of_last(run(folder, slope(plane, box)));
+    folder.write("bed.obj", slope_strip());
+    const Vec3 smooth = place_of_last(run(folder, slope(slope_plane, slope_box)));
     const Vec3 rough =
-        place_of_last(run(folder, slope("{ mesh = { file = 'bed.obj', units = 'm', thickness = 0.6 } }", box)));
-    EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth - Vec3{0.0625, 0.02, 0.1082531754730548}));
+        place_of_last(run(folder, slope("{ mesh = { file = 'bed.obj', units = 'm', thickness = 0.6 } }", slope_box)));
+    EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth - slope_start));
 }
 
 TEST(Ground, is_the_same_from_a_file_of_paraview_as_from_another) {
     const CaseFolder folder;
-    const std::vector<Vec3> corners{{-1, -1, tangent}, {2, -1, -2 * tangent}, {2, 1, -2 * tangent}, {-1, 1, tangent}};
+    const std::vector<Vec3> corners{
+        {-1, -1, slope_tangent}, {2, -1, -2 * slope_tangent}, {2, 1, -2 * slope_tangent}, {-1, 1, slope_tangent}};
     std::string obj;
     for (const Vec3& x : corners) {
         obj += fmt::format("v {:.17g} {:.17g} {:.17g}\n", x.x, x.y, x.z);
@@ -126,19 +48,19 @@ TEST(Ground, is_the_same_from_a_file_of_paraview_as_from_another) {
     folder.write("bed.vtp", io::encode_vtp(faces, 0));
     const auto place = [&](const std::string& file) {
         return place_of_last(
-            run(folder, slope("{ mesh = { file = '" + file + "', units = 'm', thickness = 0.6 } }", box)));
+            run(folder, slope("{ mesh = { file = '" + file + "', units = 'm', thickness = 0.6 } }", slope_box)));
     };
     EXPECT_EQ(place("bed.vtp"), place("bed.obj"));
 }
 
 TEST(Ground, lets_a_ball_roll_over_its_triangles_as_over_a_plane) {
     CaseFolder folder;
-    folder.write_heights(21, 13, 0.17, [](double x, double) { return -tangent * x; });
+    folder.write_heights(21, 13, 0.17, [](double x, double) { return -slope_tangent * x; });
     const std::string method = "[solid]\nmethod = 'sphere_dem'\nspheres = 'one'\nyoungs_modulus = 1e7\n";
     const double radius = std::cbrt(0.75 * 0.008 / M_PI);
     const std::string ball =
         fmt::format("shape = {{ cube = 0.2 }}\nposition = [{}, 0.02, {}]", 0.5 * radius, 0.8660254037844386 * radius);
-    const Vec3 smooth = place_of_last(run(folder, slope(plane, ball, method)));
+    const Vec3 smooth = place_of_last(run(folder, slope(slope_plane, ball, method)));
     const Vec3 rough = place_of_last(run(folder, slope("{ terrain = { file = 'bed.asc' } }", ball, method)));
     EXPECT_GT(norm(smooth), 0.3);
     EXPECT_LT(norm(rough - smooth), 1e-3 * norm(smooth));

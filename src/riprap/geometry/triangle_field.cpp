@@ -125,37 +125,51 @@ bool TriangleField::is_inside(const Vec3& x) const {
     return is_behind;
 }
 
-std::optional<SurfaceDistance> TriangleField::nearest(const Vec3& x, double reach) const {
+template <class Look>
+void TriangleField::visit_columns(const Place& here, double radius, const Look& look) const {
     if (mesh_.size() == 0) {
-        return std::nullopt;
+        return;
     }
-    const Place here = place(x);
     const double u_end = u0_ + cell_ * static_cast<double>(columns_), v_end = v0_ + cell_ * static_cast<double>(rows_);
-    if (here.u + reach < u0_ || here.v + reach < v0_ || here.u - reach > u_end || here.v - reach > v_end) {
-        return std::nullopt;
+    if (here.u + radius < u0_ || here.v + radius < v0_ || here.u - radius > u_end || here.v - radius > v_end) {
+        return;
     }
-    double least = reach * reach;
-    SurfaceDistance found{0, {}, -1};
-    Vec3 point{};
-    for (std::int64_t j = row(here.v - reach); j <= row(here.v + reach); ++j) {
-        for (std::int64_t i = column(here.u - reach); i <= column(here.u + reach); ++i) {
+    for (std::int64_t j = row(here.v - radius); j <= row(here.v + radius); ++j) {
+        for (std::int64_t i = column(here.u - radius); i <= column(here.u + radius); ++i) {
             const std::size_t cell = at(j * columns_ + i);
-            if (here.height - reach > high_[cell] || here.height + reach < low_[cell]) {
-                continue;
-            }
-            for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
-                const std::int32_t t = triangles_[at(k)];
-                const Vec3& a = mesh_.corner(t, 0);
-                const TrianglePoint on = nearest_on_triangle(a, mesh_.corner(t, 1), mesh_.corner(t, 2), x);
-                const double squared = norm_squared(x - on.point);
-                if (squared < least || (squared == least && found.triangle >= 0 && t < found.triangle)) {
-                    least = squared;
-                    found.triangle = t;
-                    point = on.point;
+            if (here.height - radius <= high_[cell] && here.height + radius >= low_[cell]) {
+                for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
+                    look(triangles_[at(k)]);
                 }
             }
         }
     }
+}
+
+void TriangleField::near(const Vec3& x, double radius, std::vector<std::int32_t>& found) const {
+    visit_columns(place(x), radius, [&](std::int32_t t) {
+        const TrianglePoint on = nearest_on_triangle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), x);
+        if (norm_squared(x - on.point) <= radius * radius) {
+            found.push_back(t);
+        }
+    });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+std::optional<SurfaceDistance> TriangleField::nearest(const Vec3& x, double reach) const {
+    double least = reach * reach;
+    SurfaceDistance found{0, {}, -1};
+    Vec3 point{};
+    visit_columns(place(x), reach, [&](std::int32_t t) {
+        const TrianglePoint on = nearest_on_triangle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), x);
+        const double squared = norm_squared(x - on.point);
+        if (squared < least || (squared == least && found.triangle >= 0 && t < found.triangle)) {
+            least = squared;
+            found.triangle = t;
+            point = on.point;
+        }
+    });
     if (found.triangle < 0) {
         return std::nullopt;
     }

@@ -30,6 +30,8 @@ class TriangleField {
     bool is_inside(const Vec3& x) const;
     /// Nothing where the surface is farther than `reach` [m].
     std::optional<SurfaceDistance> nearest(const Vec3& x, double reach) const;
+    /// Appends the triangles that come as near to x as `radius` [m], ascending.
+    void near(const Vec3& x, double radius, std::vector<std::int32_t>& found) const;
     const TriangleMesh& mesh() const { return mesh_; }
     std::size_t bytes() const;
 
@@ -38,6 +40,9 @@ class TriangleField {
         double u, v, height;
     };
     Place place(const Vec3& x) const { return {dot(x, u_), dot(x, v_), dot(x, up_)}; }
+    /// Calls look(triangle) for the triangles of every column that a ball about a place may meet, some more than once.
+    template <class Look>
+    void visit_columns(const Place& here, double radius, const Look& look) const;
     std::int64_t column(double u) const;
     std::int64_t row(double v) const;
     /// Height of the triangle at (u, v) where it covers that; sharing edges leave no gap.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "riprap/contact/narrowphase/touching_set.hpp"
 #include "riprap/core/index.hpp"
@@ -107,22 +108,36 @@ void add_polygon(const Sides& s, double slack, PlaneContacts& found) {
         polygon.count, [&](int i) { return polygon.corner[at(i)].point; }, found);
 }
 
-/// A half-space is a face without an end: every touching corner of the other body is a contact.
-void add_half_space(const Sides& s, PlaneContacts& found) {
+/// A half-space is a face without an end: every touching corner of the other body is a contact. Those inside of the
+/// outline of the touching ones may be the lowest, as of a roller, and have no share of its area.
+void add_half_space(const Sides& s, double tolerance, PlaneContacts& found) {
     const bool is_a_plane = s.a.is_half_space();
     const TouchingSet& set = is_a_plane ? s.set_b : s.set_a;
+    const PlacedHull& body = is_a_plane ? s.b : s.a;
     const Facing facing(is_a_plane ? s.a : s.b, is_a_plane ? s.n : -s.n);
-    for (int i = 0; i < set.count; ++i) {
-        const Vec3& x = is_a_plane ? s.corner_b(i) : s.corner_a(i);
+    const auto add_corner = [&](std::int32_t v) {
+        const Vec3& x = body.vertices[at(v)];
         const Vec3 foot = facing.along(s.n, x);
         if (is_a_plane) {
-            add(found, foot, x, key(2, -1, -1, s.id_b(i), -1));
+            add(found, foot, x, key(2, -1, -1, v, -1));
         } else {
-            add(found, x, foot, key(1, s.id_a(i), -1, -1, -1));
+            add(found, x, foot, key(1, v, -1, -1, -1));
         }
+    };
+    for (int i = 0; i < set.count; ++i) {
+        add_corner(set.vertex[at(i)]);
     }
     share_area(
         set.count, [&](int i) { return set.point[at(i)]; }, found);
+    const Vec3 outward = is_a_plane ? -s.n : s.n;
+    const double farthest = dot(outward, body.vertices[at(support_vertex(body, outward))]);
+    const auto outline = std::span(set.vertex).first(at(set.count));
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(body.vertices.size()); ++v) {
+        const bool touches = dot(outward, body.vertices[at(v)]) >= farthest - tolerance;
+        if (touches && std::find(outline.begin(), outline.end(), v) == outline.end()) {
+            add_corner(v);
+        }
+    }
     found.type = is_a_plane ? type_of(3, set.count) : type_of(set.count, 3);
 }
 
@@ -211,7 +226,7 @@ void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonP
         sides.set_b = touching_set(b, -n, tolerance, axes);
     }
     if (a.is_half_space() || b.is_half_space()) {
-        add_half_space(sides, found);
+        add_half_space(sides, tolerance, found);
         return;
     }
     const double slack = 1e-9 * (norm(b.centre - a.centre) + tolerance) + 1e-6 * tolerance;

@@ -8,6 +8,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/affine/ground_contacts.hpp"
 
 namespace riprap::solid::affine {
 
@@ -52,6 +53,20 @@ double size_of(const contact::PlacedHull& hull) {
         square = std::max(square, norm_squared(x - hull.centre));
     }
     return std::sqrt(square);
+}
+
+/// Appends the contact points of one pair with ground.
+void find_in_ground_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
+                         const contact::PartPair& pair, const BlockContactHistory& history, RowsOfPairs& rows,
+                         double reach, NearGround& near, std::vector<BlockContact>& found) {
+    const bool is_first = system.shape_of(pair.a).is_ground();
+    const std::int32_t ground = is_first ? pair.a : pair.b, block = is_first ? pair.b : pair.a;
+    const Surface& surface = system.surface_of(pair.a, pair.b);
+    const auto [begin, end] = rows.of(pair);
+    find_on_ground({system.shape_of(ground).ground.get(), state.position[at(ground)],
+                    rows_at(state.deformation, at(ground)), placed.hull(system, state, block), pair, is_first,
+                    surface.is_per_area || surface.cohesion > 0 || surface.tension > 0},
+                   history, begin, end, reach, near, found);
 }
 
 /// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
@@ -154,27 +169,35 @@ void ContactFinder::find_pairs(const BlockSystem& system, const BlockState& stat
     if (cache_.rebuild_count() != before) {
         pairs_.assign(cache_.pairs().begin(), cache_.pairs().end());
         std::erase_if(pairs_, [&](const contact::PartPair& p) {
-            return system.shape_of(p.a).is_half_space() || system.shape_of(p.b).is_half_space();
+            return !system.shape_of(p.a).is_convex() || !system.shape_of(p.b).is_convex();
         });
-        add_half_spaces(system, state, reach);
+        add_unbounded(system);
         separating_.assign(pairs_.size(), Vec3{});
     }
 }
 
-void ContactFinder::add_half_spaces(const BlockSystem& system, const BlockState&, double) {
+void ContactFinder::add_unbounded(const BlockSystem& system) {
     const std::size_t found = pairs_.size();
     for (std::int32_t plane = 0; plane < system.size(); ++plane) {
-        if (!system.shape_of(plane).is_half_space()) {
+        if (system.shape_of(plane).is_convex()) {
             continue;
         }
         for (std::int32_t block = 0; block < system.size(); ++block) {
-            if (system.is_fixed[at(block)] == 0) {
+            if (system.is_fixed[at(block)] == 0 && system.shape_of(block).is_convex()) {
                 pairs_.push_back({std::min(plane, block), std::max(plane, block)});
             }
         }
     }
     if (pairs_.size() > found) {
         std::sort(pairs_.begin(), pairs_.end());
+    }
+    near_.clear();
+    near_of_pair_.assign(pairs_.size(), -1);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (system.shape_of(pairs_[p].a).is_ground() || system.shape_of(pairs_[p].b).is_ground()) {
+            near_of_pair_[p] = static_cast<std::int32_t>(near_.size());
+            near_.emplace_back();
+        }
     }
 }
 
@@ -190,7 +213,12 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
         RowsOfPairs rows(history, pairs_[at(begin)]);
         for (std::int64_t p = begin; p < end; ++p) {
             const contact::PartPair pair = pairs_[at(p)];
-            if (!system.shape_of(pair.a).is_half_space() && !system.shape_of(pair.b).is_half_space()) {
+            if (near_of_pair_[at(p)] >= 0) {
+                find_in_ground_pair(system, state, placed, pair, history, rows, reach, near_[at(near_of_pair_[at(p)])],
+                                    chunk);
+                continue;
+            }
+            if (system.shape_of(pair.a).is_convex() && system.shape_of(pair.b).is_convex()) {
                 const double apart = norm(state.position[at(pair.a)] - state.position[at(pair.b)]);
                 if (apart > radius_[at(pair.a)] + radius_[at(pair.b)]) {
                     continue;

@@ -79,11 +79,11 @@ std::int32_t add_block(BlockSystem& system, BlockState& state, const NewBlock& b
     const double density = system.materials[at(block.material)].density;
     system.shape.push_back(block.shape);
     system.material.push_back(block.material);
-    system.is_fixed.push_back(block.is_fixed || shape.is_half_space() ? 1 : 0);
+    system.is_fixed.push_back(block.is_fixed || !shape.is_convex() ? 1 : 0);
     system.mass.push_back(density * shape.volume);
     system.inertia.push_back(density * shape.second_moment);
     system.vertex_begin.push_back(system.vertex_begin.back() + static_cast<std::int32_t>(shape.vertices.size()));
-    system.face_begin.push_back(system.face_begin.back() + (shape.is_half_space() ? 1 : shape.topology.face_count()));
+    system.face_begin.push_back(system.face_begin.back() + shape.face_count());
     state.position.push_back(block.position);
     state.velocity.push_back(block.velocity);
     const Mat3 spin = cross_matrix(block.spin), zero{};
@@ -132,13 +132,16 @@ void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBloc
     parallel::for_each_uneven(system.size(), 64, [&](std::int64_t i) {
         const auto b = at(i);
         const Shape& shape = system.shapes[at(system.shape[b])];
-        Vec3* const normals = &placed.normals[at(system.face_begin[b])];
+        Vec3* const normals = placed.normals.data() + system.face_begin[b];
+        if (shape.is_ground()) {
+            return;
+        }
         if (shape.is_half_space()) {
             normals[0] = placed_normal(shape, state, static_cast<std::int32_t>(i));
             return;
         }
         const Mat3 f = rows_at(state.deformation, b);
-        Vec3* const vertices = &placed.vertices[at(system.vertex_begin[b])];
+        Vec3* const vertices = placed.vertices.data() + system.vertex_begin[b];
         for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
             vertices[v] = state.position[b] + f * shape.vertices[v];
         }

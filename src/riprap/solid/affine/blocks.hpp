@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,17 +20,23 @@
 
 namespace riprap::solid::affine {
 
-/// A convex shape with its integrals, about its centroid.
+struct Ground;
+
+/// A convex shape with its integrals, about its centroid; or a half-space, or ground, which have none.
 struct Shape {
     contact::HullTopology topology;
-    std::vector<Vec3> vertices;  ///< [m]; empty for a half-space
-    double volume{0};            ///< V0 [m^3]
-    Mat3 second_moment;          ///< integral of X X^T dV [m^5]
-    double circumradius{0};      ///< [m]
-    double size{0};              ///< cube root of the volume [m]
-    Vec3 plane_normal{};         ///< of a half-space { x : normal . x <= offset }
-    double plane_offset{0};      ///< [m]
-    bool is_half_space() const { return vertices.empty(); }
+    std::vector<Vec3> vertices;            ///< [m]; of convex polyhedra alone
+    double volume{0};                      ///< V0 [m^3]
+    Mat3 second_moment;                    ///< integral of X X^T dV [m^5]
+    double circumradius{0};                ///< [m]
+    double size{0};                        ///< cube root of the volume [m]
+    Vec3 plane_normal{};                   ///< of a half-space { x : normal . x <= offset }
+    double plane_offset{0};                ///< [m]
+    std::shared_ptr<const Ground> ground;  ///< of ground
+    bool is_convex() const { return !vertices.empty(); }
+    bool is_ground() const { return ground != nullptr; }
+    bool is_half_space() const { return !is_convex() && !is_ground(); }
+    std::int32_t face_count() const { return is_convex() ? topology.face_count() : is_half_space() ? 1 : 0; }
 };
 
 /// Linear elastic rock.

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
+#include "riprap/body/ground.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/affine/ground.hpp"
 
 namespace riprap::solid::affine {
 
@@ -37,7 +40,28 @@ Surface surface_of(const material::PairProperties& pair, const Elasticity& elast
             pair.damping_ratio};
 }
 
-std::int32_t shape_of_body(const SolidScene& scene, const body::Part& part, BlockSystem& system) {
+/// The surface of ground; that of a planar scene reaches beyond the blocks to both sides, which are as thick as it is.
+geometry::TriangleField surface_of_ground(const SolidScene& scene, BodyId body) {
+    geometry::TriangleField field = ground_field(scene.bodies, scene.shapes, body);
+    if (!scene.bodies.is_planar) {
+        return field;
+    }
+    geometry::TriangleMesh mesh = field.mesh();
+    for (Vec3& x : mesh.points) {
+        x.z *= 2;
+    }
+    return {std::move(mesh), {0, 1, 0}};
+}
+
+std::int32_t part_count(const body::BodySet& bodies, std::int32_t b) {
+    return bodies.part_begin[at(b) + 1] - bodies.part_begin[at(b)];
+}
+
+std::int32_t shape_of_body(const SolidScene& scene, std::int32_t b, BlockSystem& system) {
+    if (is_ground(scene.bodies, scene.shapes, BodyId{b})) {
+        return add_ground(system, surface_of_ground(scene, BodyId{b}));
+    }
+    const body::Part& part = scene.bodies.parts[at(scene.bodies.part_begin[at(b)])];
     if (scene.shapes.is_half_space(part.shape)) {
         const geometry::ConvexView view = scene.shapes.view(part.shape);
         const Vec3 normal = rotate(part.local.orientation, view.normal(0));
@@ -51,7 +75,7 @@ std::int32_t shape_of_body(const SolidScene& scene, const body::Part& part, Bloc
 std::vector<SceneProblem> scene_problems(const SolidScene& scene) {
     std::vector<SceneProblem> problems;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
-        if (scene.bodies.part_begin[at(b) + 1] - scene.bodies.part_begin[at(b)] != 1) {
+        if (part_count(scene.bodies, b) != 1 && !is_ground(scene.bodies, scene.shapes, BodyId{b})) {
             problems.push_back({BodyId{b}, fmt::format("'{}' has several parts", scene.bodies.name(BodyId{b})),
                                 "one convex polyhedron, as a deformable block is"});
         }
@@ -77,7 +101,7 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
     BlockState unused;
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         NewBlock block;
-        block.shape = shape_of_body(scene, bodies.parts[at(bodies.part_begin[at(b)])], system);
+        block.shape = shape_of_body(scene, b, system);
         block.material = bodies.material[at(b)].value;
         add_block(system, unused, block);
     }

@@ -18,7 +18,7 @@ struct Elasticity {
     double contact_stiffness{1e8};  ///< k_n of a contact point [N/m]; k_s by the shear ratio of the pair
 };
 
-/// Returns the bodies that no block can be made of: those of several parts.
+/// Returns the bodies that no block can be made of: those of several parts that are no ground.
 std::vector<SceneProblem> scene_problems(const SolidScene& scene);
 
 /// Blocks for the bodies of a scene: shapes in the axes of the body, densities, pair properties.

@@ -20,7 +20,7 @@ double smallest_size(const BlockSystem& system) {
     double size = std::numeric_limits<double>::infinity();
     for (std::int32_t b = 0; b < system.size(); ++b) {
         const Shape& shape = system.shape_of(b);
-        size = shape.is_half_space() ? size : std::min(size, shape.size);
+        size = shape.is_convex() ? std::min(size, shape.size) : size;
     }
     return std::isfinite(size) ? size : 1;
 }
@@ -47,7 +47,7 @@ std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockSt
 double tearing_gap(const BlockSystem& system) {
     double radius = 0, gap = 0;
     for (const Shape& shape : system.shapes) {
-        radius = std::max(radius, shape.is_half_space() ? 0 : shape.circumradius);
+        radius = std::max(radius, shape.is_convex() ? shape.circumradius : 0);
     }
     for (const Surface& surface : system.surfaces) {
         const double area = surface.is_per_area ? 1 : 4 * radius * radius;

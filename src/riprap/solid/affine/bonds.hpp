@@ -14,7 +14,7 @@ namespace riprap::solid::affine {
 /// Gap up to which faces count as touching, over the smallest block [-].
 constexpr double bond_tolerance = 1e-4;
 
-/// Returns the edge of the smallest block that is no half-space, the cube root of its volume; 1 where there is none
+/// Returns the edge of the smallest block that is convex, the cube root of its volume; 1 where there is none
 /// [m].
 double smallest_size(const BlockSystem& system);
 

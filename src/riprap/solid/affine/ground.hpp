@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/geometry/surface_features.hpp"
+#include "riprap/geometry/triangle_field.hpp"
+#include "riprap/solid/affine/blocks.hpp"
+
+namespace riprap::solid::affine {
+
+/// A surface of triangles that blocks meet, in the frame of its body: Model.
+struct Ground {
+    geometry::TriangleField field;       ///< its triangles, and which are near a place
+    geometry::SurfaceFeatures features;  ///< edges, points and cells
+
+    explicit Ground(geometry::TriangleField surface) : field(std::move(surface)), features(field.mesh()) {}
+};
+
+/// Adds ground as a shape. A block of it is never moved by loads.
+std::int32_t add_ground(BlockSystem& system, geometry::TriangleField surface);
+
+}  // namespace riprap::solid::affine
