@@ -55,8 +55,9 @@ function linkFrom(file, href) {
 
 /** Formulas between $ and $$, outside of code. */
 const mathematics = {
-  extensions: [['block', /^\$\$([\s\S]+?)\$\$/, true], ['inline', /^\$([^$\s](?:[^$]*[^$\s\\])?)\$(?!\d)/, false]].map(([level, rule, isDisplay]) => ({
-    name: `formula-${level}`, level, start: source => source.indexOf('$'),
+  // A paragraph ends where a block may start: at a line that begins with $$, not at a formula within it.
+  extensions: [['block', /^\$\$([\s\S]+?)\$\$/, true, '\n$$'], ['inline', /^\$([^$\s](?:[^$]*[^$\s\\])?)\$(?!\d)/, false, '$']].map(([level, rule, isDisplay, begin]) => ({
+    name: `formula-${level}`, level, start: source => source.indexOf(begin),
     tokenizer: source => {
       const match = rule.exec(source);
       return match ? {type: `formula-${level}`, raw: match[0], formula: match[1]} : undefined;
@@ -84,17 +85,17 @@ function render(file, text) {
 function navigation(file) {
   const to = other => escaped(relative(dirname(file), target(other)));
   const gallery = galleryFile ? `<a href="${escaped(relative(dirname(file), 'gallery.html'))}">Gallery</a>` : '';
-  return `<nav>${gallery}` + sections.map(([name, files]) => {
+  return `<nav><details class="menu" open><summary>Contents</summary>${gallery}` + sections.map(([name, files]) => {
     const isOpen = files.includes(file) || name === 'Start' || name === 'How to';
     return `<details${isOpen ? ' open' : ''}><summary>${name}</summary>` + files.map(other =>
       `<a href="${to(other)}"${other === file ? ' aria-current="page"' : ''}>${escaped(titles.get(other))}</a>`).join('') + '</details>';
-  }).join('') + '</nav>';
+  }).join('') + '</details></nav>';
 }
 
 const frame = (file, title, html) => `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>${escaped(title)}</title><link rel="stylesheet" href="${escaped(relative(dirname(file), 'style.css'))}"></head>
-<body>${navigation(file)}<main>${html}</main></body></html>
+<body>${navigation(file)}<script>if (innerWidth <= 800) document.querySelector('.menu').open = false;</script><main>${html}</main></body></html>
 `;
 
 function write(file, text) {
