@@ -231,5 +231,17 @@ TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
 }
 
+TEST(DdaFiles, ATextThatEndsEarlyIsToldOnce) {
+    try {
+        read_dda_geometry("0.01\n3 3 0", "short.geo");
+        FAIL() << "a text without joints";
+    } catch (const CaseError& error) {
+        ASSERT_EQ(error.problems().size(), 1u);
+        EXPECT_NE(to_string(error.problems()[0]).find("short.geo:2:6: the text ends before the number of bolts"),
+                  std::string::npos)
+            << to_string(error.problems()[0]);
+    }
+}
+
 }  // namespace
 }  // namespace riprap::geometry

@@ -23,7 +23,8 @@ TEST(Cholmod, conjugate_gradients_find_what_its_factors_find) {
     BlockJacobi<12> jacobi;
     ASSERT_TRUE(jacobi.set_up(a).is_ready());
     PcgScratch scratch;
-    EXPECT_TRUE(solve_pcg(a, jacobi, b, by_iteration, {1e-13, 0, 5000}, scratch).is_converged());
+    // Rounding of A x leaves 3e-13 to either: |x| is 138 times as large as |b|, |A| some tens.
+    EXPECT_TRUE(solve_pcg(a, jacobi, b, by_iteration, {1e-12, 0, 5000}, scratch).is_converged());
     double size = 0, off = 0;
     for (std::size_t k = 0; k < b.size(); ++k) {
         size = std::max(size, std::abs(by_factors[k]));

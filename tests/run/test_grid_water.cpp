@@ -214,6 +214,46 @@ TEST(GridWater, that_does_not_feel_bodies_presses_a_deformable_block_as_still_wa
     EXPECT_NEAR(walk.value("box.position.y"), 0.2, 1e-9);
 }
 
+TEST(GridWater, that_does_not_feel_bodies_presses_blocks_in_space_as_still_water_does) {
+    const std::string scene = R"(
+gravity = [0.0, 0.0, -9.81]
+end = 10.0
+[material.rock]
+density = 1000.0
+normal_stiffness = 1.0e6
+[[body]]
+name = "box"
+material = "rock"
+shape = { box = [0.26, 0.24, 0.2] }
+position = [0.3, 0.3, 0.2]
+[fluid]
+method = "grid"
+coupling = "one_way"
+spacing = 0.06
+domain = { low = [0.0, 0.0, 0.0], high = [0.6, 0.6, 0.6] }
+[[fluid.region]]
+box = { low = [0.0, 0.0, 0.0], high = [0.6, 0.6, 0.4] }
+[output]
+ledger_tolerance = 0.9
+[solid]
+youngs_modulus = "10 MPa"
+contact_stiffness = 1e6
+)";
+    for (const std::string more :
+         {"method = \"implicit_dda\"\nstep = \"5 ms\"\n", "method = \"explicit_dda\"\nmass_damping = 500.0\n"}) {
+        Walk walk(scene + more);
+        while (walk.simulation.state().time < 0.1) {
+            walk.go(walk.simulation.state().step + 1);
+        }
+        EXPECT_NEAR(walk.value("box.fluid_force.z"), 9810 * 0.26 * 0.24 * 0.2, 1e-6 * 122);
+        const double pressure = 9810 * (0.4 - 0.2);
+        for (const char* stress : {"box.stress_xx", "box.stress_yy", "box.stress_zz"}) {
+            EXPECT_NEAR(walk.value(stress), -pressure, 0.01 * pressure) << stress << more;
+        }
+        EXPECT_NEAR(walk.value("box.position.z"), 0.2, 1e-6);
+    }
+}
+
 TEST(GridWater, pressure_iterations_of_a_step_are_a_quantity) {
     Walk walk(floating_box(0.45, 500));
     walk.go(3);

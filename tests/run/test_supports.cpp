@@ -171,5 +171,59 @@ TEST(Supports, ABondHoldsItsTensileStrengthAndNoMore) {
     EXPECT_GT(value(run_case(glued(0.95 * weight), 100, dynamic), "block.distance"), 0.1);
 }
 
+/// A block of 1 m a side, 25 kN/m, bonded to what is fixed above or below it while gravity grows in half a second.
+std::string bonded_block(const std::string& method, bool hangs, const std::string& gravity, const std::string& bond) {
+    const bool is_planar = method == "planar_dda";
+    const auto vec = [is_planar](const std::string& x, const std::string& up) {
+        return is_planar ? "[" + x + ", " + up + "]" : "[" + x + ", 0.0, " + up + "]";
+    };
+    const std::string box = is_planar ? "{ box = [1.0, 1.0] }" : "{ cube = 1.0 }";
+    return (is_planar ? "dimension = 2\n" : "") + ("gravity = { value = " + vec(gravity, "-10.0")) +
+           ", ramp = 0.5 }\nend = 10.0\n[material.rock]\ndensity = 2500.0\nnormal_stiffness = 1.0e7\n" +
+           "shear_ratio = 0.5\n[[contact.pair]]\nmaterials = [\"rock\", \"rock\"]\n" + bond + "[solid]\nmethod = \"" +
+           method + "\"\nyoungs_modulus = 1.0e9\ncontact_stiffness = 1.0e8\n" +
+           (method == "explicit_dda" ? "" : "step = 0.001\n") +
+           "[[body]]\nname = \"block\"\nmaterial = \"rock\"\nshape = " + box + "\nposition = " + vec("0.0", "0.0") +
+           "\n[[body]]\nname = \"rock\"\nmaterial = \"rock\"\nfixed = true\nshape = " + box +
+           "\nposition = " + vec("0.0", hangs ? "1.0" : "-1.0") + "\n";
+}
+
+class Bonds : public ::testing::TestWithParam<const char*> {
+ protected:
+    /// Runs until the block has left its place, at most two thirds of a second.
+    static std::unique_ptr<Simulation> run_until_broken(const std::string& text) {
+        auto simulation = std::make_unique<Simulation>(scene::read_case_text(text, "case.toml", "/nonexistent", {}));
+        while (simulation->state().time < 0.66 && value(simulation, "block.distance") < 0.01) {
+            if (const StepOutcome outcome = simulation->step(sim::Measure::energy); !outcome.is_accepted()) {
+                throw std::runtime_error(outcome.reason);
+            }
+        }
+        return simulation;
+    }
+    static double points() { return std::string(GetParam()) == "planar_dda" ? 2 : 4; }
+};
+
+TEST_P(Bonds, ThatTearGiveUpTheEnergyOfTheirNormalSprings) {
+    const double strength = 0.9 * weight, held = strength * strength / (2 * points() * 1e8);
+    const auto run = run_until_broken(bonded_block(
+        GetParam(), true, "0.0", "tensile_strength = " + std::to_string(strength) + "\ncohesion = 1.0e6\n"));
+    EXPECT_GT(value(run, "block.distance"), 0.01);
+    EXPECT_NEAR(value(run, "solid.bonds"), held, 0.015 * held);
+    EXPECT_LT(std::abs(value(run, "energy_residual")), 0.05 * held);
+}
+
+TEST_P(Bonds, ThatShearGiveUpTheEnergyOfTheirShearSprings) {
+    const double strength = 0.8 * 0.5 * weight, held = strength * strength / (2 * points() * 0.5e8);
+    const auto run = run_until_broken(bonded_block(
+        GetParam(), false, "5.0", "tensile_strength = 1.0e6\ncohesion = " + std::to_string(strength) + "\n"));
+    EXPECT_GT(value(run, "block.distance"), 0.01);
+    EXPECT_NEAR(value(run, "solid.bonds"), held, 0.015 * held);
+    // an implicit step that breaks a bond slides against its strength to the end
+    EXPECT_LT(value(run, "solid.friction"), 0.15 * held);
+    EXPECT_LT(std::abs(value(run, "energy_residual")), 0.05 * held);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Bonds, ::testing::Values("planar_dda", "implicit_dda", "explicit_dda"));
+
 }  // namespace
 }  // namespace riprap::run

@@ -36,7 +36,7 @@ struct Scene {
     }
     void add(const Vec3& place, ShapeId shape, body::Drive drive) {
         body::NewBody block;
-        block.name = "block";
+        block.name = "block " + std::to_string(bodies.size());
         block.material = MaterialId{0};
         block.density = 2000;
         block.drive = drive;
@@ -44,12 +44,16 @@ struct Scene {
         block.parts = {{BodyId{}, shape, Pose{}}};
         add_body(bodies, state, shapes, block);
     }
-    SolidReport step(double dt, const body::LoadView& loads = {}) {
+    Outcome advance(double dt, const body::LoadView& loads, SolidReport& report) {
         const SolidScene scene{shapes, materials, bodies, gravity, {}};
         ExplicitDda method(scene, settings, {state, contacts, previous_dt}, fields, scratch);
-        SolidReport report;
-        EXPECT_EQ(method.advance({time, dt}, loads, Measure::energy, report).problem, "");
+        const Outcome outcome = method.advance({time, dt}, loads, Measure::energy, report);
         time += dt;
+        return outcome;
+    }
+    SolidReport step(double dt, const body::LoadView& loads = {}) {
+        SolidReport report;
+        EXPECT_EQ(advance(dt, loads, report).problem, "");
         return report;
     }
 };
@@ -95,6 +99,20 @@ TEST(ExplicitDdaMethod, pull_strains_a_body) {
     }
     EXPECT_GT(scene.state.stretch[3].xx, 1 + 1e-4);
     EXPECT_EQ(scene.state.stretch[2].xx, 1);
+}
+
+TEST(ExplicitDdaMethod, a_block_that_is_torn_apart_is_named) {
+    Scene scene;
+    const std::vector<Vec3> none(4);
+    std::vector<Sym3> pull(4);
+    pull[3].xx = 1e12;
+    Outcome outcome;
+    for (int i = 0; i < 100 && outcome.ok(); ++i) {
+        SolidReport report;
+        outcome = scene.advance(1e-4, {none, none, pull}, report);
+    }
+    EXPECT_EQ(outcome.problem.rfind("'block 3' is strained to ", 0), 0U) << outcome.problem;
+    EXPECT_GT(outcome.shorten, 0);
 }
 
 TEST(ExplicitDdaMethod, the_same_bits_with_two_threads_and_from_a_fresh_scratch) {

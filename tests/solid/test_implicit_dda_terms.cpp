@@ -55,6 +55,31 @@ TEST(BlockTerms, loads_as_force_and_dipole_are_loads_at_points) {
     }
 }
 
+TEST(BlockTerms, pressure_split_to_the_corners_of_a_face_is_pressure_at_its_places) {
+    // A face of 2 x 3 m in the y-z plane, 4 x 5 cells of fluid, bilinear shares of each corner [Ding2021, eq. 7.4]. T
+    // is linear in place, so the shares do what the force does where it acts.
+    const Vec3 low{0.7, -1.2, -0.9};
+    const double width = 2, height = 3;
+    Vector12 at_corners{}, at_cells{};
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 5; ++j) {
+            const double y = (i + 0.5) / 4, z = (j + 0.5) / 5;
+            const Vec3 force{-(1000.0 + 300 * i - 170 * j * j), 0, 0};
+            add_force(displacement_matrix(low + Vec3{0, width * y, height * z}), force, at_cells.data());
+            for (const double a : {0.0, 1.0}) {
+                for (const double b : {0.0, 1.0}) {
+                    const double share = (a > 0 ? y : 1 - y) * (b > 0 ? z : 1 - z);
+                    add_force(displacement_matrix(low + Vec3{0, width * a, height * b}), share * force,
+                              at_corners.data());
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_NEAR(at_corners[i], at_cells[i], 1e-13 * std::abs(at_cells[0])) << i;
+    }
+}
+
 TEST(BlockTerms, the_inertia_matrix_is_the_integral_of_its_definition) {
     // J = rho sum over a fine lattice of T^T T, and the closed forms of the source.
     const Mat3 s{{{2, 0.3, -0.2}, {0.3, 3, 0.4}, {-0.2, 0.4, 5}}};

@@ -29,8 +29,9 @@ class Numbers {
         if (value && std::isfinite(*value)) {
             return *value;
         }
-        report(word, word.is_empty() ? fmt::format("the text ends before {}", what)
-                                     : fmt::format("{} is {}, not a finite number", what, quote(word.text)));
+        if (!has_ended(word, what)) {
+            report(word, fmt::format("{} is {}, not a finite number", what, quote(word.text)));
+        }
         return 0;
     }
     std::int64_t count(const Word& word, const char* what) {
@@ -38,8 +39,10 @@ class Numbers {
         if (value && *value >= 0 && *value <= most_entries) {
             return *value;
         }
-        report(word, fmt::format("{} is {}", what, word.is_empty() ? "missing" : quote(word.text)),
-               fmt::format("an integer from 0 to {}", most_entries));
+        if (!has_ended(word, what)) {
+            report(word, fmt::format("{} is {}", what, quote(word.text)),
+                   fmt::format("an integer from 0 to {}", most_entries));
+        }
         return 0;
     }
     void report(const Word& word, std::string message, std::string allowed = {}) {
@@ -70,8 +73,18 @@ class Numbers {
     }
 
  private:
+    /// Tells whether the text has no more words; reports that at the first one that is missing.
+    bool has_ended(const Word& word, const char* what) {
+        if (word.is_empty() && !is_end_told_) {
+            report(word, fmt::format("the text ends before {}", what));
+            is_end_told_ = true;
+        }
+        return word.is_empty();
+    }
+
     const std::string& file_;
     ProblemList& problems_;
+    bool is_end_told_{false};
 };
 
 bool has_flag(const MarkupElement& element, std::string_view key, std::string_view wanted) {

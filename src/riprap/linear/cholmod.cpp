@@ -21,6 +21,8 @@ struct Session {
     Session() {
         cholmod_start(&common);
         common.print = 0;
+        common.final_ll = 1;  // factors L D L^T of small matrices would take negative pivots too
+        common.quick_return_if_not_posdef = 1;
     }
     ~Session() { cholmod_finish(&common); }
     Session(const Session&) = delete;

@@ -48,7 +48,7 @@ TEST(Penalty, sliding_holds_the_limit_and_takes_the_work_of_the_slip_lost) {
     EXPECT_DOUBLE_EQ(answer.friction_loss, 10 * 0.2);
 }
 
-TEST(Penalty, cohesion_holds_until_the_first_slip) {
+TEST(Penalty, cohesion_holds_until_the_first_slip_which_takes_the_energy_of_the_bond) {
     PenaltySprings bonded = springs;
     bonded.cohesion = 5;
     PenaltyMotion motion = pressed(0.2, {0.25, 0, 0});
@@ -58,7 +58,12 @@ TEST(Penalty, cohesion_holds_until_the_first_slip) {
     const PenaltyAnswer broken = penalty(bonded, motion);
     EXPECT_TRUE(broken.is_sliding);
     EXPECT_FALSE(broken.is_intact);
-    EXPECT_DOUBLE_EQ(broken.force.x, -15);
+    EXPECT_DOUBLE_EQ(broken.force.x, -10);
+    EXPECT_DOUBLE_EQ(broken.slip.x, 0.2);
+    EXPECT_DOUBLE_EQ(broken.friction_loss, 0.5 * 50 * (0.35 * 0.35 - 0.2 * 0.2));
+    bonded.tension = 5;
+    motion.gap = 0.01;
+    EXPECT_TRUE(penalty(bonded, motion).is_open);
 }
 
 TEST(Penalty, a_dashpot_never_pulls) {

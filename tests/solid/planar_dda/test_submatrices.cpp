@@ -232,5 +232,24 @@ TEST(PlanarDdaSubmatrices, ALoadWorksByItsForceTorqueAndPull) {
     EXPECT_NEAR(dot(force_at(r, f), d), dot(f, displacement_at(r, d)), 1e-15);
 }
 
+TEST(PlanarDdaSubmatrices, PressureSplitToTheCornersOfAnEdgeIsPressureAtItsPlaces) {
+    // The share of a corner is that of the distance to the other one [Ding2021, eq. 3.27].
+    const Vec2 first{0.4, -1.1}, second{-0.8, 0.7}, normal{-0.6, 0.8};
+    Unknowns at_corners{}, at_nodes{};
+    for (int i = 0; i < 7; ++i) {
+        const double share = (i + 0.5) / 7;
+        const Vec2 force = (1000.0 + 300 * i * i) * normal;
+        const Unknowns node = force_at(first + share * (second - first), force);
+        const Unknowns one = force_at(first, (1 - share) * force), other = force_at(second, share * force);
+        for (std::size_t k = 0; k < 6; ++k) {
+            at_nodes[k] += node[k];
+            at_corners[k] += one[k] + other[k];
+        }
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+        EXPECT_NEAR(at_corners[k], at_nodes[k], 1e-13 * std::abs(at_nodes[1])) << k;
+    }
+}
+
 }  // namespace
 }  // namespace riprap::solid::planar_dda

@@ -29,9 +29,17 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
     answer.is_intact = motion.is_intact && !answer.is_sliding;
     Vec3 shear{};
     if (answer.is_sliding) {
-        answer.slip = (limit / size) * trial;
+        if (motion.is_intact && motion.gap > 0) {
+            answer = {};
+            answer.is_open = true;
+            return answer;
+        }
+        const double friction = motion.is_intact ? answer.normal_force * springs.friction : limit;
+        answer.slip = (friction / size) * trial;
         shear = -springs.shear_stiffness * answer.slip;
-        answer.friction_loss = limit * (norm(trial) - norm(answer.slip));
+        answer.friction_loss = motion.is_intact
+                                   ? 0.5 * springs.shear_stiffness * (norm_squared(trial) - norm_squared(answer.slip))
+                                   : friction * (norm(trial) - norm(answer.slip));
     } else {
         answer.slip = trial;
         const Vec3 elastic_shear = -springs.shear_stiffness * trial;

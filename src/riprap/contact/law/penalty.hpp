@@ -35,7 +35,8 @@ struct PenaltyAnswer {
     bool is_sliding{false};
     bool is_intact{false};
     double energy{0};         ///< stored in both springs [J]
-    double friction_loss{0};  ///< dissipated by sliding since the last evaluation [J]
+    double friction_loss{0};  ///< taken by sliding since the last evaluation; of a bond that this slip has broken: what
+                              ///< its shear spring gives up [J]
     double dashpot_power{0};  ///< taken by the dashpots now [W]
 };
 
@@ -44,9 +45,10 @@ struct PenaltyAnswer {
 ///     f_n = -k_n g + c_n v.n,  at least 0 (or minus the tensile strength while intact),
 ///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= f_n tan phi + C,
 ///
-/// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, friction takes
-/// limit times the slip lost, and cohesion C and tension are lost for good. Stiffness per area with the area of the
-/// point makes it the soft contact of [Ding2021, eq. 2.10].
+/// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, and friction takes
+/// limit times the slip lost. A bond that slides breaks: cohesion C and tension are lost for good and t is shortened to
+/// f_n tan phi/k_s; one that is apart opens. Stiffness per area with the area of the point makes it the soft contact of
+/// [Ding2021, eq. 2.10].
 PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion);
 
 }  // namespace riprap::contact

@@ -81,4 +81,12 @@ std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, 
     return left;
 }
 
+bool has_intact(const BlockContactHistory& history) {
+    return std::find(history.is_intact.begin(), history.is_intact.end(), 1) != history.is_intact.end();
+}
+
+bool has_come_apart(const BlockContactHistory& old, std::size_t row, const BlockContactHistory& now) {
+    return old.is_intact[row] != 0 && !std::binary_search(now.pair.begin(), now.pair.end(), old.pair[row]);
+}
+
 }  // namespace riprap::solid::affine

@@ -38,4 +38,11 @@ struct BondChanges {
 /// Keeps of the bonded pairs those that touch and have no broken point.
 std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, const BondChanges& changes);
 
+/// Tells whether a contact point still holds by its bond.
+bool has_intact(const BlockContactHistory& history);
+
+/// Tells whether row `row` of `old`, which was not found again, held by a bond, and its pair has no contact left in
+/// `now`.
+bool has_come_apart(const BlockContactHistory& old, std::size_t row, const BlockContactHistory& now);
+
 }  // namespace riprap::solid::affine

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/explicit_dda/advance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,9 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/explicit_dda/bond_loss.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
+#include "riprap/solid/explicit_dda/failure.hpp"
 
 namespace riprap::solid::explicit_dda {
 
@@ -140,11 +144,11 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
         if (has_bonds) {
             bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact, bond_tolerance);
         }
+        if (contact.old >= 0 && (!answer.is_open || has_torn(contact, found))) {
+            scratch.is_carried[at(contact.old)] = 1;
+        }
         if (answer.is_open) {
             continue;
-        }
-        if (contact.old >= 0) {
-            scratch.is_carried[at(contact.old)] = 1;
         }
         history.pair.push_back(contact::pair_key({contact.a, contact.b}));
         history.feature.push_back(contact.feature);
@@ -156,7 +160,7 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
         history.is_intact.push_back(answer.is_intact ? 1 : 0);
         history.energy.push_back(answer.energy);
         report.contact += answer.energy;
-        report.friction_loss += answer.friction_loss;
+        report.friction_loss += has_sheared(found) ? 0 : answer.friction_loss;
         report.deepest = std::max(report.deepest, -contact.gap);
         report.sliding_count += answer.is_sliding ? 1 : 0;
         ++report.contact_count;
@@ -165,10 +169,10 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
 }
 
 /// Books what springs of lost contacts held, less what those of new ones of the same pair begin with: dissipated.
-void book_lost_contacts(const Scratch& scratch, StepReport& report) {
+void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistory& history, StepReport& report) {
     std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
-        if (scratch.is_carried[row] == 0) {
+        if (scratch.is_carried[row] == 0 && !has_come_apart(scratch.old, row, history)) {
             report.lost_energy += scratch.old.energy[row];
             pairs_that_lost.push_back(scratch.old.pair[row]);
         }
@@ -183,11 +187,6 @@ void book_lost_contacts(const Scratch& scratch, StepReport& report) {
             report.lost_energy -= answer.energy;
         }
     }
-}
-
-/// Tells whether a contact point still holds by its bond.
-bool has_intact(const affine::BlockContactHistory& history) {
-    return std::find(history.is_intact.begin(), history.is_intact.end(), 1) != history.is_intact.end();
 }
 
 /// The stable step of blocks and contacts as they are, by Gershgorin's theorem.
@@ -261,19 +260,6 @@ KickSums fold(KickSums a, const KickSums& b) {
     return a;
 }
 
-/// First block whose motion is not finite or whose volume left the allowed range; -1 = none.
-std::int64_t find_worst(const BlockSystem& system, const Settings& settings, const affine::BlockState& state) {
-    for (std::int32_t b = 0; b < system.size(); ++b) {
-        const double volume = determinant(rows_at(state.deformation, at(b)));
-        const bool is_sane =
-            is_finite(state.position[at(b)]) && volume < settings.max_stretch && volume > 1 / settings.max_stretch;
-        if (!is_sane) {
-            return b;
-        }
-    }
-    return -1;
-}
-
 }  // namespace
 
 affine::Outcome advance(const BlockSystem& system, const Settings& settings, double dt,
@@ -296,7 +282,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)], time);
     });
     sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
-    book_lost_contacts(scratch, report);
+    book_lost_contacts(scratch, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     const KickSums sums = parallel::reduce(
         system.size(), KickSums{},
@@ -311,9 +297,8 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     report.external_work = sums.external_work;
     drift_all(system, settings, 0.5 * dt, state.blocks);
     state.last_dt = dt;
-    const std::int64_t worst = find_worst(system, settings, state.blocks);
-    if (worst >= 0) {
-        return {"block " + std::to_string(worst) + " is stretched beyond max_stretch or moves without bound", 0.5};
+    if (const auto& [block, what] = find_failure(system, settings, state.blocks); block >= 0) {
+        return {fmt::format("block {} {}", block, what), 0.5};
     }
     return {};
 }

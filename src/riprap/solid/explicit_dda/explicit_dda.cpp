@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,8 @@
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
+#include "riprap/solid/explicit_dda/bond_loss.hpp"
+#include "riprap/solid/explicit_dda/failure.hpp"
 
 namespace riprap::solid {
 
@@ -105,6 +109,7 @@ std::span<const Account> ExplicitDda::accounts() {
         Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
         Account{"ended_contacts", Balance::lost, Booking::since_kick,
                 "stored in contacts that ended while pressed, less what new ones began with, since time 0", true},
+        Account{"bonds", Balance::lost, Booking::since_kick, "lost by bonds that broke, since time 0"},
     };
     return table;
 }
@@ -129,7 +134,9 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         explicit_dda::advance(system, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull}, *fields_,
                               scratch_->engine, step);
     if (!outcome.ok()) {
-        return {outcome.problem, outcome.shorten};
+        const auto [block, what] = find_failure(system, settings_->engine, fields_->blocks);
+        return {block < 0 ? outcome.problem : fmt::format("'{}' {}", scene_->bodies.name(BodyId{block}), what),
+                outcome.shorten};
     }
     scratch_->loads.clear(at(system.size()));
     for (std::int32_t b = 0; b < system.size(); ++b) {
@@ -152,7 +159,7 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.kick.external_work = step.external_work;
     report.elastic = step.contact;
     report.friction_loss = step.friction_loss;
-    report.own = {step.strain, step.lost_energy};
+    report.own = {step.strain, step.lost_energy, bond_loss(scratch_->engine, *fields_)};
     report.damping_loss = step.dashpot_loss;
     report.dt_bound = step.stable_step;
     report.max_depth = step.deepest;

@@ -11,6 +11,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/step_update.hpp"
+#include "riprap/solid/implicit_dda/bond_loss.hpp"
 
 namespace riprap::solid::implicit_dda {
 
@@ -213,11 +214,6 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
     return {};
 }
 
-/// Energy of both springs of a contact that is not open [J]. One that slides holds the slip of its friction.
-double spring_energy(const ContactSprings& springs, double gap, const Vec3& slip) {
-    return 0.5 * (springs.normal * gap * gap + springs.shear * norm_squared(slip));
-}
-
 void reserve(affine::BlockContactHistory& history, std::size_t count) {
     const auto grow = [count](auto&... arrays) { (arrays.reserve(count), ...); };
     grow(history.pair, history.feature, history.plane, history.normal, history.slip, history.mode, history.is_intact,
@@ -236,10 +232,8 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         const affine::BlockContact& found = scratch.found()[i];
         const ContactTrial& trial = c.trial;
         const bool was_closed = found.old >= 0 || found.gap < 0;
-        // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump.
-        Vec3 slip = trial.slip;
+        const Vec3 slip = slip_kept(c);
         if (trial.mode == ContactMode::slide) {
-            slip = c.springs.shear > 0 ? (trial.friction / c.springs.shear) * trial.direction : Vec3{};
             report.friction_loss += trial.friction * dot(trial.step_slip, trial.direction);
         }
         const double stored = trial.mode == ContactMode::open ? 0 : spring_energy(c.springs, trial.gap, slip);
@@ -247,7 +241,7 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         // Work done by the blocks against the springs, as the equations count it, less the energy stored.
         double work = trial.mode == ContactMode::open ? 0 : c.springs.normal * trial.gap * (trial.gap - found.gap);
         work += trial.mode == ContactMode::lock ? c.springs.shear * dot(trial.slip, trial.step_slip) : 0;
-        report.numerical_loss += work - (stored - held);
+        report.numerical_loss += work - (stored - held) - bond_loss(found, c);
         report.lost_energy -= held;
         report.contact += stored;
         const bool is_closed = trial.mode != ContactMode::open;
@@ -356,7 +350,9 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
                         Scratch& scratch, StepReport& report) {
     report = {};
     const double size = smallest_block(system);
-    const double reach = settings.reach * size + std::min(way_of_step(system, state.blocks, dt), size);
+    const double tearing = state.contacts.bonded.empty() ? 0 : affine::tearing_gap(system);
+    const double reach =
+        std::max(settings.reach * size, tearing) + std::min(way_of_step(system, state.blocks, dt), size);
     number_rows(system, scratch);
     place_blocks(system, state.blocks, scratch.placed);
     const auto& found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);

@@ -15,6 +15,7 @@
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
+#include "riprap/solid/implicit_dda/bond_loss.hpp"
 
 namespace riprap::solid {
 
@@ -172,6 +173,7 @@ std::span<const Account> ImplicitDda::accounts() {
         Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
         Account{"ended_contacts", Balance::lost, Booking::since_kick,
                 "stored in contacts that ended while pressed, less what new ones began with, since time 0", true},
+        Account{"bonds", Balance::lost, Booking::since_kick, "lost by bonds that broke, since time 0"},
         Account{"numerical_damping", Balance::lost, Booking::across_kick,
                 "lost by the integration of motion and strain since time 0", true},
         Account{"static_damping", Balance::lost, Booking::across_kick, "lost to dynamic_factor since time 0"},
@@ -232,7 +234,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.kick.external_work = step.external_work;
     report.elastic = step.contact;
     report.friction_loss = step.friction_loss;
-    report.own = {step.strain, step.lost_energy, step.numerical_loss, step.static_loss};
+    report.own = {step.strain, step.lost_energy, bond_loss(scratch_->engine), step.numerical_loss, step.static_loss};
     report.max_depth = step.deepest;
     report.contact_count = contact::count_pairs(fields_->contacts.pair);
     report.pair_count = scratch_->engine.finder.pair_count();

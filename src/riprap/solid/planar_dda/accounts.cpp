@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/planar_dda/accounts.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 #include "riprap/core/index.hpp"
@@ -72,7 +73,7 @@ double book_contact(const Contact& contact, const Trial& trial, const Scratch& s
     const double p = contact.joint.normal_stiffness, ps = contact.joint.shear_stiffness;
     const bool was_closed = contact.mode != Mode::open, is_closed = trial.mode != Mode::open;
     const double opened = trial.gap - contact.gap.value, slipped = trial.slip - trial.slip_start;
-    double& loss = trial.has_broken ? accounts.bond_loss : accounts.newmark_loss;
+    double& loss = trial.has_broken && !is_closed ? accounts.bond_loss : accounts.newmark_loss;
     double stored = 0, force = 0, shear = 0;
     if (is_closed) {
         const double spring = -p * trial.gap, dashpot = -contact.dashpot / dt * (trial.gap - trial.gap_before);
@@ -91,8 +92,13 @@ double book_contact(const Contact& contact, const Trial& trial, const Scratch& s
         shear = -trial.friction;
         slip_stored = half_square(ps, trial.friction / ps);
     }
+    const double slip_held = was_closed ? half_square(ps, contact.slip.value) : 0;
+    // a bond that slides gives up what its shear spring held above friction
+    const bool is_sheared = trial.has_broken && trial.mode == Mode::sliding;
+    const double fracture = is_sheared ? std::max(0.0, slip_held - slip_stored) : 0;
+    accounts.bond_loss += fracture;
     double& slip_loss = trial.mode == Mode::sliding ? accounts.friction_loss : loss;
-    slip_loss += (was_closed ? half_square(ps, contact.slip.value) : 0) - slip_stored - shear * slipped;
+    slip_loss += slip_held - slip_stored - fracture - shear * slipped;
     for (const auto& [block, gap, slip] : {std::tuple{contact.a, &contact.gap.a, &contact.slip.a},
                                            std::tuple{contact.b, &contact.gap.b, &contact.slip.b}}) {
         if (scratch.row[at(block)] < 0) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/solid/implicit_dda/bond_loss.hpp"
+
+#include <algorithm>
+
+namespace riprap::solid::implicit_dda {
+
+double spring_energy(const ContactSprings& springs, double gap, const Vec3& slip) {
+    return 0.5 * (springs.normal * gap * gap + springs.shear * norm_squared(slip));
+}
+
+Vec3 slip_kept(const ContactTerm& contact) {
+    const ContactTrial& trial = contact.trial;
+    const ContactSprings& springs = contact.springs;
+    if (trial.mode != ContactMode::slide) {
+        return trial.slip;
+    }
+    // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump; of a bond that
+    // slides friction alone is left.
+    const double friction =
+        trial.is_intact ? std::max(0.0, -springs.normal * trial.gap * springs.friction) : trial.friction;
+    return springs.shear > 0 ? (friction / springs.shear) * trial.direction : Vec3{};
+}
+
+double bond_loss(const affine::BlockContact& found, const ContactTerm& contact) {
+    const ContactTrial& trial = contact.trial;
+    if (!trial.is_intact || trial.mode == ContactMode::lock || found.old < 0) {
+        return 0;
+    }
+    if (trial.mode == ContactMode::open) {
+        return spring_energy(contact.springs, found.gap, trial.slip_before);
+    }
+    const double given_up = norm_squared(trial.slip_before) - norm_squared(slip_kept(contact));
+    return std::max(0.0, 0.5 * contact.springs.shear * given_up);
+}
+
+double bond_loss(const Scratch& scratch) {
+    double sum = 0;
+    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
+        sum += bond_loss(scratch.found()[i], scratch.contacts[i]);
+    }
+    return sum;
+}
+
+}  // namespace riprap::solid::implicit_dda

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/solid/implicit_dda/advance.hpp"
+
+namespace riprap::solid::implicit_dda {
+
+/// Energy of both springs of a contact that is not open [J]. One that slides holds the slip of its friction.
+double spring_energy(const ContactSprings& springs, double gap, const Vec3& slip);
+
+/// Elastic slip that a contact point keeps after the step [m].
+Vec3 slip_kept(const ContactTerm& contact);
+
+/// Energy that a bond gives up where the step has broken it: that of both springs as it opens, that of the shear spring
+/// as it slides [J].
+double bond_loss(const affine::BlockContact& found, const ContactTerm& contact);
+
+/// The same of all contact points of the last step, apart from all losses of its StepReport [J].
+double bond_loss(const Scratch& scratch);
+
+}  // namespace riprap::solid::implicit_dda
