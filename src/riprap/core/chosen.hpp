@@ -42,6 +42,13 @@ class Chosen {
         return std::get<Law>(laws_);
     }
 
+    /// Calls work.template operator()<Law>(is_chosen) for every law, in the order of the list.
+    template <class Work>
+    void for_each(const Work& work) const {
+        std::size_t place = 0;
+        (work.template operator()<Laws>(place++ == index_), ...);
+    }
+
     /// Returns work(law) of the law that is chosen.
     template <class Work>
     decltype(auto) visit(const Work& work) const {

@@ -18,6 +18,7 @@
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/sim/time_step.hpp"
 
@@ -110,7 +111,9 @@ std::string gaps_text(const CaseCheck& check) {
 }
 
 std::optional<CaseCheck::EarlyTipping> early_tipping(const sim::Model& model, const sim::State& state) {
-    const std::optional<TippingBias> bias = largest_tipping_bias(model, state);
+    // The foot is that of overlaps, whose stiffness is a property of the material.
+    const std::optional<TippingBias> bias =
+        sim::tells_depth(model) ? largest_tipping_bias(model, state) : std::optional<TippingBias>();
     if (!bias) {
         return {};
     }

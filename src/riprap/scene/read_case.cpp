@@ -154,6 +154,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_output(build);
     if (build.has_sound_bodies) {
         check_overlaps(build);
+        check_materials(build);
         if (build.has_all_bodies) {
             check_solid_method(build);
         }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "riprap/sim/model.hpp"
+#include "riprap/solid/pair_physics.hpp"
 
 namespace riprap::sim {
 
@@ -73,6 +74,33 @@ inline bool tells_depth(const Model& model) {
     return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
         return requires { requires Solid::tells_depth; };
     });
+}
+
+/// Returns the properties of materials that the solid method reads, whatever bodies the scene has.
+inline std::vector<material::PropertyUse> property_uses(const Model& model) {
+    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& settings) {
+        return solid::joined(solid::reads_of<Solid>(settings));
+    });
+}
+
+/// Does the solid method, with the settings of the case, read a property?
+inline bool reads_property(const Model& model, material::Property property) {
+    return std::ranges::any_of(property_uses(model), [property](const material::PropertyUse& use) {
+        return use.property == property && use.acts;
+    });
+}
+
+/// Returns the words of the solid methods that can read a property of materials.
+inline std::vector<std::string_view> solids_that_read(material::Property property) {
+    std::vector<std::string_view> words;
+    Solids::for_each([&]<class Solid>() {
+        for (const material::PropertyUse& use : solid::joined(solid::reads_of<Solid>(typename Solid::Settings{}))) {
+            if (use.property == property) {
+                words.push_back(Solid::Settings::method_name);
+            }
+        }
+    });
+    return words;
 }
 
 /// Does the fluid read gauges of a kind? It says so by `reads(kind)`.

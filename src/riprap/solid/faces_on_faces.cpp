@@ -25,6 +25,19 @@ std::int64_t count_touching_bodies(const body::BodySet& bodies, std::span<const 
 
 }  // namespace
 
+std::vector<material::PropertyUse> FacesOnFaces::reads(const DemSettings& settings) {
+    using material::Property;
+    // The shear stiffness bounds the time step under every law.
+    std::vector<material::PropertyUse> uses{
+        {Property::normal_stiffness, true}, {Property::shear_stiffness}, {Property::damping_ratio}};
+    settings.friction.for_each([&]<class Law>(bool is_chosen) {
+        for (const Property property : Law::reads) {
+            add_use(uses, {property, false, is_chosen});
+        }
+    });
+    return uses;
+}
+
 contact::ContactScene FacesOnFaces::contact_scene() const {
     return {scene_->shapes,         scene_->materials, scene_->bodies,
             settings_->grid_factor, settings_->skin,   scratch_->left_out};

@@ -18,6 +18,7 @@ namespace riprap::solid {
 class FacesOnFaces {
  public:
     static constexpr PairOfKinds kinds{BodyKind::faces, BodyKind::faces};
+    static std::vector<material::PropertyUse> reads(const DemSettings& settings);
     struct Scratch {
         contact::ContactPipeline pipeline;
         std::vector<contact::HullTopology> topologies;  ///< by shape, for the common plane: a function of Model

@@ -3,6 +3,7 @@
 
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/material/property_keys.hpp"
 
 namespace riprap::solid {
 
@@ -12,6 +13,55 @@ std::vector<BodyKind> kinds_by_lists(const SolidScene& scene) {
         kinds[at(given.body.value)] = BodyKind::spheres;
     }
     return kinds;
+}
+
+std::vector<material::PropertyUse> joined(std::span<const PhysicsReads> physics) {
+    std::vector<material::PropertyUse> uses;
+    for (const PhysicsReads& one : physics) {
+        for (const material::PropertyUse& use : one.uses) {
+            add_use(uses, use);
+        }
+    }
+    return uses;
+}
+
+std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::span<const BodyKind> kinds,
+                                                std::span<const PhysicsReads> physics) {
+    constexpr std::size_t count = kind_names.size();
+    std::array<bool, count> is_there{}, can_move{};
+    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+        const auto kind = static_cast<std::size_t>(kinds[at(b)]);
+        is_there[kind] = true;
+        can_move[kind] = can_move[kind] || may_move(scene.bodies, at(b));
+    }
+    std::array<std::vector<material::PropertyUse>, count> of_kind;
+    for (const PhysicsReads& one : physics) {
+        const auto a = static_cast<std::size_t>(one.kinds.a), b = static_cast<std::size_t>(one.kinds.b);
+        if (is_there[a] && is_there[b] && (can_move[a] || can_move[b])) {
+            of_kind[a].insert(of_kind[a].end(), one.uses.begin(), one.uses.end());
+            of_kind[b].insert(of_kind[b].end(), one.uses.begin(), one.uses.end());
+        }
+    }
+    std::vector<LackingProperty> found;
+    std::vector<std::array<bool, count>> is_seen(at(scene.materials.size()));
+    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+        const MaterialId material = scene.bodies.material[at(b)];
+        const auto kind = static_cast<std::size_t>(kinds[at(b)]);
+        if (is_seen[at(material.value)][kind]) {
+            continue;
+        }
+        is_seen[at(material.value)][kind] = true;
+        std::vector<material::PropertyUse> uses;
+        for (const material::PropertyUse& use : of_kind[kind]) {
+            add_use(uses, use);
+        }
+        for (const material::PropertyUse& use : uses) {
+            if (use.is_required && !is_given(scene.materials[material], use.property)) {
+                found.push_back({BodyId{b}, use.property});
+            }
+        }
+    }
+    return found;
 }
 
 std::vector<UnansweredBody> unanswered_bodies(const body::BodySet& bodies, std::span<const BodyKind> kinds,

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/material/property.hpp"
 #include "riprap/solid/solid_scene.hpp"
 
 namespace riprap::solid {
@@ -37,8 +38,8 @@ constexpr bool answers(std::span<const PairOfKinds> pairs, BodyKind a, BodyKind 
 }
 
 /// The physics of contact of a solid method: one line registers a physics. Each is a struct that says between which
-/// `kinds` of bodies it acts, and has the verbs that the step of the method calls for all of them. A method without
-/// such a list meets faces with faces.
+/// `kinds` of bodies it acts and which properties of materials it `reads`, and has the verbs that the step of the
+/// method calls for all of them. A method without such a list meets faces with faces, and says itself what it reads.
 template <class... Physics>
 struct PairPhysics {
     static constexpr std::array<PairOfKinds, sizeof...(Physics)> kinds{Physics::kinds...};
@@ -72,6 +73,36 @@ constexpr std::span<const PairOfKinds> pairs_of() {
         return faces_alone;
     }
 }
+
+/// Properties of materials that the physics of a pair of kinds reads.
+struct PhysicsReads {
+    PairOfKinds kinds;
+    std::vector<material::PropertyUse> uses;
+};
+
+/// Returns what a solid method reads of materials: `reads(settings)` of each of its physics, or of itself.
+template <class Solid>
+std::vector<PhysicsReads> reads_of(const typename Solid::Settings& settings) {
+    std::vector<PhysicsReads> all;
+    if constexpr (requires { Solid::Physics::kinds; }) {
+        Solid::Physics::for_each(
+            [&]<class Physics>() { all.push_back({Physics::kinds, Physics::reads(settings)}); });
+    } else {
+        all.push_back({faces_alone.front(), Solid::reads(settings)});
+    }
+    return all;
+}
+
+/// Returns the uses of all physics, one a property.
+std::vector<material::PropertyUse> joined(std::span<const PhysicsReads> physics);
+
+/// A property that a material does not give, though a physics of the scene needs it for a body of that material.
+struct LackingProperty {
+    BodyId body;  ///< first of its material
+    material::Property property;
+};
+std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::span<const BodyKind> kinds,
+                                                std::span<const PhysicsReads> physics);
 
 /// Returns the kind of every body: spheres where the case lists them, else faces.
 std::vector<BodyKind> kinds_by_lists(const SolidScene& scene);

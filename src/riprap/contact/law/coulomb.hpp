@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "riprap/contact/contact_kinematics.hpp"
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/stability.hpp"
 #include "riprap/material/material_set.hpp"
+#include "riprap/material/property.hpp"
 
 namespace riprap::contact {
 
@@ -47,6 +49,8 @@ LinearContact coulomb(const NormalContact& normal, const material::PairPropertie
 struct Coulomb {
     static constexpr std::string_view word = "coulomb";
     static constexpr std::string_view help = "a spring with history";
+    static constexpr std::array reads{material::Property::friction, material::Property::cohesion,
+                                      material::Property::torsion};
 
     LinearContact respond(const NormalContact& normal, const material::PairProperties& pair,
                           const ContactKinematics& kinematics, const ShearState* before, ShearState& after,

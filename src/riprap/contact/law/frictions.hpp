@@ -12,7 +12,8 @@ namespace riprap::contact {
 ///
 ///     LinearContact respond(normal, pair, kinematics, before, after, row)
 ///
-/// which answers a NormalContact with all forces: see coulomb.hpp, and normal_push.hpp for what laws have in common.
+/// which answers a NormalContact with all forces (see coulomb.hpp, and normal_push.hpp for what laws have in common),
+/// and `reads`: the properties of materials that the law reads besides those of every law (FacesOnFaces::reads).
 using Frictions = Chosen<  //
     Coulomb,               //
     TanhFriction           //

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "riprap/contact/contact_kinematics.hpp"
@@ -9,6 +10,7 @@
 #include "riprap/contact/stability.hpp"
 #include "riprap/core/wide.hpp"
 #include "riprap/material/material_set.hpp"
+#include "riprap/material/property.hpp"
 
 namespace riprap {
 template <class S>
@@ -54,6 +56,7 @@ inline TangentialResponse<T> tanh_friction(const Vec3T<T>& sliding, T stiffness,
 struct TanhFriction {
     static constexpr std::string_view word = "tanh";
     static constexpr std::string_view help = "regularised by a speed, without history";
+    static constexpr std::array reads{material::Property::friction};
     static KeyList<TanhFriction> keys();
 
     double speed{0.125};  ///< v_0 [m/s]

@@ -119,6 +119,9 @@ void give_spheres(CaseBuild& build, const BodySpheres& spheres, const body::NewB
 /// Refuses bodies that start inside each other.
 void check_overlaps(CaseBuild& build);
 
+/// Refuses materials that lack what the contacts of the scene read, and warns of values that nothing reads.
+void check_materials(CaseBuild& build);
+
 /// Refuses what the solid method cannot move.
 void check_solid_method(CaseBuild& build);
 

@@ -3,46 +3,46 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 
+#include "riprap/core/index.hpp"
+#include "riprap/material/property_keys.hpp"
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/keys/bound_keys.hpp"
+#include "riprap/scene/keys/check_value.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/scene/text/suggest.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
 
 using material::Material;
 using material::Mixing;
 using material::PairProperties;
+using material::Property;
 
 namespace {
 
-/// The values that a material and a pair of materials share. Keys that are not given leave `to` alone.
-template <class Target>
-void read_surface(const Value& table, Target& to) {
-    to.shear_ratio = get_number_or(table, "shear_ratio", to.shear_ratio);
-    if (table.find("shear_ratio") != nullptr) {
-        to.shear_stiffness = 0;
-    }
-    to.shear_stiffness = get_number_or(table, "shear_stiffness", to.shear_stiffness);
-    to.friction = get_number_or(table, "friction_coefficient", to.friction);
-    if (const Value* angle = table.find("friction_angle")) {
-        to.friction = std::tan(angle->as_number());
-    }
-    to.cohesion = get_number_or(table, "cohesion", to.cohesion);
-    to.tensile_strength = get_number_or(table, "tensile_strength", to.tensile_strength);
-    to.damping_ratio = get_number_or(table, "damping_ratio", to.damping_ratio);
-    if (const Value* torsion = table.find("torsion")) {
-        to.has_torsion = torsion->boolean;
+/// Fills the properties of the keys that `table` has.
+template <class To>
+void read_properties(const Value& table, const std::vector<material::PropertyKey<To>>& keys, To& to) {
+    for (const material::PropertyKey<To>& key : keys) {
+        if (const Value* given = table.find(key.key.row.name)) {
+            key.key.set(to, key_value(*given, key.key.row.kind));
+        }
     }
 }
 
-/// The mixing rule that the case gives. Where the materials in use differ in `value` the case must give one.
+/// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it, the
+/// case must give one.
 template <class Number>
 Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, Number Material::*value,
-                   Mixing if_alike = Mixing::minimum) {
+                   material::Property property, Mixing if_alike = Mixing::minimum) {
     if (contact.find(key) != nullptr) {
         return get_word(contact, key, mixing_rules());
+    }
+    if (!sim::reads_property(build.model, property)) {
+        return if_alike;
     }
     const Material* first = nullptr;
     for (const std::int32_t id : build.used_materials) {
@@ -60,20 +60,48 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
     return if_alike;
 }
 
-void read_number(const Value& table, std::string_view key, std::optional<double>& to) {
-    if (const Value* value = table.find(key)) {
-        to = value->as_number();
+/// Places of keys that say something which the solid method does not read.
+struct Unread {
+    SourcePlace place;    ///< of the first
+    std::string where;    ///< "material 'rock'"
+    std::size_t count{0};
+};
+
+/// Notes the keys of a table that give another value than their default to a property that nothing reads.
+template <class To>
+void find_unread(const CaseBuild& build, const Value& table, const std::vector<material::PropertyKey<To>>& keys,
+                 const std::string& where, std::map<std::string_view, Unread>& found) {
+    const To defaults{};
+    for (const material::PropertyKey<To>& key : keys) {
+        const Value* given = table.find(key.key.row.name);
+        if (given == nullptr || sim::reads_property(build.model, key.property) ||
+            key_value(*given, key.key.row.kind) == key.key.get(defaults)) {
+            continue;
+        }
+        Unread& unread = found[key.key.row.name];
+        if (unread.count++ == 0) {
+            unread = {given->place, where, 1};
+        }
     }
 }
 
-/// Warns of a restitution that nothing reads: what loses energy in contacts of other methods is a damping.
-void warn_of_restitution(CaseBuild& build, const Value& table) {
-    const Value* restitution = table.find("restitution");
-    if (restitution != nullptr && !std::holds_alternative<solid::SphereDemSettings>(build.model.solid)) {
-        build.warnings.push_back(to_string(
-            Diagnostic{restitution->place, "'restitution' does nothing here: solid.method \"sphere_dem\" alone has it",
-                       "'damping_ratio' for this method"}));
+/// Says of a key that nothing reads which solid methods would, or that the settings leave it without effect.
+void warn_of_unread(CaseBuild& build, std::string_view key, material::Property property, const Unread& unread) {
+    const auto quoted = [](std::string_view word) { return fmt::format("\"{}\"", word); };
+    const std::string method = quoted(get_text(get(build.root, "solid"), "method"));
+    std::string readers;
+    bool is_read = false;
+    for (const std::string_view word : sim::solids_that_read(property)) {
+        is_read = is_read || quoted(word) == method;
+        readers += fmt::format("{}{}", readers.empty() ? "" : ", ", quoted(word));
     }
+    const std::string others =
+        unread.count > 1 ? fmt::format(" and {} other{}", unread.count - 1, unread.count > 2 ? "s" : "") : "";
+    build.warnings.push_back(to_string(Diagnostic{
+        unread.place,
+        fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key, unread.where, others,
+                    method, is_read ? " with these settings" : ""),
+        is_read ? "leave it out" : "leave it out, or solid.method = " + readers}));
 }
 
 void read_pair(CaseBuild& build, const Value& pair) {
@@ -91,9 +119,7 @@ void read_pair(CaseBuild& build, const Value& pair) {
     const auto size = static_cast<std::size_t>(set.size());
     const auto a = static_cast<std::size_t>(ids[0].value), b = static_cast<std::size_t>(ids[1].value);
     PairProperties properties = set.pairs[a * size + b];
-    read_surface(pair, properties);
-    read_number(pair, "restitution", properties.restitution);
-    warn_of_restitution(build, pair);
+    read_properties(pair, material::pair_keys(), properties);
     set.pairs[a * size + b] = properties;
     set.pairs[b * size + a] = properties;
 }
@@ -132,12 +158,7 @@ void build_materials(CaseBuild& build) {
         Material material;
         material.name = entry.key;
         material.density = get_number(entry.value, "density");
-        material.normal_stiffness = get_number(entry.value, "normal_stiffness");
-        read_surface(entry.value, material);
-        read_number(entry.value, "youngs_modulus", material.youngs_modulus);
-        read_number(entry.value, "poisson_ratio", material.poisson_ratio);
-        read_number(entry.value, "restitution", material.restitution);
-        warn_of_restitution(build, entry.value);
+        read_properties(entry.value, material::material_keys(), material);
         build.materials[entry.key] = MaterialId{build.model.materials.size()};
         build.model.materials.materials.push_back(std::move(material));
     }
@@ -145,10 +166,10 @@ void build_materials(CaseBuild& build) {
 
 void build_contact(CaseBuild& build) {
     const Value& contact = get(build.root, "contact");
-    const Mixing friction = mixing_rule(build, contact, "friction_mixing", &Material::friction);
-    const Mixing cohesion = mixing_rule(build, contact, "cohesion_mixing", &Material::cohesion);
+    const Mixing friction = mixing_rule(build, contact, "friction_mixing", &Material::friction, Property::friction);
+    const Mixing cohesion = mixing_rule(build, contact, "cohesion_mixing", &Material::cohesion, Property::cohesion);
     build.model.materials.restitution_mixing =
-        mixing_rule(build, contact, "restitution_mixing", &Material::restitution, Mixing::mean);
+        mixing_rule(build, contact, "restitution_mixing", &Material::restitution, Property::restitution, Mixing::mean);
     material::mix_pairs(build.model.materials, friction, cohesion);
     for (const Value& pair : get(contact, "pair").items) {
         read_pair(build, pair);
@@ -157,6 +178,45 @@ void build_contact(CaseBuild& build) {
         if (!build.used_materials.contains(id.value)) {
             build.warnings.push_back(fmt::format("material '{}' is not used", name));
         }
+    }
+}
+
+void check_materials(CaseBuild& build) {
+    std::map<std::string_view, Unread> unread;
+    const auto material_keys = material::material_keys();
+    const auto pair_keys = material::pair_keys();
+    const Value& contact = get(build.root, "contact");
+    for (const Entry& entry : get(build.root, "material").entries) {
+        if (build.used_materials.contains(build.materials[entry.key].value)) {
+            find_unread(build, entry.value, material_keys, fmt::format("material '{}'", entry.key), unread);
+        }
+    }
+    for (const Value& pair : get(contact, "pair").items) {
+        find_unread(build, pair, pair_keys, "[[contact.pair]]", unread);
+    }
+    for (const auto& key : material_keys) {
+        if (const auto found = unread.find(key.key.row.name); found != unread.end()) {
+            warn_of_unread(build, found->first, key.property, found->second);
+        }
+    }
+    if (!build.has_all_bodies) {
+        return;  // which bodies meet by their faces is not known
+    }
+    const sim::Model& model = build.model;
+    const solid::SolidScene scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
+                                  model.fixed_points, model.bolts,     model.spheres, model.time.end};
+    const auto lacking = sim::Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
+        return solid::lacking_properties(scene, solid::kinds_of<Solid>(scene, settings),
+                                         solid::reads_of<Solid>(settings));
+    });
+    for (const solid::LackingProperty& lack : lacking) {
+        const std::string& material = model.materials[model.bodies.material[at(lack.body.value)]].name;
+        const auto key = std::ranges::find(material_keys, lack.property, &material::PropertyKey<Material>::property);
+        build.problem(get(get(build.root, "material"), material).place,
+                      fmt::format("material '{}' lacks '{}', which solid.method = \"{}\" needs of '{}'", material,
+                                  key->key.row.name, get_text(get(build.root, "solid"), "method"),
+                                  model.bodies.name(lack.body)),
+                      fmt::format("{}: {}", describe_form(key_of(key->key.row, {}).forms.front()), key->key.row.help));
     }
 }
 

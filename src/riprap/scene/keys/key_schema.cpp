@@ -141,13 +141,20 @@ std::string unit_pattern(const Key& key, const Form& form) {
     return dimension_of(form).is_plain() || suffixes.empty() ? "" : fmt::format("^{}_({})$", key.name, suffixes);
 }
 
-Value property_of(const Key& key) {
+std::string description_of(const Key& key, bool has_readers) {
+    return has_readers && !key.methods.empty()
+               ? fmt::format("{} Read by solid.method {}.", key.help, fmt::join(key.methods, ", "))
+               : key.help;
+}
+
+/// @param has_readers  its methods are those that read it, see Key::methods
+Value property_of(const Key& key, bool has_readers) {
     std::vector<Value> forms;
     for (const Form& form : key.forms) {
         forms.push_back(schema_of(form));
     }
     Value property = any_of(std::move(forms));
-    property.set("description", Value::of(key.help));
+    property.set("description", Value::of(description_of(key, has_readers)));
     if (key.otherwise && !key.otherwise->is_table()) {
         property.set("default", *key.otherwise);
     }
@@ -173,7 +180,7 @@ Value method_rules(const Table& table) {
         Value own = Value::table();
         for (const Key& key : table.keys) {
             if (key.is_of(word) && !key.methods.empty()) {
-                own.set(key.name, property_of(key));
+                own.set(key.name, property_of(key, false));
             } else if (part.find(key.name) == nullptr) {
                 own.set(key.name, Value::of(false));
             }
@@ -191,13 +198,14 @@ Value method_rules(const Table& table) {
 
 Value schema_of(const Table& table) {
     Value properties = Value::table(), with_units = Value::table();
+    const bool has_readers = table.methods.empty();
     for (const Key& key : table.keys) {
         for (const Form& form : key.forms) {
             if (const std::string pattern = unit_pattern(key, form); !pattern.empty()) {
                 with_units.set(pattern, any_of({type("number"), array_schema(Value::table(), 1, limits::table_rows)}));
             }
         }
-        properties.set(key.name, key.methods.empty() ? property_of(key) : Value::table());
+        properties.set(key.name, key.methods.empty() || has_readers ? property_of(key, has_readers) : Value::table());
     }
     Value schema = type("object");
     schema.set("title", Value::of(table.header));

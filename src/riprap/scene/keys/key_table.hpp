@@ -58,7 +58,9 @@ struct Key {
     std::string help;
     std::optional<Value> otherwise;  ///< default
     bool is_required{false};
-    std::vector<std::string_view> methods{};  ///< words of the methods that have the key; every one when empty
+    /// Words of the methods that have the key, in a table that chooses a method; in any other table, of the solid
+    /// methods that read it. Every one when empty.
+    std::vector<std::string_view> methods{};
     bool is_of(std::string_view word) const;
 };
 

@@ -60,13 +60,13 @@ std::string cell(std::string text) {
     return out;
 }
 
-/// "sph, wcmps": the methods that have the key; "all" where every one has.
+/// "sph, wcmps": the methods that have or read the key; "all" where every one does.
 std::string methods_text(const Key& key) {
     return key.methods.empty() ? "all" : fmt::format("{}", fmt::join(key.methods, ", "));
 }
 
 std::string manual_of(const Table& table) {
-    const bool has_methods = table.methods.size() > 1;
+    const bool has_methods = std::ranges::any_of(table.keys, [](const Key& key) { return !key.methods.empty(); });
     std::string page = fmt::format("\n## `{}`\n\n{}\n\n", table.header, table.help);
     page += has_methods ? "| key | value | default | methods | meaning |\n| --- | --- | --- | --- | --- |\n"
                         : "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of the key table: the top of the file, gravity, materials, contact, solid.
+// Rows of the key table: the top of the file, gravity, solid.
 #include <algorithm>
 
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
-#include "riprap/scene/keys/words.hpp"
 
 namespace riprap::scene {
 
@@ -148,32 +147,6 @@ const Table& gravity_rotation_table() {
     return table;
 }
 
-const Table& contact_pair_table() {
-    static const Table table{
-        "contact.pair",
-        "[[contact.pair]]",
-        "Values for one pair of materials, instead of the mixed ones.",
-        {{"materials", {list(name(), 2, 2)}, "The two materials; twice the same for contacts within one.", {}, true},
-         {"friction_coefficient", {number(dimension::plain, non_negative())}, "Coulomb coefficient.", {}},
-         {"friction_angle",
-          {number(dimension::angle, {.low = 0, .high = 1.5707, .is_high_open = true})},
-          "Friction angle; the coefficient is its tangent.",
-          {}},
-         {"cohesion", {number(dimension::pressure, non_negative())}, "Shear strength per contact area.", {}},
-         {"tensile_strength", {number(dimension::pressure, non_negative())}, "Tensile strength, as of a material.", {}},
-         {"shear_ratio", {number(dimension::plain, non_negative())}, "Tangential over normal stiffness.", {}},
-         {"shear_stiffness", {number(dimension::stiffness, positive())}, "Tangential stiffness of a contact.", {}},
-         {"damping_ratio", {number(dimension::plain, between(0, 1))}, "Share of critical contact damping.", {}},
-         {"restitution",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Coefficient of restitution; of solid.method \"sphere_dem\" alone.",
-          {}},
-         {"torsion", {boolean()}, "Resist spinning about the contact normal.", {}}},
-        {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},
-         {GroupRule::at_most_one, {"shear_ratio", "shear_stiffness"}}}};
-    return table;
-}
-
 }  // namespace
 
 const Table& gravity_table() {
@@ -187,90 +160,6 @@ const Table& gravity_table() {
           "Gravity grows linearly from zero over this time.",
           Value::of(0.0)},
          {"rotation", {form::table(gravity_rotation_table)}, "Turns gravity.", {}}}};
-    return table;
-}
-
-const Table& material_table() {
-    static const Table table{
-        "material",
-        "[material.NAME]",
-        "Substance of a block and behaviour of its surface. Contact values of two materials follow from [contact].",
-        {{"density", {number(dimension::density, positive())}, "Mass per volume of solid.", {}, true},
-         {"normal_stiffness",
-          {number(dimension::pressure, positive())},
-          "Factor k_n of the distance potential, a pressure: two flat faces of area S press with "
-          "k_n S (1/r_a + 1/r_b) per unit of overlap, r the inscribed radii.",
-          {},
-          true},
-         {"shear_ratio",
-          {number(dimension::plain, non_negative())},
-          "Tangential over normal stiffness of a contact.",
-          Value::of(0.8)},
-         {"shear_stiffness",
-          {number(dimension::stiffness, positive())},
-          "Tangential stiffness of every contact, whatever its area.",
-          {}},
-         {"friction_coefficient", {number(dimension::plain, non_negative())}, "Coulomb coefficient.", Value::of(0.0)},
-         {"friction_angle",
-          {number(dimension::angle, {.low = 0, .high = 1.5707, .is_high_open = true})},
-          "Friction angle; the coefficient is its tangent.",
-          {}},
-         {"cohesion",
-          {number(dimension::pressure, non_negative())},
-          "Added to the shear strength, per contact area.",
-          Value::of(0.0)},
-         {"tensile_strength",
-          {number(dimension::pressure, non_negative())},
-          "Tensile strength, of the DDA methods alone: with cohesion it bonds faces that touch at the start. A bond "
-          "that "
-          "is torn or sheared is gone for good. Two materials mix it as cohesion.",
-          Value::of(0.0)},
-         {"damping_ratio",
-          {number(dimension::plain, between(0, 1))},
-          "Share of critical damping of a contact's dashpot.",
-          Value::of(0.0)},
-         {"youngs_modulus",
-          {number(dimension::pressure, positive())},
-          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
-          {}},
-         {"poisson_ratio",
-          {number(dimension::plain, between(0, 0.5))},
-          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
-          {}},
-         {"restitution",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Of solid.method \"sphere_dem\" alone; that of [solid] when not given.",
-          {}},
-         {"torsion",
-          {boolean()},
-          "Resist spinning about the contact normal, where both materials ask for it.",
-          Value::of(false)}},
-        {{GroupRule::at_most_one, {"friction_coefficient", "friction_angle"}},
-         {GroupRule::at_most_one, {"shear_ratio", "shear_stiffness"}}}};
-    return table;
-}
-
-const Table& contact_table() {
-    static const Table table{
-        "contact",
-        "[contact]",
-        "Rules by which the values of two materials become those of a contact. Codes differ silently here, so the "
-        "rules must be "
-        "given where materials differ. Stiffness ratio and damping use the mean.",
-        {{"friction_mixing",
-          {choice(mixing_rules())},
-          "Rule for the friction coefficient; required when materials differ in friction.",
-          {}},
-         {"cohesion_mixing", {choice(mixing_rules())}, "Rule for cohesion; required when materials differ in it.", {}},
-         {"restitution_mixing",
-          {choice(mixing_rules())},
-          "Rule for the restitution of spheres; required when materials differ in it.",
-          {}},
-         {"max_initial_overlap",
-          {number(dimension::plain, positive())},
-          "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",
-          Value::of(0.1)},
-         {"pair", {table_list(contact_pair_table)}, "Values for one pair of materials.", Value::array()}}};
     return table;
 }
 

@@ -11,6 +11,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
@@ -98,7 +99,7 @@ std::optional<HardImpact> impact_along(const sim::Model& model, const sim::State
 }  // namespace
 
 std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::State& state) {
-    if (model.dem() == nullptr) {
+    if (!sim::tells_depth(model)) {
         return {};
     }
     const body::BodySet& bodies = model.bodies;

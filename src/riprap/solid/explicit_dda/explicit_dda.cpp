@@ -44,6 +44,11 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
                     within(&ExplicitDdaSettings::elasticity, elastic_keys)};
 }
 
+std::vector<material::PropertyUse> ExplicitDda::reads(const Settings& /*settings*/) {
+    using material::Property;
+    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}, {Property::damping_ratio}};
+}
+
 std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                    const body::BodyState& /*bodies*/) {
     std::vector<SceneProblem> problems = affine::scene_problems(scene);

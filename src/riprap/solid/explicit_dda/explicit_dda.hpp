@@ -6,6 +6,7 @@
 
 #include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
+#include "riprap/material/property.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
@@ -39,6 +40,8 @@ class ExplicitDda {
     ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);
 
+    /// Returns the properties of materials that contacts have.
+    static std::vector<material::PropertyUse> reads(const Settings& settings);
     /// Returns why the method cannot move the scene: bodies of several parts.
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies);

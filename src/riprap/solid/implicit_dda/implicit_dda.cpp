@@ -61,6 +61,11 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                                       "Time step; shorter where contacts do not settle.")}};
 }
 
+std::vector<material::PropertyUse> ImplicitDda::reads(const Settings& /*settings*/) {
+    using material::Property;
+    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}};
+}
+
 std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                    const body::BodyState& /*bodies*/) {
     std::vector<SceneProblem> problems = affine::scene_problems(scene);

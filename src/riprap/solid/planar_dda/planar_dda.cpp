@@ -106,6 +106,11 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
     }
 }
 
+std::vector<material::PropertyUse> PlanarDda::reads(const Settings& /*settings*/) {
+    using material::Property;
+    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}, {Property::damping_ratio}};
+}
+
 std::vector<SceneProblem> PlanarDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies) {
     planar_dda::SceneBlocks blocks;

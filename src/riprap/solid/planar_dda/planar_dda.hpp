@@ -6,6 +6,7 @@
 #include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/core/shown.hpp"
+#include "riprap/material/property.hpp"
 #include "riprap/solid/planar_dda/scene_bridge.hpp"
 #include "riprap/solid/planar_dda/step.hpp"
 
@@ -54,6 +55,8 @@ class PlanarDda {
     PlanarDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);
 
+    /// Returns the properties of materials that contacts have.
+    static std::vector<material::PropertyUse> reads(const Settings& settings);
     /// Returns why the method cannot move the scene: one that is not planar, outlines that are no polygon, stiffnesses
     /// out of range.
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,

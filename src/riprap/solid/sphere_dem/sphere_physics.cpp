@@ -7,9 +7,31 @@
 #include "riprap/solid/sphere_dem/load_rows.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 #include "riprap/solid/sphere_dem/respond.hpp"
+#include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 #include "riprap/solid/sphere_dem/walls.hpp"
 
 namespace riprap::solid::sphere_dem {
+
+namespace {
+
+/// Properties that every contact of a sphere reads.
+std::vector<material::PropertyUse> reads_of_spheres(const SphereDemSettings& settings) {
+    using material::Property;
+    const bool is_hertz = settings.laws.normal == contact::NormalLaw::hertz;
+    return {{Property::friction},
+            {Property::youngs_modulus, false, is_hertz},
+            {Property::poisson_ratio, false, is_hertz},
+            {Property::restitution, false, !settings.contact_ratio}};
+}
+
+}  // namespace
+
+std::vector<material::PropertyUse> SpheresOnSpheres::reads(const SphereDemSettings& settings) {
+    return reads_of_spheres(settings);
+}
+std::vector<material::PropertyUse> SpheresOnFaces::reads(const SphereDemSettings& settings) {
+    return reads_of_spheres(settings);
+}
 
 void SpheresOnSpheres::find(Meeting& meeting) {
     meeting.lost += find_contacts(meeting.model, meeting.state, meeting.scratch);

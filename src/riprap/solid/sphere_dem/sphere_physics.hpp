@@ -7,6 +7,10 @@
 #include "riprap/solid/sphere_dem/sphere_scratch.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
 
+namespace riprap::solid {
+struct SphereDemSettings;  // sphere_dem_settings.hpp
+}
+
 namespace riprap::solid::sphere_dem {
 
 /// Data that the physics of this method read and write in one evaluation of the contacts.
@@ -27,6 +31,7 @@ struct Meeting {
 
 struct SpheresOnSpheres {
     static constexpr PairOfKinds kinds{BodyKind::spheres, BodyKind::spheres};
+    static std::vector<material::PropertyUse> reads(const SphereDemSettings& settings);
     static void find(Meeting& meeting);
     static void respond(Meeting& meeting);
     static std::int64_t count(const SphereModel& model, const SphereState& state);  ///< of touching pairs of bodies
@@ -34,6 +39,7 @@ struct SpheresOnSpheres {
 
 struct SpheresOnFaces {
     static constexpr PairOfKinds kinds{BodyKind::spheres, BodyKind::faces};
+    static std::vector<material::PropertyUse> reads(const SphereDemSettings& settings);
     static void find(Meeting& meeting);
     static void respond(Meeting& meeting);
     static std::int64_t count(const SphereModel& model, const SphereState& state);
@@ -41,6 +47,9 @@ struct SpheresOnFaces {
 
 struct FacesAmongSpheres {
     static constexpr PairOfKinds kinds{FacesOnFaces::kinds};
+    static std::vector<material::PropertyUse> reads(const SphereDemSettings& /*settings*/) {
+        return FacesOnFaces::reads({});
+    }
     static void find(Meeting& meeting);
     static void respond(Meeting& meeting);
     /// Returns 0: FacesOnFaces::book counts.

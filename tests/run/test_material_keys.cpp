@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// A solid method says which properties of materials it reads. Each key of a property changes the result of the methods
+// that say so, and of no other: a key that nothing reads, or that a method reads without saying so, fails here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "riprap/material/property_keys.hpp"
+#include "riprap/sim/method_traits.hpp"
+#include "run/case_result.hpp"
+
+namespace riprap::run {
+namespace {
+
+using material::Property;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A block of ice slides and spins on a floor of rock; one beside it touches the floor just so and is torn off.
+std::string blocks(bool is_planar, const std::string& method) {
+    const auto place = [is_planar](double x, double up) {
+        return is_planar ? fmt::format("[{}, {}]", x, up) : fmt::format("[{}, 0, {}]", x, up);
+    };
+    const auto box = [is_planar](double side, double up) {
+        return is_planar ? fmt::format("{{ box = [{}, {}] }}", side, up)
+                         : fmt::format("{{ box = [{}, {}, {}] }}", side, side, up);
+    };
+    return fmt::format(R"({}gravity = {}
+end = 1.0
+[contact]
+friction_mixing = "mean"
+cohesion_mixing = "mean"
+restitution_mixing = "mean"
+[material.rock]
+density = 2500.0
+normal_stiffness = "20 MPa"
+friction_coefficient = 0.5
+torsion = true
+[material.ice]
+density = 900.0
+normal_stiffness = "20 MPa"
+friction_coefficient = 0.5
+[[body]]
+name = "floor"
+shape = {}
+position = {}
+material = "rock"
+fixed = true
+[[body]]
+name = "low"
+shape = {}
+position = {}
+velocity = {}
+angular_velocity = [0, 0, {}]
+material = "ice"
+[[body]]
+name = "torn"
+shape = {}
+position = {}
+velocity = {}
+material = "ice"
+[solid]
+method = "{}"
+)",
+                       is_planar ? "dimension = 2\n" : "", is_planar ? "[0, -9.81]" : "[0, 0, -9.81]", box(5, 0.5),
+                       place(0, -0.25), box(1.0, 0.5), place(-1, 0.249), place(0.5, -0.1), is_planar ? 0.0 : 2.0,
+                       box(1.0, 0.5), place(1, 0.25), place(0.1, 0.05), method);
+}
+
+/// For a method of spheres, a ball of ice beside the blocks, which then meet by their faces.
+std::string scene_of(std::string_view method) {
+    std::string text = blocks(method == "planar_dda", std::string(method));
+    if (method == "sphere_dem") {
+        text += R"(spheres = "balls"
+[[body]]
+name = "ball"
+shape = { sphere = 0.2 }
+position = [0, 1.5, 0.199]
+velocity = [0.5, 0, -0.1]
+material = "ice"
+)";
+    }
+    return text;
+}
+
+/// Values of the ice, each in place of the default or of what the scene gives.
+const std::map<std::string_view, std::string>& tried() {
+    static const std::map<std::string_view, std::string> values{
+        {"normal_stiffness", "3e7"},  {"shear_ratio", "0.3"},      {"shear_stiffness", "1e6"},
+        {"friction_angle", "0.2"},    {"cohesion", "1e4"},         {"tensile_strength", "1e4"},
+        {"damping_ratio", "0.3"},     {"torsion", "true"},         {"youngs_modulus", "3e7"},
+        {"poisson_ratio", "0.1"},     {"restitution", "0.8"},      {"friction_coefficient", "0.2"}};
+    return values;
+}
+
+template <class Work>
+void for_each_solid(const Work& work) {
+    sim::Solids::for_each([&]<class Solid>() {
+        const std::string_view method = Solid::Settings::method_name;
+        work(method, solid::joined(solid::reads_of<Solid>(typename Solid::Settings{})));
+    });
+}
+
+TEST(MaterialKeys, change_the_result_of_the_methods_that_say_so_and_of_no_other) {
+    for_each_solid([](std::string_view method, const std::vector<material::PropertyUse>& uses) {
+        const std::string text = scene_of(method);
+        const std::string plain = result_of(text, {}, 4);
+        for (const auto& [property, key] : material::material_keys()) {
+            SCOPED_TRACE(fmt::format("{}, {}", method, key.row.name));
+            const bool is_read = std::ranges::find(uses, property, &material::PropertyUse::property) != uses.end();
+            std::string changed = text;
+            const std::string given = "friction_coefficient = 0.5\n[[body]]";
+            if (property == Property::friction) {  // one key of the two
+                changed.replace(changed.find(given), given.size(), "[[body]]");
+            }
+            const std::vector<std::string> change{
+                fmt::format("material.ice.{}={}", key.row.name, tried().at(key.row.name))};
+            EXPECT_EQ(result_of(changed, change, 4) != plain, is_read) << (is_read ? "nothing reads it" : "it is read");
+        }
+    });
+}
+
+TEST(MaterialKeys, of_a_pair_replace_those_of_its_materials) {
+    for_each_solid([](std::string_view method, const std::vector<material::PropertyUse>& uses) {
+        const std::string text = scene_of(method) + "[[contact.pair]]\nmaterials = [\"rock\", \"ice\"]\n";
+        const std::string plain = result_of(text, {}, 4);
+        for (const auto& [property, key] : material::pair_keys()) {
+            SCOPED_TRACE(fmt::format("{}, {}", method, key.row.name));
+            const bool is_read = std::ranges::find(uses, property, &material::PropertyUse::property) != uses.end();
+            const std::string given =
+                text + fmt::format("{} = {}\n", key.row.name, tried().at(key.row.name));
+            EXPECT_EQ(result_of(given, {}, 4) != plain, is_read) << (is_read ? "nothing reads it" : "it is read");
+        }
+    });
+}
+
+/// Warnings of values that nothing reads.
+std::vector<std::string> unread(const std::string& text, const std::vector<std::string>& overrides) {
+    std::vector<std::string> found;
+    for (const std::string& warning : scene::read_case_text(text, "case.toml", "/nonexistent", overrides).warnings) {
+        if (warning.find("does nothing here") != std::string::npos) {
+            found.push_back(warning);
+        }
+    }
+    return found;
+}
+
+TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_do) {
+    EXPECT_THAT(
+        unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
+        ElementsAre(HasSubstr("case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
+                              "solid.method \"explicit_dda\" does not read it; allowed: leave it out, or solid.method = "
+                              "\"distance_potential_dem\", \"sphere_dem\"")));
+    EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.restitution=0.5"}),
+                ElementsAre(HasSubstr("'restitution' of material 'ice' does nothing here")));
+    EXPECT_THAT(unread(blocks(false, "distance_potential_dem"),
+                       {"solid.tangential_law=\"tanh\"", "material.ice.cohesion=5.0", "material.rock.torsion=false"}),
+                ElementsAre(HasSubstr("'cohesion' of material 'ice' does nothing here: solid.method "
+                                      "\"distance_potential_dem\" does not read it with these settings")));
+    EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {}), IsEmpty());
+    // A value that is the default says nothing that could be lost.
+    EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.tensile_strength=0.0"}), IsEmpty());
+}
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+        scene::read_case_text(text, "case.toml", "/nonexistent", overrides);
+    } catch (const CaseError& error) {
+        std::string all;
+        for (const Diagnostic& problem : error.problems()) {
+            all += to_string(problem) + "\n";
+        }
+        return all;
+    }
+    return "";
+}
+
+std::string without_stiffness(std::string text) {
+    const std::string key = "normal_stiffness = \"20 MPa\"\n";
+    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key)) {
+        text.erase(at, key.size());
+    }
+    return text;
+}
+
+TEST(MaterialKeys, are_asked_for_where_a_physics_of_the_scene_needs_them) {
+    EXPECT_THAT(refusal(without_stiffness(blocks(false, "distance_potential_dem"))),
+                HasSubstr("material 'ice' lacks 'normal_stiffness', which solid.method = \"distance_potential_dem\" "
+                          "needs of 'low'"));
+    for (const std::string method : {"explicit_dda", "implicit_dda"}) {
+        EXPECT_EQ(refusal(without_stiffness(blocks(false, method))), "") << method;
+    }
+    EXPECT_EQ(refusal(without_stiffness(blocks(true, "planar_dda"))), "");
+    // Bodies of spheres need none; those that meet by their faces do.
+    EXPECT_EQ(refusal(without_stiffness(blocks(false, "sphere_dem"))), "");
+    EXPECT_THAT(refusal(without_stiffness(blocks(false, "sphere_dem")), {"solid.spheres=\"balls\""}),
+                HasSubstr("material 'ice' lacks 'normal_stiffness'"));
+    // Where nothing moves, nothing meets.
+    EXPECT_EQ(refusal(without_stiffness(blocks(false, "distance_potential_dem")),
+                      {"body.low.fixed=true", "body.torn.fixed=true"}),
+              "");
+}
+
+TEST(MaterialKeys, do_not_ask_for_the_mixing_of_what_the_method_does_not_read) {
+    std::string text = blocks(false, "distance_potential_dem");
+    const std::string rule = "restitution_mixing = \"mean\"\n";
+    text.erase(text.find(rule), rule.size());
+    EXPECT_EQ(refusal(text, {"material.ice.restitution=0.5"}), "");
+    EXPECT_THAT(refusal(text, {"material.ice.restitution=0.5", "solid.method=\"sphere_dem\""}),
+                HasSubstr("lacks 'restitution_mixing'"));
+}
+
+}  // namespace
+}  // namespace riprap::run
