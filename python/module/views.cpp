@@ -119,28 +119,26 @@ py::object contacts(const Simulation& self) {
     if (!simulation.has_stepped()) {
         return py::none();
     }
-    const contact::ContactRows rows = simulation.scratch().contacts();
+    const std::vector<contact::ShownContact> rows =
+        sim::shown_contacts(simulation.model(), simulation.state(), simulation.scratch());
     const auto column = [&](auto make) {
         std::vector<decltype(make(rows[0]))> values;
-        for (const contact::ContactRow& row : rows) {
+        for (const contact::ShownContact& row : rows) {
             values.push_back(make(row));
         }
         return copied(values);
     };
-    const auto body = [&](std::int32_t part) {
-        return static_cast<double>(simulation.model().bodies.parts[at(part)].body.value);
-    };
-    using Row = const contact::ContactRow&;
+    using Row = const contact::ShownContact&;
     py::dict arrays;
-    arrays["body_a"] = column([&](Row row) { return body(row.parts.a); }).attr("astype")("int32");
-    arrays["body_b"] = column([&](Row row) { return body(row.parts.b); }).attr("astype")("int32");
+    arrays["body_a"] = column([](Row row) { return static_cast<double>(row.a.value); }).attr("astype")("int32");
+    arrays["body_b"] = column([](Row row) { return static_cast<double>(row.b.value); }).attr("astype")("int32");
     arrays["point"] = column([](Row row) { return row.point; });
     arrays["force"] = column([](Row row) { return row.force; });
-    arrays["normal_force"] = column([](Row row) { return static_cast<double>(row.normal_force); });
-    arrays["shear_force"] = column([](Row row) { return static_cast<double>(row.shear_force); });
-    arrays["overlap"] = column([](Row row) { return static_cast<double>(row.overlap); });
-    arrays["area"] = column([](Row row) { return static_cast<double>(row.area); });
-    arrays["is_sliding"] = column([](Row row) { return static_cast<double>(row.is_sliding); }).attr("astype")("bool");
+    arrays["normal_force"] = column([](Row row) { return row.normal_force; });
+    arrays["shear_force"] = column([](Row row) { return row.shear_force; });
+    arrays["overlap"] = column([](Row row) { return row.overlap; });
+    arrays["area"] = column([](Row row) { return row.area; });
+    arrays["is_sliding"] = column([](Row row) { return row.is_sliding ? 1.0 : 0.0; }).attr("astype")("bool");
     return arrays;
 }
 

@@ -194,25 +194,22 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
     return data;
 }
 
-PolyData draw_contacts(const sim::Model& model, const contact::ContactRows& contacts) {
+PolyData draw_contacts(std::span<const contact::ShownContact> contacts) {
     PolyData data;
     data.is_point_cloud = true;
-    const auto body_of = [&model](std::int32_t part) {
-        return model.bodies.parts[static_cast<std::size_t>(part)].body.value;
-    };
     std::vector<std::int32_t> body_a, body_b, is_sliding;
     std::vector<float> force, normal_force, shear_force, overlap, area;
-    for (const contact::ContactRow& row : contacts) {
-        data.points.push_back(row.point);
-        body_a.push_back(body_of(row.parts.a));
-        body_b.push_back(body_of(row.parts.b));
-        is_sliding.push_back(row.is_sliding);
-        force.insert(force.end(), {static_cast<float>(row.force.x), static_cast<float>(row.force.y),
-                                   static_cast<float>(row.force.z)});
-        normal_force.push_back(static_cast<float>(row.normal_force));
-        shear_force.push_back(static_cast<float>(row.shear_force));
-        overlap.push_back(static_cast<float>(row.overlap));
-        area.push_back(static_cast<float>(row.area));
+    for (const contact::ShownContact& contact : contacts) {
+        data.points.push_back(contact.point);
+        body_a.push_back(contact.a.value);
+        body_b.push_back(contact.b.value);
+        is_sliding.push_back(contact.is_sliding ? 1 : 0);
+        force.insert(force.end(), {static_cast<float>(contact.force.x), static_cast<float>(contact.force.y),
+                                   static_cast<float>(contact.force.z)});
+        normal_force.push_back(static_cast<float>(contact.normal_force));
+        shear_force.push_back(static_cast<float>(contact.shear_force));
+        overlap.push_back(static_cast<float>(contact.overlap));
+        area.push_back(static_cast<float>(contact.area));
     }
     data.add_point_array("body_a", body_a);
     data.add_point_array("body_b", body_b);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "riprap/contact/contact_set.hpp"
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/io/vtp.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -34,7 +34,7 @@ PolyData draw_bodies(const sim::Model& model, const sim::State& initial, const s
 
 /// Contacts as points. Point arrays: body_a, body_b, force (on body a) [N], normal_force, shear_force [N],
 /// overlap [m], area [m^2], is_sliding.
-PolyData draw_contacts(const sim::Model& model, const contact::ContactRows& contacts);
+PolyData draw_contacts(std::span<const contact::ShownContact> contacts);
 
 /// One line per body at the end of a run: name, mass, pose, velocities, displacement, rotation, contact force.
 /// `contact_force` may be empty. @throws FileError

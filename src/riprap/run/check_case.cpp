@@ -59,7 +59,7 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
                       model.particles()->settings(), stirred(model.particles()->settings(), state.fluid), 0);
     }
     if (model.output.contacts) {
-        bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(model, scratch.contacts()), 0).size());
+        bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(shown_contacts(model, state, scratch)), 0).size());
     }
     return bytes;
 }

@@ -148,7 +148,8 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
     }
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
-                  io::draw_contacts(model_, has_contacts ? moment.scratch->contacts() : contact::ContactRows()),
+                  io::draw_contacts(has_contacts ? shown_contacts(model_, moment.state, *moment.scratch)
+                                             : std::vector<contact::ShownContact>()),
                   moment.state.time);
     }
 }

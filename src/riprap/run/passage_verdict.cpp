@@ -10,6 +10,7 @@
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/method_traits.hpp"
+#include "riprap/sim/shown.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
@@ -52,7 +53,7 @@ std::string crossing_rows(const sim::Model& model, const sim::State& state, cons
     if (!(report.max_potential > solid::most_overlap)) {
         return "";
     }
-    const contact::ContactRows rows = scratch.contacts();
+    const std::vector<contact::ShownContact> rows = shown_contacts(model, state, scratch);
     std::size_t deepest = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         deepest = rows[i].potential > rows[deepest].potential ? i : deepest;
@@ -60,12 +61,11 @@ std::string crossing_rows(const sim::Model& model, const sim::State& state, cons
     if (rows.empty() || !(rows[deepest].potential > solid::most_overlap)) {
         return "";  // within a step of water it was, and parted again
     }
-    const contact::ContactRow& row = rows[deepest];
-    const auto name = [&](std::int32_t part) { return model.bodies.name(model.bodies.parts[at(part)].body); };
+    const contact::ShownContact& row = rows[deepest];
     return fmt::format(
         "{} and {} are {:.3g} m deep in each other, {:.3g} of an inscribed radius, at ({:.6g}, {:.6g}, "
         "{:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; allowed: {:.3g}",
-        name(row.parts.a), name(row.parts.b), row.overlap, row.potential, row.point.x, row.point.y, row.point.z,
+        model.bodies.name(row.a), model.bodies.name(row.b), row.overlap, row.potential, row.point.x, row.point.y, row.point.z,
         state.time, solid::most_overlap);
 }
 

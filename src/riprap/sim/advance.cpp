@@ -266,16 +266,6 @@ Scratch::~Scratch() = default;
 Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 
-contact::ContactRows Scratch::contacts() const {
-    return Solids::visit(data_->solids, []<class Solid>(const typename Solid::Scratch& scratch) {
-        if constexpr (requires { Solid::contacts(scratch); }) {
-            return Solid::contacts(scratch);
-        } else {
-            return contact::ContactRows{};
-        }
-    });
-}
-
 const body::Loads& Scratch::contact_loads() const {
     return Solids::visit(data_->solids, []<class Solid>(const typename Solid::Scratch& scratch) -> const body::Loads& {
         return Solid::contact_loads(scratch);

@@ -26,9 +26,6 @@ class Scratch {
     Scratch& operator=(Scratch&&) noexcept;
     ScratchData& data() { return *data_; }
     const ScratchData& data() const { return *data_; }
-    /// View of the contacts of the last step, for output, valid until the next or forget(). Empty before the first
-    /// step, and where the contacts of the method are not between parts.
-    contact::ContactRows contacts() const;
     /// Sum of contact forces and of their moments about the centre of mass on every body in the last step [N, N m].
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/coupling/grid_fluid/grid_fluid.hpp"
 #include "riprap/coupling/hydrostatic/hydrostatic.hpp"
@@ -28,10 +29,12 @@ template <class M>
 concept SolidMethod = std::default_initializable<typename M::Settings> &&
     std::default_initializable<typename M::Fields> && std::default_initializable<typename M::Scratch> &&
     requires(M solids, const M looked_at, const TimeSpan& span, const body::LoadView& loads, solid::Measure measure,
-             solid::SolidReport& report, const typename M::Scratch& scratch) {
+             solid::SolidReport& report, const typename M::Scratch& scratch, const solid::SolidScene& scene,
+             const typename M::Settings& settings, const typename M::Fields& fields) {
     { looked_at.limit() } -> std::same_as<StepLimit>;
     { solids.advance(span, loads, measure, report) } -> std::same_as<Outcome>;
     { M::contact_loads(scratch) } -> std::same_as<const body::Loads&>;
+    { M::contacts(scene, settings, fields, scratch) } -> std::same_as<std::vector<contact::ShownContact>>;
 };
 
 /// A way in which a fluid moves, with the coupling that it needs.
@@ -71,6 +74,12 @@ struct MethodList {
     template <class Method, class Variant>
     static const auto& entry(const Variant& variant) {
         return std::get<index_of<Method, 0, Methods...>()>(variant);
+    }
+
+    /// Returns it, or nullptr where another one stands: before the first step.
+    template <class Method, class Variant>
+    static const auto* find(const Variant& variant) {
+        return std::get_if<index_of<Method, 0, Methods...>()>(&variant);
     }
 
     /// Calls work.template operator()<Method>(entry) with the entry of a Settings, Fields or Scratch and its method.

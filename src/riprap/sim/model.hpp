@@ -108,4 +108,10 @@ struct Model {
     bool has_fluid() const { return !std::holds_alternative<std::monostate>(fluid); }
 };
 
+/// Returns the parts of the Model that every solid method reads.
+inline solid::SolidScene solid_scene(const Model& model) {
+    return {model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
+            model.fixed_points, model.bolts,     model.spheres, model.time.end};
+}
+
 }  // namespace riprap::sim

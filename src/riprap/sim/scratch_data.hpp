@@ -33,13 +33,12 @@ struct ScratchData {
 /// Calls work(solids, fluid) with the methods of the case, bound to Model, State and Scratch.
 template <class Work>
 void with_methods(const Model& model, State& state, ScratchData& scratch, const Work& work) {
-    const solid::SolidScene solid_scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
-                                        model.fixed_points, model.bolts,     model.spheres, model.time.end};
+    const solid::SolidScene scene = solid_scene(model);
     const solid::SolidState solid_state{state.bodies, state.contacts, state.previous_dt};
     const coupling::FluidScene fluid_scene{model.shapes, model.bodies, model.gravity};
     const coupling::FluidState fluid_state{state.fluid, state.open, state.coupling, state.bodies};
     Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& solid_settings) {
-        Solid solids(solid_scene, solid_settings, solid_state, Solids::matching<Solid>(model.solid, state.solid_fields),
+        Solid solids(scene, solid_settings, solid_state, Solids::matching<Solid>(model.solid, state.solid_fields),
                      Solids::matching<Solid>(model.solid, scratch.solids));
         Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& fluid_settings) {
             Fluid fluid(fluid_scene, fluid_settings, fluid_state,

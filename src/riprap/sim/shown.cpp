@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "riprap/sim/scratch_data.hpp"
+
 namespace riprap::sim {
 
 namespace {
@@ -69,6 +71,16 @@ double shown_value(const Model& model, const State& state, std::string_view name
     return found == fields.end() ? std::numeric_limits<double>::quiet_NaN()
                                  : value_of(model, state, static_cast<std::size_t>(found - fields.begin()),
                                             static_cast<std::size_t>(body.value));
+}
+
+std::vector<contact::ShownContact> shown_contacts(const Model& model, const State& state, const Scratch& scratch) {
+    const solid::SolidScene scene = solid_scene(model);
+    return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
+        const typename Solid::Fields* fields = Solids::find<Solid>(state.solid_fields);
+        const typename Solid::Scratch* own = Solids::find<Solid>(scratch.data().solids);
+        return fields != nullptr && own != nullptr ? Solid::contacts(scene, settings, *fields, *own)
+                                                   : std::vector<contact::ShownContact>();
+    });
 }
 
 }  // namespace riprap::sim

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Fields that the solid method of a case shows of its bodies beyond poses and velocities (core/shown.hpp).
+// Contacts of the solid method of a case, and the fields that it shows of its bodies beyond poses and velocities
+// (core/shown.hpp).
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/shown.hpp"
+#include "riprap/sim/advance.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
@@ -24,5 +27,9 @@ std::vector<double> shown_values(const Model& model, const State& state, std::si
 
 /// Returns the value of the field called `name` for one body; NaN where the method of the case does not show it.
 double shown_value(const Model& model, const State& state, std::string_view name, BodyId body);
+
+/// Returns the contacts of the last step, for output: of one that was told to measure everything (Measure::energy).
+/// None before the first step.
+std::vector<contact::ShownContact> shown_contacts(const Model& model, const State& state, const Scratch& scratch);
 
 }  // namespace riprap::sim

@@ -80,6 +80,7 @@ class Trial {
     sim::State& state() { return state_; }
     const sim::StepReport& report() const { return report_; }
     const sim::Scratch& scratch() const { return scratch_; }
+    std::vector<contact::ShownContact> contacts() const { return shown_contacts(model_, state_, scratch_); }
     const Vec3& position(BodyId body) const { return state_.bodies.position[index(body)]; }
     const Vec3& velocity(BodyId body) const { return state_.bodies.velocity[index(body)]; }
     const Quat& orientation(BodyId body) const { return state_.bodies.orientation[index(body)]; }

@@ -203,8 +203,7 @@ void check_materials(CaseBuild& build) {
         return;  // which bodies meet by their faces is not known
     }
     const sim::Model& model = build.model;
-    const solid::SolidScene scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
-                                  model.fixed_points, model.bolts,     model.spheres, model.time.end};
+    const solid::SolidScene scene = sim::solid_scene(model);
     const auto lacking = sim::Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
         return solid::lacking_properties(scene, solid::kinds_of<Solid>(scene, settings),
                                          solid::reads_of<Solid>(settings));

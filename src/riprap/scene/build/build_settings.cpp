@@ -360,8 +360,7 @@ solid::SceneProblem unanswered_problem(const sim::Model& model, const solid::Una
 
 void check_solid_method(CaseBuild& build) {
     const sim::Model& model = build.model;
-    const solid::SolidScene scene{model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
-                                  model.fixed_points, model.bolts,     model.spheres, model.time.end};
+    const solid::SolidScene scene = sim::solid_scene(model);
     const auto problems = sim::Solids::visit(
         model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
             std::vector<solid::SceneProblem> found;

@@ -119,6 +119,25 @@ std::span<const Account> ExplicitDda::accounts() {
     return table;
 }
 
+std::vector<contact::ShownContact> ExplicitDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,
+                                                         const Fields& /*fields*/, const Scratch& scratch) {
+    std::vector<contact::ShownContact> shown;
+    const explicit_dda::Scratch& engine = scratch.engine;
+    for (std::size_t i = 0; i < engine.forces.size(); ++i) {
+        const affine::BlockContact& point = engine.contacts()[i];
+        const explicit_dda::ContactForce& found = engine.forces[i];
+        if (found.answer.is_open) {
+            continue;
+        }
+        shown.push_back(contact::shown_contact(BodyId{point.a}, BodyId{point.b}, 0.5 * (point.on_a + point.on_b),
+                                               found.force, point.normal));
+        shown.back().overlap = std::max(0.0, -point.gap);
+        shown.back().area = point.area;
+        shown.back().is_sliding = found.answer.is_sliding;
+    }
+    return shown;
+}
+
 Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
     if (!scratch_->problem.empty()) {
         return {scratch_->problem, 0};

@@ -186,6 +186,26 @@ std::span<const Account> ImplicitDda::accounts() {
     return table;
 }
 
+std::vector<contact::ShownContact> ImplicitDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,
+                                                         const Fields& fields, const Scratch& scratch) {
+    std::vector<contact::ShownContact> shown;
+    const implicit_dda::Scratch& engine = scratch.engine;
+    for (std::size_t i = 0; i < engine.contacts.size(); ++i) {
+        const affine::BlockContact& point = engine.found()[i];
+        const implicit_dda::ContactTerm& c = engine.contacts[i];
+        if (c.trial.mode == affine::ContactMode::open) {
+            continue;
+        }
+        shown.push_back(contact::shown_contact(BodyId{point.a}, BodyId{point.b},
+                                               fields.blocks.position[at(point.a)] + c.arm_a, contact_force(c),
+                                               c.normal));
+        shown.back().overlap = std::max(0.0, -c.trial.gap);
+        shown.back().area = point.area;
+        shown.back().is_sliding = c.trial.mode == affine::ContactMode::slide;
+    }
+    return shown;
+}
+
 Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
     if (!scratch_->problem.empty()) {
         return {scratch_->problem, 0};

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/material/property.hpp"
@@ -57,6 +58,9 @@ class ImplicitDda {
     static double show(const body::BodyState& /*bodies*/, const Fields& fields, std::size_t body, std::size_t field) {
         return affine::show_block(fields.blocks, body, field);
     }
+    /// Returns the contacts of the last piece, for output.
+    static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
+                                                       const Fields& fields, const Scratch& scratch);
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
 
  private:

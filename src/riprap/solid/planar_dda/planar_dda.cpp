@@ -127,6 +127,11 @@ void add_load(std::int32_t block, double size, const Unknowns& direction, body::
     loads.torque[at(block)] += size * Vec3{0, 0, direction[2]};
 }
 
+/// Tangential force of a closed contact along its slip [N].
+double shear_of(const planar_dda::Contact& contact, const planar_dda::Trial& trial) {
+    return trial.mode == Mode::locked ? -contact.joint.shear_stiffness * trial.slip : -trial.friction;
+}
+
 /// Force and torque of every contact on both of its blocks.
 void sum_contacts(const planar_dda::Scratch& engine, body::Loads& loads) {
     const auto add = [&loads](std::int32_t block, double size, const Unknowns& direction) {
@@ -138,7 +143,7 @@ void sum_contacts(const planar_dda::Scratch& engine, body::Loads& loads) {
         if (trial.mode == Mode::open) {
             continue;
         }
-        const double shear = trial.mode == Mode::locked ? -contact.joint.shear_stiffness * trial.slip : -trial.friction;
+        const double shear = shear_of(contact, trial);
         add(contact.a, trial.normal, contact.gap.a);
         add(contact.b, trial.normal, contact.gap.b);
         add(contact.a, shear, contact.slip.a);
@@ -299,6 +304,26 @@ double PlanarDda::show(const body::BodyState& /*bodies*/, const Fields& fields, 
         default:
             return 0.5 * (a.x * a.y + b.x * b.y);
     }
+}
+
+std::vector<contact::ShownContact> PlanarDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,
+                                                       const Fields& /*fields*/, const Scratch& scratch) {
+    std::vector<contact::ShownContact> shown;
+    const planar_dda::Scratch& engine = scratch.engine;
+    for (std::size_t k = 0; k < engine.contacts.size(); ++k) {
+        const planar_dda::Contact& c = engine.contacts[k];
+        const planar_dda::Trial& trial = engine.trials[k];
+        if (trial.mode == Mode::open) {
+            continue;
+        }
+        const Vec2& corner = engine.corners[at(c.corner)];
+        const Vec3 away{c.gap.a[0], c.gap.a[1], 0}, along{c.slip.a[0], c.slip.a[1], 0};
+        shown.push_back(contact::shown_contact(BodyId{c.a}, BodyId{c.b}, {corner.x, corner.y, 0},
+                                               trial.normal * away + shear_of(c, trial) * along, -1.0 * away));
+        shown.back().overlap = std::max(0.0, -trial.gap);
+        shown.back().is_sliding = trial.mode == Mode::sliding;
+    }
+    return shown;
 }
 
 Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {

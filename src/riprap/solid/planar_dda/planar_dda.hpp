@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/core/shown.hpp"
@@ -66,6 +67,9 @@ class PlanarDda {
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
     /// Sum of the contact forces and of their moments on every body in the last piece.
+    /// Returns the contacts of the last piece, for output.
+    static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
+                                                       const Fields& fields, const Scratch& scratch);
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
     static std::span<const Account> accounts();
     /// Stress and strain in the plane, with von Mises' stress: as of blocks in space.

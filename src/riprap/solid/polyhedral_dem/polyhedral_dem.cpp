@@ -71,4 +71,11 @@ Outcome PolyhedralDem::advance(const TimeSpan& span, const body::LoadView& loads
     return motion.ok() ? overlap : motion;
 }
 
+std::vector<contact::ShownContact> PolyhedralDem::contacts(const SolidScene& scene, const Settings& /*settings*/,
+                                                           const Fields& /*fields*/, const Scratch& scratch) {
+    std::vector<contact::ShownContact> shown;
+    show_rows(scratch.faces.pipeline.rows(), scene.bodies, shown);
+    return shown;
+}
+
 }  // namespace riprap::solid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/fields.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
@@ -34,8 +35,9 @@ class PolyhedralDem {
     /// Moves the bodies over a piece of a step under loads that are held over it.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
 
-    /// Contacts of the last piece, for output; valid until the next.
-    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.faces.pipeline.rows(); }
+    /// Returns the contacts of the last piece, for output.
+    static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
+                                                       const Fields& fields, const Scratch& scratch);
     /// Seconds spent per stage so far.
     static const SolidTimes& times(const Scratch& scratch) { return scratch.faces.times; }
     /// Sum of the contact forces and of their moments on every body in the last piece.

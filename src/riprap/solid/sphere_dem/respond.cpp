@@ -199,6 +199,13 @@ struct Respond {
         add_six(-g.response.force, torque_b, at_b, g.count);
     }
 
+    /// Keeps the forces for output.
+    void keep_forces(const Group& g) const {
+        for (std::int64_t lane = 0; lane < g.count; ++lane) {
+            scratch.forces[at(g.first + lane)] = lane_of(g.response.force, lane);
+        }
+    }
+
     /// Contacts [begin, end).
     ContactSums range(std::int64_t begin, std::int64_t end) const {
         WideSums sums;
@@ -208,6 +215,9 @@ struct Respond {
             measure(g);
             answer(g);
             add_loads(g);
+            if (scratch.keeps_forces) {
+                keep_forces(g);
+            }
             sums.add(g.response, g.motion.overlap / min(g.radius_a, g.radius_b), g.count);
         }
         return sums.fold();
@@ -245,6 +255,7 @@ ContactSums respond_by(const Law& friction, const SphereModel& model, const body
 ContactSums respond(const SphereModel& model, const body::BodyState& bodies, double dt, SphereState& state,
                     SphereScratch& scratch) {
     const SphereSettings& settings = model.settings;
+    scratch.forces.resize(scratch.keeps_forces ? state.contacts.size() : 0);
     const bool is_plain =
         settings.normal == contact::NormalLaw::hertz && settings.rolling == contact::RollingLaw::none &&
         settings.normals == contact::SphereNormals::centres && scratch.weight.empty() && model.table.size() == 1;

@@ -14,6 +14,7 @@
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
+#include "riprap/solid/sphere_dem/show_contacts.hpp"
 #include "riprap/solid/sphere_dem/time_step.hpp"
 
 namespace riprap::solid {
@@ -105,6 +106,15 @@ std::span<const Account> SphereDem::accounts() {
     return table;
 }
 
+std::vector<contact::ShownContact> SphereDem::contacts(const SolidScene& scene, const Settings& settings,
+                                                       const Fields& fields, const Scratch& scratch) {
+    std::vector<contact::ShownContact> shown;
+    show_rows(scratch.faces.pipeline.rows(), scene.bodies, shown);
+    show_contacts({scene.bodies, scene.shapes, scratch.spheres, scratch.triangles, scratch.table, settings.laws},
+                  fields, scratch.buffers, shown);
+    return shown;
+}
+
 Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) {
     const body::BodySet& bodies = scene_->bodies;
     body::BodyState& state = state_.bodies;
@@ -115,6 +125,7 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     const bool do_faces_meet = scratch_->do_faces_meet;
     report.has_stored = !do_faces_meet || measure == Measure::energy || state_.previous_dt == 0;
     sphere_dem::drift_spheres(bodies, state, kick_time, 0.5 * span.dt);
+    buffers.keeps_forces = measure == Measure::energy;
     const std::int64_t searches = buffers.pairs.rebuild_count();
     FacesOnFaces faces_meet = faces();
     const sphere_dem::ContactSums sums = evaluate_contacts(model(), kick_time, sliding_time, state, *fields_, buffers,

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
@@ -58,8 +59,9 @@ class SphereDem {
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
-    /// Contacts of faces with faces in the last piece; valid until the next.
-    static contact::ContactRows contacts(const Scratch& scratch) { return scratch.faces.pipeline.rows(); }
+    /// Returns the contacts of the last piece, for output: those between spheres only where it measured everything.
+    static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
+                                                       const Fields& fields, const Scratch& scratch);
 
  private:
     sphere_dem::SphereModel model() const;

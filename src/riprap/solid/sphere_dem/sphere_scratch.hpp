@@ -122,6 +122,8 @@ struct SphereScratch {
     std::vector<std::uint8_t> has_changed;                ///< per chunk
     std::vector<std::vector<double>> dropped;             ///< energies of the springs that a chunk lost [J]
     std::vector<double> weight;                           ///< per contact; empty where all are 1
+    bool keeps_forces{false};                             ///< output wants the forces of contacts
+    std::vector<Vec3> forces;                             ///< then: per contact, on its sphere A [N]; else empty
     Springs old;                                          ///< buffers of the springs that are replaced
     std::vector<WallContact> walls;
     std::vector<std::vector<WallContact>> wall_chunks;

@@ -101,8 +101,8 @@ Rocking rock(const RockingBlock& block, double tilt) {
     while (trial.time() < limit) {
         trial.step();
         bool on_right = false;
-        for (const contact::ContactRow& row : trial.scratch().contacts()) {
-            on_right |= std::min(row.parts.a, row.parts.b) == right;
+        for (const contact::ShownContact& row : trial.contacts()) {
+            on_right |= std::min(row.a, row.b).value == right;
         }
         last_theta = theta;
         theta = to_rotation_vector(trial.orientation(body)).z;

@@ -48,8 +48,8 @@ void stack_of_weights(CaseReport& report) {
     trial.follow_energy(false);
     settle(trial, 40000);  // the slowest mode of ten blocks is some 20 times slower than the fastest
     double error = 0;
-    for (const contact::ContactRow& row : trial.scratch().contacts()) {
-        const int below = std::min(row.parts.a, row.parts.b);  // part = body here; ground is 0
+    for (const contact::ShownContact& row : trial.contacts()) {
+        const int below = std::min(row.a, row.b).value;  // ground is 0
         error = std::max(error, std::abs(row.normal_force / ((count - below) * weight) - 1));
     }
     report.judge_below({"stack of 10, force of every contact over the weight above", "-", {}, {}, {}}, error, 1e-6);

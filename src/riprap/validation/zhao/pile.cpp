@@ -101,8 +101,8 @@ PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, con
     run.time = trial.time();
     run.energy_error = std::abs(last.ledger.residual) / last.ledger.turnover;
     run.max_potential = last.max_potential;
-    for (const contact::ContactRow& row : trial.scratch().contacts()) {
-        run.largest_force = std::max(run.largest_force, static_cast<double>(row.normal_force));
+    for (const contact::ShownContact& row : trial.contacts()) {
+        run.largest_force = std::max(run.largest_force, row.normal_force);
     }
     run.mean_height = center_height(trial);
     run.fall = start_height - run.mean_height;
