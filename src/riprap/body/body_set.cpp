@@ -94,8 +94,8 @@ void drive(BodySet& bodies, BodyId body, std::int32_t motion, const Pose& start)
 void shrink_to_fit(BodySet& bodies, BodyState& state) {
     const auto shrink = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };
     shrink(bodies.name_id, bodies.name_index, bodies.names, bodies.material, bodies.drive, bodies.mass,
-           bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time, bodies.part_begin,
-           bodies.parts, bodies.driven_bodies, bodies.motions);
+           bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.locks, bodies.release_time,
+           bodies.part_begin, bodies.parts, bodies.driven_bodies, bodies.motions);
     BodyState::visit_fields(state, [](std::string_view, auto& field) { field.shrink_to_fit(); });
 }
 
@@ -133,6 +133,9 @@ BodyId add_body(BodySet& bodies, BodyState& state, const geometry::ShapeSet& sha
     bodies.principal_moments.push_back(volume > 0 ? snap_equal(eigen.values) : Vec3{});
     bodies.principal_axes.push_back(from_matrix(eigen.axes));
     bodies.driven.push_back(-1);
+    if (!bodies.locks.empty()) {
+        bodies.locks.push_back(0);
+    }
     bodies.release_time.push_back(body.release_time);
     if (bodies.part_begin.empty()) {
         bodies.part_begin.push_back(0);

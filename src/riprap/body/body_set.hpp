@@ -44,7 +44,8 @@ struct BodySet {
     std::vector<double> mass;               ///< [kg]; also of fixed bodies where known
     std::vector<Vec3> principal_moments;    ///< of inertia [kg m^2]
     std::vector<Quat> principal_axes;       ///< principal frame -> body frame
-    std::vector<std::int32_t> driven;       ///< index into driven_bodies; -1 = none; below: guides (locks.hpp)
+    std::vector<std::int32_t> driven;       ///< index into driven_bodies; -1 = none
+    std::vector<std::uint8_t> locks;        ///< Locks::bits (locks.hpp); empty where no body is locked
     std::vector<double> release_time;       ///< a fixed or driven body becomes free then [s]; infinity = never
     std::vector<std::int32_t> part_begin;   ///< size() + 1 entries
     std::vector<Part> parts;                ///< grouped by body

@@ -11,16 +11,20 @@ namespace riprap::body {
 void guide(BodySet& bodies, BodyState& state, BodyId body, const Locks& locks) {
     const auto b = static_cast<std::size_t>(body.value);
     RIPRAP_ASSERT(bodies.driven[b] == -1, "a body is held by one motion or one set of guides");
-    bodies.driven[b] = locks.any() ? -2 - locks.bits : -1;
+    if (locks.any() || !bodies.locks.empty()) {
+        bodies.locks.resize(bodies.mass.size(), 0);
+        bodies.locks[b] = locks.bits;
+    }
     state.velocity[b] = locks.free_translation(state.velocity[b]);
     state.angular_momentum[b] = locks.free_rotation(state.angular_momentum[b]);
 }
 
 bool are_free(const BodySet& bodies, std::int64_t first, std::int64_t count) {
     const auto drive = bodies.drive.begin() + first;
-    const auto driven = bodies.driven.begin() + first;
+    const auto is_locked = [](std::uint8_t bits) { return bits != 0; };
     return std::all_of(drive, drive + count, [](Drive one) { return one == Drive::free; }) &&
-           std::all_of(driven, driven + count, [](std::int32_t entry) { return entry == -1; });
+           (bodies.locks.empty() ||
+            std::none_of(bodies.locks.begin() + first, bodies.locks.begin() + first + count, is_locked));
 }
 
 Sym3 lock(const Locks& locks, const Sym3& inverse_inertia) {

@@ -34,10 +34,9 @@ struct Locks {
     }
 };
 
-/// Returns what holds a body, by its entry in BodySet::driven: -1 nothing, -2 - bits its guides, 0 and above a motion.
+/// Returns the locks of a body.
 inline Locks locks_of(const BodySet& bodies, std::size_t body) {
-    const std::int32_t entry = bodies.driven[body];
-    return {static_cast<std::uint8_t>(entry < -1 ? -2 - entry : 0)};
+    return {bodies.locks.empty() ? std::uint8_t{0} : bodies.locks[body]};
 }
 /// Puts a free body into guides; what it has of velocities along them goes.
 void guide(BodySet& bodies, BodyState& state, BodyId body, const Locks& locks);
