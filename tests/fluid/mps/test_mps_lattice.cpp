@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/mps/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
 
 #include <gtest/gtest.h>
 
-#include "riprap/fluid/mps/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 
 namespace riprap::fluid {
 namespace {

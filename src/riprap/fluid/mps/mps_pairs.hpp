@@ -7,7 +7,7 @@
 #include <array>
 
 #include "riprap/fluid/mps/mps_settings.hpp"
-#include "riprap/fluid/mps/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
 namespace riprap::fluid::mps {

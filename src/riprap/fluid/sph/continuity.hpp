@@ -23,7 +23,10 @@ namespace riprap::fluid {
 struct Continuity {
     static constexpr int target_fields = 5;     ///< v, p, V
     static constexpr int candidate_fields = 5;  ///< the same
-    static constexpr int sums = 5 + 2 * symmetric_numbers, back_sums = sums;
+    // Places of the sums.
+    static constexpr int at_diffusion = 0, at_strain_rate = 1, at_moments = 2,
+                         at_rates = at_moments + symmetric_numbers, at_concentration = at_rates + symmetric_numbers;
+    static constexpr int sums = at_concentration + 3, back_sums = sums;
     WendlandC2 kernel;
     double weight[3];  ///< rho_0 g [N/m^3]
     double soft;       ///< small against h^2, keeps (v.d)^2/r^2 finite where a particle meets itself [m^2]
@@ -39,21 +42,21 @@ struct Continuity {
         }
         const Real slope = kernel.slope_over_r(r), slope_a = a[4] * slope, slope_b = b[4] * slope;
         const Real uneven = b[3] - a[3] + head, strain = closing * closing * reciprocal(r2 + Real(soft));
-        sum[0] = sum[0] - slope_b * uneven;
-        back[0] = back[0] + slope_a * uneven;
-        sum[1] = sum[1] - slope_b * strain;
-        back[1] = back[1] - slope_a * strain;
+        sum[at_diffusion] = sum[at_diffusion] - slope_b * uneven;
+        back[at_diffusion] = back[at_diffusion] + slope_a * uneven;
+        sum[at_strain_rate] = sum[at_strain_rate] - slope_b * strain;
+        back[at_strain_rate] = back[at_strain_rate] - slope_a * strain;
         symmetric_product<Dim>(d, d, moment);
         symmetric_product<Dim>(d, v, change);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
-            sum[2 + k] = sum[2 + k] - slope_b * moment[k];
-            back[2 + k] = back[2 + k] - slope_a * moment[k];
-            sum[8 + k] = sum[8 + k] + slope_b * change[k];
-            back[8 + k] = back[8 + k] + slope_a * change[k];
+            sum[at_moments + k] = sum[at_moments + k] - slope_b * moment[k];
+            back[at_moments + k] = back[at_moments + k] - slope_a * moment[k];
+            sum[at_rates + k] = sum[at_rates + k] + slope_b * change[k];
+            back[at_rates + k] = back[at_rates + k] + slope_a * change[k];
         }
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[14 + axis] = sum[14 + axis] + slope_b * d[axis];
-            back[14 + axis] = back[14 + axis] - slope_a * d[axis];
+            sum[at_concentration + axis] = sum[at_concentration + axis] + slope_b * d[axis];
+            back[at_concentration + axis] = back[at_concentration + axis] - slope_a * d[axis];
         }
     }
     template <int Dim, class Real>
@@ -72,7 +75,9 @@ struct Continuity {
 struct ContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 4;  ///< v, V
-    static constexpr int sums = 2 * symmetric_numbers + 3;
+    // Places of the sums.
+    static constexpr int at_moments = 0, at_rates = symmetric_numbers, at_concentration = 2 * symmetric_numbers;
+    static constexpr int sums = at_concentration + 3;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
@@ -85,11 +90,11 @@ struct ContinuityAtWalls {
         symmetric_product<Dim>(d, d, moment);
         symmetric_product<Dim>(d, v, change);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
-            sum[k] = sum[k] - slope * moment[k];
-            sum[symmetric_numbers + k] = sum[symmetric_numbers + k] + slope * change[k];
+            sum[at_moments + k] = sum[at_moments + k] - slope * moment[k];
+            sum[at_rates + k] = sum[at_rates + k] + slope * change[k];
         }
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[2 * symmetric_numbers + axis] = sum[2 * symmetric_numbers + axis] + slope * d[axis];
+            sum[at_concentration + axis] = sum[at_concentration + axis] + slope * d[axis];
         }
     }
 };

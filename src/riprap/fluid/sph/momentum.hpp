@@ -19,6 +19,8 @@ template <class Kernel, class Viscosity>
 struct Momentum {
     static constexpr int target_fields = 6 + symmetric_numbers;  ///< v, V, mu, b, p B
     static constexpr int candidate_fields = target_fields;       ///< the same
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3, at_surface = 4;
     static constexpr int sums = 7, back_sums = 7;
     Kernel kernel;
     Viscosity viscosity;
@@ -39,13 +41,13 @@ struct Momentum {
         for (int axis = 0; axis < Dim; ++axis) {
             const Real force = viscous[axis] - slope * push[axis];
             heat = heat + viscous[axis] * v[axis];
-            sum[axis] = sum[axis] + b[3] * force;
-            back[axis] = back[axis] - a[3] * force;
-            sum[4 + axis] = sum[4 + axis] + bare_b * d[axis];
-            back[4 + axis] = back[4 + axis] - bare_a * d[axis];
+            sum[at_force + axis] = sum[at_force + axis] + b[3] * force;
+            back[at_force + axis] = back[at_force + axis] - a[3] * force;
+            sum[at_surface + axis] = sum[at_surface + axis] + bare_b * d[axis];
+            back[at_surface + axis] = back[at_surface + axis] - bare_a * d[axis];
         }
-        sum[3] = sum[3] - b[3] * heat;
-        back[3] = back[3] - a[3] * heat;
+        sum[at_heat] = sum[at_heat] - b[3] * heat;
+        back[at_heat] = back[at_heat] - a[3] * heat;
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
@@ -68,6 +70,8 @@ template <class Kernel, class Viscosity>
 struct MomentumFromWalls {
     static constexpr int target_fields = 5 + symmetric_numbers;  ///< v, p, mu, B
     static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3, at_hold = 4, at_hold_power = 7;
     static constexpr int sums = 8;
     Kernel kernel;
     Viscosity viscosity;
@@ -87,10 +91,10 @@ struct MomentumFromWalls {
         const Real push = (target[3] + candidate[3]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real hold = candidate[3] * slope * straight[axis];
-            sum[axis] = sum[axis] + (viscous[axis] - push * straight[axis]);
-            sum[3] = sum[3] - viscous[axis] * (target[axis] - candidate[6 + axis]);
-            sum[4 + axis] = sum[4 + axis] + hold;
-            sum[7] = sum[7] + hold * candidate[6 + axis];
+            sum[at_force + axis] = sum[at_force + axis] + (viscous[axis] - push * straight[axis]);
+            sum[at_heat] = sum[at_heat] - viscous[axis] * (target[axis] - candidate[6 + axis]);
+            sum[at_hold + axis] = sum[at_hold + axis] + hold;
+            sum[at_hold_power] = sum[at_hold_power] + hold * candidate[6 + axis];
         }
     }
 };
@@ -103,6 +107,8 @@ template <class Kernel>
 struct PressureOnWalls {
     static constexpr int target_fields = 0;
     static constexpr int candidate_fields = 2 + symmetric_numbers;  ///< p, V, B
+    // Places of the sums.
+    static constexpr int at_slope = 0, at_push = 3;
     static constexpr int sums = 6;
     Kernel kernel;
 
@@ -112,8 +118,8 @@ struct PressureOnWalls {
         symmetric_apply<Dim>(candidate + 2, d, straight);
         const Real slope = candidate[1] * kernel.slope_over_r(r), push = candidate[0] * slope;
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[axis] = sum[axis] + slope * straight[axis];
-            sum[3 + axis] = sum[3 + axis] + push * straight[axis];
+            sum[at_slope + axis] = sum[at_slope + axis] + slope * straight[axis];
+            sum[at_push + axis] = sum[at_push + axis] + push * straight[axis];
         }
     }
 };

@@ -13,18 +13,20 @@ namespace riprap::fluid {
 struct WallAverages {
     static constexpr int target_fields = 0;
     static constexpr int candidate_fields = 5;  ///< v, p, rho
+    // Places of the sums.
+    static constexpr int at_weight = 0, at_pressure = 1, at_moment = 2, at_velocity = 5;
     static constexpr int sums = 8;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
         const Real weight = kernel.value(r);
-        sum[0] = sum[0] + weight;
-        sum[1] = sum[1] + weight * candidate[3];
+        sum[at_weight] = sum[at_weight] + weight;
+        sum[at_pressure] = sum[at_pressure] + weight * candidate[3];
         const Real moment = weight * candidate[4];
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[2 + axis] = sum[2 + axis] + moment * d[axis];
-            sum[5 + axis] = sum[5 + axis] + weight * candidate[axis];
+            sum[at_moment + axis] = sum[at_moment + axis] + moment * d[axis];
+            sum[at_velocity + axis] = sum[at_velocity + axis] + weight * candidate[axis];
         }
     }
 };

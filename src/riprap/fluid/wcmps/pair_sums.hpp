@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "riprap/fluid/mps/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
@@ -33,6 +33,8 @@ RIPRAP_HD void one_way(const Pair& pair, const Real* target, const Real* candida
 struct NumberContinuity {
     static constexpr int target_fields = 5;     ///< v, p, x
     static constexpr int candidate_fields = 5;  ///< the same
+    // Places of the sums.
+    static constexpr int at_rate = 0, at_diffusion = 1, at_weight = 2, at_count = 3, at_outward = 4;
     static constexpr int sums = 7, back_sums = sums;
     MpsWeight weight;
     double head[3];  ///< rho_0 g [N/m^3]; zero where all of n diffuses
@@ -46,19 +48,19 @@ struct NumberContinuity {
             uneven = uneven + Real(head[axis]) * d[axis];
         }
         const Real rate = opening * over_square, flux = uneven * w, one = select(Real(0) < w, Real(1), Real(0));
-        sum[0] = sum[0] + b[4] * rate;
-        back[0] = back[0] + a[4] * rate;
-        sum[1] = sum[1] + flux;
-        back[1] = back[1] - flux;
-        sum[2] = sum[2] + w;
-        back[2] = back[2] + w;
-        sum[3] = sum[3] + one;
-        back[3] = back[3] + one;
+        sum[at_rate] = sum[at_rate] + b[4] * rate;
+        back[at_rate] = back[at_rate] + a[4] * rate;
+        sum[at_diffusion] = sum[at_diffusion] + flux;
+        back[at_diffusion] = back[at_diffusion] - flux;
+        sum[at_weight] = sum[at_weight] + w;
+        back[at_weight] = back[at_weight] + w;
+        sum[at_count] = sum[at_count] + one;
+        back[at_count] = back[at_count] + one;
         const Real over_r = over_square * r;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real away = over_r * d[axis];
-            sum[4 + axis] = sum[4 + axis] + away;
-            back[4 + axis] = back[4 + axis] - away;
+            sum[at_outward + axis] = sum[at_outward + axis] + away;
+            back[at_outward + axis] = back[at_outward + axis] - away;
         }
     }
     template <int Dim, class Real>
@@ -73,6 +75,8 @@ struct NumberContinuity {
 struct NumberContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 5;  ///< v, b, m
+    // Places of the sums.
+    static constexpr int at_rate = 0, at_weight = 1, at_count = 2, at_outward = 3;
     static constexpr int sums = 6;
     MpsWeight weight;
 
@@ -84,12 +88,12 @@ struct NumberContinuityAtWalls {
         for (int axis = 0; axis < Dim; ++axis) {
             opening = opening + (target[axis] - candidate[axis]) * d[axis];
         }
-        sum[0] = sum[0] + (Real(1) + candidate[4]) * opening * over_square;
-        sum[1] = sum[1] + candidate[3] * w;
-        sum[2] = sum[2] + candidate[3] * select(Real(0) < w, Real(1), Real(0));
+        sum[at_rate] = sum[at_rate] + (Real(1) + candidate[4]) * opening * over_square;
+        sum[at_weight] = sum[at_weight] + candidate[3] * w;
+        sum[at_count] = sum[at_count] + candidate[3] * select(Real(0) < w, Real(1), Real(0));
         const Real over_r = over_square * r;
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[3 + axis] = sum[3 + axis] + over_r * d[axis];
+            sum[at_outward + axis] = sum[at_outward + axis] + over_r * d[axis];
         }
     }
 };
@@ -123,6 +127,8 @@ RIPRAP_HD Real is_in_front(double spacing, const Real* normal, const Real* d, Re
 struct MpsMomentum {
     static constexpr int target_fields = 9;     ///< v, x, q, C, n
     static constexpr int candidate_fields = 9;  ///< the same
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3, at_crowd = 4, at_front = 7;
     static constexpr int sums = 8, back_sums = sums;
     MpsWeight weight;
     double viscosity;  ///< k = 2 rho_0 nu/lambda, so that both parts take the factor D/n_0 [Pa s/m^2]
@@ -137,17 +143,17 @@ struct MpsMomentum {
         for (int axis = 0; axis < Dim; ++axis) {
             const Real v = a[axis] - b[axis], force = push * d[axis] - drag * v, slope = crowd * d[axis];
             squares = squares + v * v;
-            sum[axis] = sum[axis] + force;
-            back[axis] = back[axis] - force;
-            sum[4 + axis] = sum[4 + axis] - slope;
-            back[4 + axis] = back[4 + axis] + slope;
+            sum[at_force + axis] = sum[at_force + axis] + force;
+            back[at_force + axis] = back[at_force + axis] - force;
+            sum[at_crowd + axis] = sum[at_crowd + axis] - slope;
+            back[at_crowd + axis] = back[at_crowd + axis] + slope;
             turned[axis] = Real(0) - d[axis];
         }
-        sum[3] = sum[3] + drag * squares;
-        back[3] = back[3] + drag * squares;
+        sum[at_heat] = sum[at_heat] + drag * squares;
+        back[at_heat] = back[at_heat] + drag * squares;
         const Real reached = select(Real(0) < w, Real(1), Real(0));
-        sum[7] = sum[7] + reached * is_in_front<Dim>(spacing, a + 6, d, r2);
-        back[7] = back[7] + reached * is_in_front<Dim>(spacing, b + 6, turned, r2);
+        sum[at_front] = sum[at_front] + reached * is_in_front<Dim>(spacing, a + 6, d, r2);
+        back[at_front] = back[at_front] + reached * is_in_front<Dim>(spacing, b + 6, turned, r2);
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
@@ -166,6 +172,8 @@ struct MpsMomentum {
 struct MpsMomentumFromWalls {
     static constexpr int target_fields = 9;      ///< v, x, q, C, n
     static constexpr int candidate_fields = 13;  ///< u_w, v_w, b, grip (0 on slippery walls, else 1), m, P, h
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3, at_crowd = 4, at_front = 7, at_hold = 8, at_hold_power = 11;
     static constexpr int sums = 12;
     MpsWeight weight;
     double viscosity;  ///< as above
@@ -184,14 +192,14 @@ struct MpsMomentumFromWalls {
         const Real drag = Real(viscosity) * candidate[7] * candidate[6] * w;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real pull = drag * (candidate[axis] - target[axis]);
-            sum[axis] = sum[axis] + push * d[axis] + pull;
-            sum[3] = sum[3] - pull * (target[axis] - candidate[3 + axis]);
-            sum[4 + axis] = sum[4 + axis] - crowd * d[axis];
-            sum[8 + axis] = sum[8 + axis] - held * d[axis];
-            sum[11] = sum[11] - held * d[axis] * candidate[3 + axis];
+            sum[at_force + axis] = sum[at_force + axis] + push * d[axis] + pull;
+            sum[at_heat] = sum[at_heat] - pull * (target[axis] - candidate[3 + axis]);
+            sum[at_crowd + axis] = sum[at_crowd + axis] - crowd * d[axis];
+            sum[at_hold + axis] = sum[at_hold + axis] - held * d[axis];
+            sum[at_hold_power] = sum[at_hold_power] - held * d[axis] * candidate[3 + axis];
         }
         const Real reached = select(Real(0) < w, Real(1), Real(0));
-        sum[7] = sum[7] + reached * is_in_front<Dim>(spacing, target + 6, d, r2);
+        sum[at_front] = sum[at_front] + reached * is_in_front<Dim>(spacing, target + 6, d, r2);
     }
 };
 
@@ -201,6 +209,8 @@ struct MpsMomentumFromWalls {
 struct MpsWallAverages {
     static constexpr int target_fields = 0;
     static constexpr int candidate_fields = 4;  ///< v, p
+    // Places of the sums.
+    static constexpr int at_weight = 0, at_pressure = 1, at_moment = 2, at_velocity = 5;
     static constexpr int sums = 8;
     MpsWeight weight;
     double rest_density;
@@ -208,11 +218,11 @@ struct MpsWallAverages {
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real r2, Real, Real* sum) const {
         const Real w = weight.value(r2), heavy = Real(rest_density) * w;
-        sum[0] = sum[0] + w;
-        sum[1] = sum[1] + candidate[3] * w;
+        sum[at_weight] = sum[at_weight] + w;
+        sum[at_pressure] = sum[at_pressure] + candidate[3] * w;
         for (int axis = 0; axis < Dim; ++axis) {
-            sum[2 + axis] = sum[2 + axis] + heavy * d[axis];
-            sum[5 + axis] = sum[5 + axis] + candidate[axis] * w;
+            sum[at_moment + axis] = sum[at_moment + axis] + heavy * d[axis];
+            sum[at_velocity + axis] = sum[at_velocity + axis] + candidate[axis] * w;
         }
     }
 };
@@ -225,6 +235,8 @@ struct MpsWallAverages {
 struct MpsPressureOnWalls {
     static constexpr int target_fields = 0;
     static constexpr int candidate_fields = 2;  ///< x, q
+    // Places of the sums.
+    static constexpr int at_slope = 0, at_push = 3, at_moment = 6;
     static constexpr int sums = 6 + symmetric_numbers;
     MpsWeight weight;
 
@@ -235,11 +247,11 @@ struct MpsPressureOnWalls {
         symmetric_product<Dim>(d, d, moment);
         for (int axis = 0; axis < Dim; ++axis) {
             const Real slope = over_square * d[axis];
-            sum[axis] = sum[axis] + candidate[0] * slope;
-            sum[3 + axis] = sum[3 + axis] + candidate[1] * slope;
+            sum[at_slope + axis] = sum[at_slope + axis] + candidate[0] * slope;
+            sum[at_push + axis] = sum[at_push + axis] + candidate[1] * slope;
         }
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
-            sum[6 + k] = sum[6 + k] + over_square * moment[k];
+            sum[at_moment + k] = sum[at_moment + k] + over_square * moment[k];
         }
     }
 };
@@ -268,6 +280,8 @@ struct MpsViscosityOnWalls {
 struct MpsSurface {
     static constexpr int target_fields = 7;     ///< v, f, f n
     static constexpr int candidate_fields = 7;  ///< the same
+    // Places of the sums.
+    static constexpr int at_adjacent = 0, at_normal = 1, at_collisions = 4;
     static constexpr int sums = 5, back_sums = sums;
     MpsWeight weight;
     double adjacent;  ///< square of 2.1 l_0 [m^2]
@@ -280,14 +294,14 @@ struct MpsSurface {
         Real opening(0);
         for (int axis = 0; axis < Dim; ++axis) {
             opening = opening + (a[axis] - b[axis]) * d[axis];
-            sum[1 + axis] = sum[1 + axis] + b[4 + axis] * w;
-            back[1 + axis] = back[1 + axis] + a[4 + axis] * w;
+            sum[at_normal + axis] = sum[at_normal + axis] + b[4 + axis] * w;
+            back[at_normal + axis] = back[at_normal + axis] + a[4 + axis] * w;
         }
-        sum[0] = sum[0] + b[3] * is_adjacent;
-        back[0] = back[0] + a[3] * is_adjacent;
+        sum[at_adjacent] = sum[at_adjacent] + b[3] * is_adjacent;
+        back[at_adjacent] = back[at_adjacent] + a[3] * is_adjacent;
         const Real collides = select(r2 < Real(contact), select(opening < Real(0), reached, Real(0)), Real(0));
-        sum[4] = sum[4] + collides;
-        back[4] = back[4] + collides;
+        sum[at_collisions] = sum[at_collisions] + collides;
+        back[at_collisions] = back[at_collisions] + collides;
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "riprap/fluid/mps/mps_lattice.hpp"
-#include "riprap/fluid/mps/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/mps/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
 
 #include <cmath>
 
