@@ -56,6 +56,8 @@ quantity = "contact_force"
 )";
 }
 
-inline scene::LoadedCase falling_blocks() { return scene::read_case_text(falling_blocks_text(), "case.toml", "."); }
+inline scene::LoadedCase falling_blocks(const std::vector<std::string>& overrides = {}) {
+    return scene::read_case_text(falling_blocks_text(), "case.toml", ".", overrides);
+}
 
 }  // namespace riprap

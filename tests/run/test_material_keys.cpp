@@ -88,10 +88,10 @@ material = "ice"
 /// Values of the ice, each in place of the default or of what the scene gives.
 const std::map<std::string_view, std::string>& tried() {
     static const std::map<std::string_view, std::string> values{
-        {"normal_stiffness", "3e7"},  {"shear_ratio", "0.3"},      {"shear_stiffness", "1e6"},
-        {"friction_angle", "0.2"},    {"cohesion", "1e4"},         {"tensile_strength", "1e4"},
-        {"damping_ratio", "0.3"},     {"torsion", "true"},         {"youngs_modulus", "3e7"},
-        {"poisson_ratio", "0.1"},     {"restitution", "0.8"},      {"friction_coefficient", "0.2"}};
+        {"normal_stiffness", "3e7"}, {"shear_ratio", "0.3"}, {"shear_stiffness", "1e6"},
+        {"friction_angle", "0.2"},   {"cohesion", "1e4"},    {"tensile_strength", "1e4"},
+        {"damping_ratio", "0.3"},    {"torsion", "true"},    {"youngs_modulus", "3e7"},
+        {"poisson_ratio", "0.1"},    {"restitution", "0.8"}, {"friction_coefficient", "0.2"}};
     return values;
 }
 
@@ -129,8 +129,7 @@ TEST(MaterialKeys, of_a_pair_replace_those_of_its_materials) {
         for (const auto& [property, key] : material::pair_keys()) {
             SCOPED_TRACE(fmt::format("{}, {}", method, key.row.name));
             const bool is_read = std::ranges::find(uses, property, &material::PropertyUse::property) != uses.end();
-            const std::string given =
-                text + fmt::format("{} = {}\n", key.row.name, tried().at(key.row.name));
+            const std::string given = text + fmt::format("{} = {}\n", key.row.name, tried().at(key.row.name));
             EXPECT_EQ(result_of(given, {}, 4) != plain, is_read) << (is_read ? "nothing reads it" : "it is read");
         }
     });
@@ -148,11 +147,11 @@ std::vector<std::string> unread(const std::string& text, const std::vector<std::
 }
 
 TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_do) {
-    EXPECT_THAT(
-        unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
-        ElementsAre(HasSubstr("case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
-                              "solid.method \"explicit_dda\" does not read it; allowed: leave it out, or solid.method = "
-                              "\"distance_potential_dem\", \"sphere_dem\"")));
+    EXPECT_THAT(unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
+                ElementsAre(HasSubstr(
+                    "case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
+                    "solid.method \"explicit_dda\" does not read it; allowed: leave it out, or solid.method = "
+                    "\"distance_potential_dem\", \"sphere_dem\"")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.restitution=0.5"}),
                 ElementsAre(HasSubstr("'restitution' of material 'ice' does nothing here")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"),

@@ -18,11 +18,12 @@ using ::testing::HasSubstr;
 struct SomeRun {
     TemporaryFolder place;
     RunFolder folder{place.path()};
-    scene::LoadedCase loaded{falling_blocks()};
-    sim::State initial{loaded.state}, state;
+    scene::LoadedCase loaded;
+    sim::State initial, state;
     RunRecord record;
 
-    SomeRun() {
+    explicit SomeRun(const std::vector<std::string>& overrides = {})
+        : loaded(falling_blocks(overrides)), initial(loaded.state) {
         sim::initialise(loaded.model, initial);
         state = initial;
         sim::Scratch scratch;
@@ -103,8 +104,9 @@ TEST(Restart, ACheckpointOfAnotherCaseIsRefusedEvenWhereThePreviousOneFits) {
 }
 
 /// What a hostile checkpoint with good checksums is refused for.
-std::string refusal_of(const std::function<void(sim::State&, RunRecord&)>& change) {
-    SomeRun run;
+std::string refusal_of(const std::function<void(sim::State&, RunRecord&)>& change,
+                       const std::vector<std::string>& overrides = {}) {
+    SomeRun run(overrides);
     change(run.state, run.record);
     save_checkpoint(run.folder, run.loaded.model, run.state, run.record);
     std::filesystem::remove(run.folder.checkpoint_previous());
@@ -140,6 +142,25 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.row_interval = 0; }), HasSubstr("interval"));
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.next_frame = -1; }), HasSubstr("next output"));
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.csv_bytes.clear(); }), HasSubstr("tables"));
+}
+
+TEST(Restart, TheFieldsOfASolidMethodAreThoseOfItsBodies) {
+    const std::vector<std::string> dda{"solid.method=\"explicit_dda\"", "solid.youngs_modulus=1e7"};
+    const std::vector<std::string> spheres{"solid.method=\"sphere_dem\""};
+    const auto blocks = [](sim::State & s) -> auto& { return std::get<solid::ExplicitDda::Fields>(s.solid_fields); };
+    const auto springs = [](sim::State & s) -> auto& {
+        return std::get<solid::SphereDem::Fields>(s.solid_fields).walls;
+    };
+    EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}, dda), "accepted");
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).blocks.position.pop_back(); }, dda),
+                HasSubstr("there are 3 blocks of 4 bodies"));
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).contacts.pair.at(0) = 99; }, dda),
+                HasSubstr("a contact is of a block beyond the 4"));
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).contacts.slip.pop_back(); }, dda),
+                HasSubstr("differ in length"));
+    EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}, spheres), "accepted");
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { springs(s).pair.at(0) = ~0ULL; }, spheres),
+                HasSubstr("a contact is of a sphere beyond"));
 }
 
 }  // namespace

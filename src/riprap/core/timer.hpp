@@ -29,4 +29,17 @@ class ScopedTimer {
     double& total_;
 };
 
+/// Splits the time that passes in a function among its stages.
+class Laps {
+ public:
+    /// Adds the time since the last call, or since construction, to the total of a stage [s].
+    void end(double& total) {
+        total += timer_.seconds();
+        timer_.restart();
+    }
+
+ private:
+    Timer timer_;
+};
+
 }  // namespace riprap

@@ -59,12 +59,10 @@ std::vector<PropertyKey<To>> surface_keys() {
          mixed(number(&To::tensile_strength, "tensile_strength", dimension::pressure, non_negative(),
                       "Tensile strength: with cohesion it bonds faces that touch at the start. A bond that is torn or "
                       "sheared is gone for good. Two materials mix it as cohesion."))},
-        {Property::damping_ratio,
-         mixed(number(&To::damping_ratio, "damping_ratio", dimension::plain, between(0, 1),
-                      "Share of critical damping of a contact's dashpot."))},
-        {Property::restitution,
-         number(&To::restitution, "restitution", dimension::plain, above(0, 1),
-                "Coefficient of restitution; that of [solid] when not given.")},
+        {Property::damping_ratio, mixed(number(&To::damping_ratio, "damping_ratio", dimension::plain, between(0, 1),
+                                               "Share of critical damping of a contact's dashpot."))},
+        {Property::restitution, number(&To::restitution, "restitution", dimension::plain, above(0, 1),
+                                       "Coefficient of restitution; that of [solid] when not given.")},
         {Property::torsion, mixed(boolean(&To::has_torsion, "torsion",
                                           "Resist spinning about the contact normal, where both materials ask for "
                                           "it."))}};

@@ -20,6 +20,7 @@
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
+#include "riprap/sim/shown.hpp"
 #include "riprap/sim/time_step.hpp"
 
 namespace riprap::run {
@@ -59,7 +60,8 @@ double predicted_frame_bytes(const sim::Model& model, const sim::State& initial,
                       model.particles()->settings(), stirred(model.particles()->settings(), state.fluid), 0);
     }
     if (model.output.contacts) {
-        bytes += static_cast<double>(io::encode_vtp(io::draw_contacts(shown_contacts(model, state, scratch)), 0).size());
+        bytes +=
+            static_cast<double>(io::encode_vtp(io::draw_contacts(shown_contacts(model, state, scratch)), 0).size());
     }
     return bytes;
 }

@@ -8,6 +8,7 @@
 
 #include "riprap/fluid/grid/shown_water.hpp"
 #include "riprap/io/fluid_frame.hpp"
+#include "riprap/sim/shown.hpp"
 
 namespace riprap::run {
 
@@ -149,7 +150,7 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
     if (model_.output.contacts) {
         write_vtp(folder_.frames() / ("contacts_" + tag + ".vtp"),
                   io::draw_contacts(has_contacts ? shown_contacts(model_, moment.state, *moment.scratch)
-                                             : std::vector<contact::ShownContact>()),
+                                                 : std::vector<contact::ShownContact>()),
                   moment.state.time);
     }
 }

@@ -65,8 +65,8 @@ std::string crossing_rows(const sim::Model& model, const sim::State& state, cons
     return fmt::format(
         "{} and {} are {:.3g} m deep in each other, {:.3g} of an inscribed radius, at ({:.6g}, {:.6g}, "
         "{:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; allowed: {:.3g}",
-        model.bodies.name(row.a), model.bodies.name(row.b), row.overlap, row.potential, row.point.x, row.point.y, row.point.z,
-        state.time, solid::most_overlap);
+        model.bodies.name(row.a), model.bodies.name(row.b), row.overlap, row.potential, row.point.x, row.point.y,
+        row.point.z, state.time, solid::most_overlap);
 }
 
 /// The first two shapes that lie too deep in each other.

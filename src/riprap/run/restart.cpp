@@ -42,6 +42,22 @@ void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, c
     }
 }
 
+/// The fields of the solid method are of the bodies of the case.
+void check_solid_fields(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& state) {
+    const std::string misfit =
+        sim::Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::string {
+            const auto* fields = sim::Solids::find<Solid>(state.solid_fields);
+            if constexpr (requires { Solid::misfit(sim::solid_scene(model), settings, state.bodies, *fields); }) {
+                return fields == nullptr ? "its fields are missing"
+                                         : Solid::misfit(sim::solid_scene(model), settings, state.bodies, *fields);
+            }
+            return {};
+        });
+    if (!misfit.empty()) {
+        refuse(checkpoint, misfit);
+    }
+}
+
 void check_near_samples(const io::Checkpoint& checkpoint, const sim::Model& model,
                         const coupling::CouplingState& coupling) {
     const std::vector<std::int32_t>& near = coupling.near_samples;
@@ -169,6 +185,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
                        water->open.empty() ? initial.fluid.size() : water->open.most_particles);
     }
     check_contacts(checkpoint, model, restart.state.contacts);
+    check_solid_fields(checkpoint, model, restart.state);
     check_orientations(checkpoint, restart.state);
     check_record(checkpoint, restart.record);
     return restart;

@@ -10,7 +10,6 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/coupling/added_mass.hpp"
-#include "riprap/coupling/particle_walls/correct_bodies.hpp"
 #include "riprap/sim/cycle.hpp"
 #include "riprap/sim/fluid_exchange.hpp"
 #include "riprap/sim/ledger_table.hpp"
@@ -119,15 +118,14 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
         }
         tried = prediction.guess;
         is_settled = iteration.accept(prediction.guess, found, norm(model.gravity.value));
-        if constexpr (std::is_same_v<Fluid, coupling::ParticleMethod>) {
+        if constexpr (requires { fluid.correct(model.bodies, prediction.kinematics, is_sought, found, tried); }) {
             if (is_settled || iteration.passes() > most_newton_passes) {
                 continue;
             }
             for (std::size_t b = 0; b < count; ++b) {
                 found[b] = {found[b].linear - tried[b].linear, found[b].angular - tried[b].angular};
             }
-            if (correct(*model.particles(), model.bodies, prediction.kinematics, is_sought, found,
-                        std::get<coupling::ParticleScratch>(data.fluid), tried)) {
+            if (fluid.correct(model.bodies, prediction.kinematics, is_sought, found, tried)) {
                 prediction.guess = tried;
             }
         }
@@ -246,19 +244,6 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
     return report;
 }
 
-template <class Method, class Scratch>
-StageTimes times_of(const Scratch& scratch, StageTimes times) {
-    if constexpr (requires { Method::times(scratch); }) {
-        const solid::SolidTimes& of_method = Method::times(scratch);
-        times.find_pairs += of_method.find_pairs;
-        times.find_contacts += of_method.find_contacts;
-        times.contact_loads += of_method.contact_loads;
-        times.move_bodies += of_method.move_bodies;
-        times.measure += of_method.measure;
-    }
-    return times;
-}
-
 }  // namespace
 
 Scratch::Scratch() : data_(std::make_unique<ScratchData>()) {}
@@ -282,9 +267,16 @@ void Scratch::forget() {
 }
 
 StageTimes stage_times(const Scratch& scratch) {
-    return Solids::visit(scratch.data().solids, [&]<class Solid>(const typename Solid::Scratch& own) {
-        return times_of<Solid>(own, scratch.data().times);
+    StageTimes times = scratch.data().times;
+    Solids::visit(scratch.data().solids, [&]<class Solid>(const typename Solid::Scratch& own) {
+        const solid::SolidTimes& of_solids = Solid::times(own);
+        times.find_pairs += of_solids.find_pairs;
+        times.find_contacts += of_solids.find_contacts;
+        times.contact_loads += of_solids.contact_loads;
+        times.move_bodies += of_solids.move_bodies;
+        times.measure += of_solids.measure;
     });
+    return times;
 }
 
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
@@ -305,11 +297,12 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
 void initialise(const Model& model, State& state) {
     reset(accounts_of(model), state.ledger);
     reset(model, state.coupling);
-    if (const coupling::ParticleFluid* water = model.particles()) {
-        start_openings(water->open, water->settings(), state.fluid, state.open);
-    }
     ScratchData unused;
-    with_methods(model, state, unused, [](auto& /*solids*/, auto& /*fluid*/) {});  // makes the fields of the methods
+    with_methods(model, state, unused, [](auto& /*solids*/, auto& fluid) {  // makes the fields of the methods
+        if constexpr (requires { fluid.start(); }) {
+            fluid.start();
+        }
+    });
     if (model.has_fluid() && state.bodies.deforms()) {
         state.coupling.stretch_acceleration.assign(at(model.bodies.size()), {});
     }
@@ -338,12 +331,17 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     State::visit_fields(state, add);
     body::BodyState::visit_fields(data.before, add);
     body::BodyState::visit_fields(data.prediction.bodies, add);
-    bytes += bytes_of(bodies.name_id, bodies.name_index, bodies.material, bodies.drive, bodies.mass) +
-             bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.release_time) +
-             bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
-    if (const coupling::ParticleFluid* water = model.particles()) {
-        bytes += water->samples.bytes();
-    }
+    bytes +=
+        bytes_of(bodies.name_id, bodies.name_index, bodies.material, bodies.drive, bodies.mass) +
+        bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.locks, bodies.release_time) +
+        bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
+    std::visit(
+        [&bytes](const auto& settings) {
+            if constexpr (requires { settings.bytes(); }) {
+                bytes += settings.bytes();
+            }
+        },
+        model.fluid);
     const auto own = [](const auto& of_method) { return of_method.bytes(); };
     bytes += std::visit(own, data.solids) + std::visit(own, data.fluid);
     const Prediction& prediction = data.prediction;

@@ -109,6 +109,37 @@ inline bool reads_gauge(const Model& model, fluid::GaugeKind kind) {
         model.fluid, [kind]<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::reads(kind); });
 }
 
+// Abilities of a solid method besides moving bodies, each stated by a member of this name.
+inline constexpr auto has_locks = []<class Solid>() {
+    return requires { requires Solid::has_locks; };
+};
+inline constexpr auto has_fixed_points = []<class Solid>() {
+    return requires { requires Solid::has_fixed_points; };
+};
+inline constexpr auto has_bolts = []<class Solid>() {
+    return requires { requires Solid::has_bolts; };
+};
+
+/// Does the solid method do what is asked for, one of those above?
+template <class Asks>
+bool does(const Model& model, const Asks& asks) {
+    return Solids::visit(model.solid, [&asks]<class Solid>(const typename Solid::Settings& /*settings*/) {
+        return asks.template operator()<Solid>();
+    });
+}
+
+/// Returns the words of the solid methods that do.
+template <class Asks>
+std::vector<std::string_view> solids_that(const Asks& asks) {
+    std::vector<std::string_view> words;
+    Solids::for_each([&]<class Solid>() {
+        if (asks.template operator()<Solid>()) {
+            words.push_back(Solid::Settings::method_name);
+        }
+    });
+    return words;
+}
+
 /// Returns the words of the fluids that read gauges of a kind.
 inline std::vector<std::string_view> fluids_that_read(fluid::GaugeKind kind) {
     std::vector<std::string_view> words;
@@ -119,8 +150,8 @@ inline std::vector<std::string_view> fluids_that_read(fluid::GaugeKind kind) {
         if (!Fluid::reads(kind)) {
             return;
         }
-        if constexpr (std::is_same_v<typename Fluid::Settings, coupling::ParticleFluid>) {
-            add(static_cast<const fluid::SchemeSettings*>(nullptr));
+        if constexpr (requires { typename Fluid::Settings::Choices; }) {
+            add(static_cast<const typename Fluid::Settings::Choices*>(nullptr));
         } else if constexpr (Fluid::is_there) {
             words.push_back(Fluid::Settings::method_name);
         }

@@ -31,13 +31,23 @@ concept SolidMethod = std::default_initializable<typename M::Settings> &&
     requires(M solids, const M looked_at, const TimeSpan& span, const body::LoadView& loads, solid::Measure measure,
              solid::SolidReport& report, const typename M::Scratch& scratch, const solid::SolidScene& scene,
              const typename M::Settings& settings, const typename M::Fields& fields) {
+    requires std::same_as<typename M::Fields, NoFields> || requires(const body::BodyState& bodies) {
+        { M::misfit(scene, settings, bodies, fields) } -> std::same_as<std::string>;
+    };
     { looked_at.limit() } -> std::same_as<StepLimit>;
     { solids.advance(span, loads, measure, report) } -> std::same_as<Outcome>;
     { M::contact_loads(scratch) } -> std::same_as<const body::Loads&>;
+    { M::times(scratch) } -> std::same_as<const solid::SolidTimes&>;
     { M::contacts(scene, settings, fields, scratch) } -> std::same_as<std::vector<contact::ShownContact>>;
 };
 
-/// A way in which a fluid moves, with the coupling that it needs.
+/// A way in which a fluid moves, with the coupling that it needs. Beside the verbs below it may have two more:
+/// `start()`, called once on a fresh State, and
+///
+///     bool correct(bodies, kinematics, is_sought, residual, guess);
+///
+/// which improves the accelerations of bodies that the last load was found with, given what its loads accelerate them
+/// by beyond that; false where it has nothing better.
 template <class M>
 concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
                                coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,
@@ -153,8 +163,8 @@ template <class Found, class First, class... Rest>
 auto choices_of(Found, const First*, const Rest*... rest) {
     if constexpr (std::is_same_v<First, std::monostate>) {
         return choices_of(Found{}, rest...);
-    } else if constexpr (std::is_same_v<First, coupling::ParticleFluid>) {
-        return choices_of(decltype(Found::with(static_cast<const fluid::SchemeSettings*>(nullptr))){}, rest...);
+    } else if constexpr (requires { typename First::Choices; }) {
+        return choices_of(decltype(Found::with(static_cast<const typename First::Choices*>(nullptr))){}, rest...);
     } else {
         return choices_of(decltype(Found::with(static_cast<const First*>(nullptr))){}, rest...);
     }
@@ -167,7 +177,8 @@ struct ChoicesOf<std::variant<Settings...>> {
 };
 }  // namespace detail
 
-/// Settings that `fluid.method` chooses from: those of every fluid, and of particles those of every scheme.
+/// Settings that `fluid.method` chooses from: those of every fluid, or its `Choices` where it stands for a family (of
+/// particles those of every scheme).
 using FluidChoices = detail::ChoicesOf<Fluids::Settings>::Variant;
 
 }  // namespace riprap::sim

@@ -85,8 +85,7 @@ template <class Solid>
 std::vector<PhysicsReads> reads_of(const typename Solid::Settings& settings) {
     std::vector<PhysicsReads> all;
     if constexpr (requires { Solid::Physics::kinds; }) {
-        Solid::Physics::for_each(
-            [&]<class Physics>() { all.push_back({Physics::kinds, Physics::reads(settings)}); });
+        Solid::Physics::for_each([&]<class Physics>() { all.push_back({Physics::kinds, Physics::reads(settings)}); });
     } else {
         all.push_back({faces_alone.front(), Solid::reads(settings)});
     }

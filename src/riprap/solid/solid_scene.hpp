@@ -13,6 +13,7 @@
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/solid/explicit_dem.hpp"
+#include "riprap/solid/solid_times.hpp"
 
 namespace riprap::solid {
 
@@ -70,11 +71,6 @@ struct SolidReport {
     std::int64_t contact_count{0};
     std::int64_t pair_count{0};  ///< candidates in the pair cache: Scratch, no quantity of a record
     bool pairs_rebuilt{false};
-};
-
-/// Seconds that a solid method has spent per stage.
-struct SolidTimes {
-    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, measure{0};
 };
 
 }  // namespace riprap::solid

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "riprap/geometry/shapes.hpp"
-#include "riprap/sim/advance.hpp"
+#include "riprap/sim/shown.hpp"
 #include "riprap/validation/after_step.hpp"
 
 namespace riprap::validation {

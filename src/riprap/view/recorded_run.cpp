@@ -11,6 +11,7 @@
 #include "riprap/io/vtp_reader.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/run_folder.hpp"
+#include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
 namespace riprap::view {
@@ -250,10 +251,19 @@ std::optional<double> number_at(const scene::Value& table, const char* key) {
     return value != nullptr && value->is_number() ? std::optional(value->as_number()) : std::nullopt;
 }
 
-/// Basins and levels of a hydrostatic fluid. A region without a box is not drawn.
+/// Tells whether a fluid is given by its levels: then its regions say how high it stands, whatever the method.
+bool is_given_by_levels(const scene::Value& method) {
+    const std::vector<scene::Method> all = scene::FluidMethods::all();
+    return std::ranges::any_of(all, [&method](const scene::Method& one) {
+        return method.is_text() && one.word == method.text &&
+               std::ranges::find(one.scene_keys, "levels") != one.scene_keys.end();
+    });
+}
+
+/// Basins and levels of still water. A region without a box is not drawn.
 void read_still_water(const scene::Value* fluid, StillWater& water) {
     const scene::Value* method = fluid != nullptr && fluid->is_table() ? fluid->find("method") : nullptr;
-    if (method == nullptr || !method->is_text() || method->text != "hydrostatic") {
+    if (method == nullptr || !is_given_by_levels(*method)) {
         return;
     }
     if (const scene::Value* regions = fluid->find("region"); regions != nullptr && regions->is_array()) {

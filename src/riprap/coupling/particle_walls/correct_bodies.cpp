@@ -10,7 +10,7 @@ namespace riprap::coupling {
 bool correct(const ParticleFluid& water, const body::BodySet& bodies, const body::BodyKinematics& kinematics,
              std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
              const ParticleScratch& scratch, std::vector<body::Acceleration>& guess) {
-    auto* const scheme = dynamic_cast<fluid::SolvesForBodies*>(scratch.scheme.get());
+    fluid::SolvesForBodies* const scheme = scratch.scheme->for_bodies();
     if (scheme == nullptr || water.wall != WallTreatment::boundary_particles) {
         return false;
     }

@@ -21,7 +21,8 @@ enum class WallTreatment : std::uint8_t {
 
 /// Settings of water made of particles, whatever scheme moves them.
 struct ParticleFluid {
-    fluid::SchemeSettings scheme;
+    using Choices = fluid::SchemeSettings;  ///< that `fluid.method` chooses from: see sim/methods.hpp
+    Choices scheme;
     WallTreatment wall{WallTreatment::boundary_particles};
     SampleSet samples;                 ///< of all wet bodies; empty with penalty walls
     bool has_joint_pressure{true};     ///< water presses between faces too close for particles; boundary particles only
@@ -34,6 +35,7 @@ struct ParticleFluid {
     double filled_volume{0};         ///< [m^3]; in 2D [m^2]
     double region_volume{0};         ///< room that its regions have outside of solids [m^3]; in 2D [m^2]
 
+    std::size_t bytes() const { return samples.bytes(); }
     const fluid::ParticleSettings& settings() const { return fluid::base_of(scheme); }
     fluid::ParticleSettings& settings() { return fluid::base_of(scheme); }
     /// Settings of SPH, where that is the scheme; for programs that set or read what is its alone.

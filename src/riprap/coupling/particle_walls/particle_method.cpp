@@ -23,6 +23,8 @@ ParticleMethod::ParticleMethod(const FluidScene& scene, const Settings& water, c
     }
 }
 
+void ParticleMethod::start() { start_openings(water_->open, water_->settings(), state_.particles, state_.open); }
+
 StepLimit ParticleMethod::limit() const {
     const fluid::FluidTimeStep step = scratch_->scheme->limit(state_.particles);
     return {step.limit, false, step.reason};

@@ -8,6 +8,7 @@
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/particle_walls/correct_bodies.hpp"
 #include "riprap/coupling/particle_walls/face_reading.hpp"
 #include "riprap/coupling/particle_walls/particle_scratch.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
@@ -32,6 +33,14 @@ class ParticleMethod {
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);
 
+    /// Fills inflows; on a fresh State.
+    void start();
+    /// Newton's step for bodies that accelerate by their loads, where the scheme has one (correct_bodies.hpp).
+    bool correct(const body::BodySet& bodies, const body::BodyKinematics& kinematics,
+                 std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
+                 std::vector<body::Acceleration>& guess) const {
+        return coupling::correct(*water_, bodies, kinematics, is_sought, residual, *scratch_, guess);
+    }
     /// Returns the longest step that sound, acceleration and viscosity allow.
     StepLimit limit() const;
     /// Sorts the particles by place on steps given by the step number alone.

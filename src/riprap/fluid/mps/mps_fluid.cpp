@@ -28,6 +28,7 @@ class Mps final : public ParticleScheme, public SolvesForBodies {
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override {
         fluid::load_walls(*settings_, state, walls, gravity, span_.dt, span_.time, scratch_, solved_);
     }
+    SolvesForBodies* for_bodies() override { return this; }
     bool correct(const LooseBodies& bodies, std::span<const Twist> residual, std::span<Twist> change) override {
         return mps::correct_bodies(*settings_, bodies, residual, scratch_.data(), change);
     }

@@ -13,6 +13,8 @@
 
 namespace riprap::fluid {
 
+class SolvesForBodies;  // loose_bodies.hpp
+
 /// The longest steps that each limit allows [s].
 struct FluidTimeStep {
     double acoustic;  ///< courant h / (c + max speed), c at the highest density
@@ -88,6 +90,9 @@ class ParticleScheme {
     /// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
     virtual void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
                       std::span<const Vec3> extra_force, FluidReport& report) = 0;
+    /// Returns the scheme as one that solves for its pressure and the accelerations of bodies at once; nullptr where it
+    /// does not.
+    virtual SolvesForBodies* for_bodies() { return nullptr; }
     virtual std::size_t bytes() const = 0;
 };
 

@@ -33,8 +33,8 @@ void read_properties(const Value& table, const std::vector<material::PropertyKey
     }
 }
 
-/// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it, the
-/// case must give one.
+/// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it,
+/// the case must give one.
 template <class Number>
 Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, Number Material::*value,
                    material::Property property, Mixing if_alike = Mixing::minimum) {
@@ -62,8 +62,8 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
 
 /// Places of keys that say something which the solid method does not read.
 struct Unread {
-    SourcePlace place;    ///< of the first
-    std::string where;    ///< "material 'rock'"
+    SourcePlace place;  ///< of the first
+    std::string where;  ///< "material 'rock'"
     std::size_t count{0};
 };
 
@@ -97,11 +97,11 @@ void warn_of_unread(CaseBuild& build, std::string_view key, material::Property p
     }
     const std::string others =
         unread.count > 1 ? fmt::format(" and {} other{}", unread.count - 1, unread.count > 2 ? "s" : "") : "";
-    build.warnings.push_back(to_string(Diagnostic{
-        unread.place,
-        fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key, unread.where, others,
-                    method, is_read ? " with these settings" : ""),
-        is_read ? "leave it out" : "leave it out, or solid.method = " + readers}));
+    build.warnings.push_back(
+        to_string(Diagnostic{unread.place,
+                             fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key,
+                                         unread.where, others, method, is_read ? " with these settings" : ""),
+                             is_read ? "leave it out" : "leave it out, or solid.method = " + readers}));
 }
 
 void read_pair(CaseBuild& build, const Value& pair) {
@@ -211,11 +211,11 @@ void check_materials(CaseBuild& build) {
     for (const solid::LackingProperty& lack : lacking) {
         const std::string& material = model.materials[model.bodies.material[at(lack.body.value)]].name;
         const auto key = std::ranges::find(material_keys, lack.property, &material::PropertyKey<Material>::property);
-        build.problem(get(get(build.root, "material"), material).place,
-                      fmt::format("material '{}' lacks '{}', which solid.method = \"{}\" needs of '{}'", material,
-                                  key->key.row.name, get_text(get(build.root, "solid"), "method"),
-                                  model.bodies.name(lack.body)),
-                      fmt::format("{}: {}", describe_form(key_of(key->key.row, {}).forms.front()), key->key.row.help));
+        build.problem(
+            get(get(build.root, "material"), material).place,
+            fmt::format("material '{}' lacks '{}', which solid.method = \"{}\" needs of '{}'", material,
+                        key->key.row.name, get_text(get(build.root, "solid"), "method"), model.bodies.name(lack.body)),
+            fmt::format("{}: {}", describe_form(key_of(key->key.row, {}).forms.front()), key->key.row.help));
     }
 }
 

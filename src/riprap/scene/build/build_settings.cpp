@@ -10,6 +10,7 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/suggest.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
@@ -372,14 +373,11 @@ void check_solid_method(CaseBuild& build) {
                 found.push_back(unanswered_problem(model, body));
             }
             // Rigid bodies have six degrees of freedom, blocks that deform twelve, of which no guide is made.
-            if (build.state.bodies.deforms() ||
-                !(std::is_same_v<Solid, solid::PolyhedralDem> || std::is_same_v<Solid, solid::SphereDem>)) {
-                for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
-                    if (locks_of(model.bodies, at(b)).any()) {
-                        found.push_back({BodyId{b}, "this method locks no degrees of freedom of a body",
-                                         "leave out 'locked', or solid.method = \"distance_potential_dem\" or "
-                                         "\"sphere_dem\""});
-                    }
+            for (std::int32_t b = 0; b < model.bodies.size() && !sim::does(model, sim::has_locks); ++b) {
+                if (locks_of(model.bodies, at(b)).any()) {
+                    found.push_back({BodyId{b}, "this method locks no degrees of freedom of a body",
+                                     fmt::format("leave out 'locked', or solid.method = \"{}\"",
+                                                 fmt::join(sim::solids_that(sim::has_locks), "\" or \""))});
                 }
             }
             return found;

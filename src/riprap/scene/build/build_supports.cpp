@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/convex_query.hpp"
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
 
@@ -46,24 +47,19 @@ bool read_point(CaseBuild& build, const Value& value, const SourcePlace& place, 
 
 /// Tells whether the solid method of the case has supports of this kind; a problem otherwise.
 template <class Asks>
-bool check_method(CaseBuild& build, const Value& table, const char* what, const char* methods, const Asks& asks) {
-    const bool has = sim::Solids::visit(
-        build.model.solid,
-        [&]<class Solid>(const typename Solid::Settings& /*settings*/) { return asks.template operator()<Solid>(); });
-    if (!has) {
-        build.problem(table.place, fmt::format("the solid method of this case knows no {}", what), methods);
+bool check_method(CaseBuild& build, const Value& table, const char* what, const Asks& asks) {
+    if (sim::does(build.model, asks)) {
+        return true;
     }
-    return has;
+    build.problem(table.place, fmt::format("the solid method of this case knows no {}", what),
+                  fmt::format("solid.method = \"{}\"", fmt::join(sim::solids_that(asks), "\" or \"")));
+    return false;
 }
 
 void read_fixed_point(CaseBuild& build, const Value& table) {
-    const auto asks = []<class Solid>() {
-        return requires { requires Solid::has_fixed_points; };
-    };
     const BodyId body = build.body_named(get(table, "body"));
     body::FixedPoint support{.body = body, .place = get_vector(table, "at")};
-    if (!body.is_valid() ||
-        !check_method(build, table, "fixed points", "solid.method = \"planar_dda\" or \"implicit_dda\"", asks) ||
+    if (!body.is_valid() || !check_method(build, table, "fixed points", sim::has_fixed_points) ||
         !read_point(build, get(table, "at"), get(table, "at").place, body, support.point)) {
         return;
     }
@@ -77,13 +73,9 @@ void read_fixed_point(CaseBuild& build, const Value& table) {
 }
 
 void read_bolt(CaseBuild& build, const Value& table) {
-    const auto asks = []<class Solid>() {
-        return requires { requires Solid::has_bolts; };
-    };
     const std::vector<Value>&names = get(table, "bodies").items, &ends = get(table, "ends").items;
     body::Bolt bolt{.first = build.body_named(names[0]), .second = build.body_named(names[1])};
-    if (!bolt.first.is_valid() || !bolt.second.is_valid() ||
-        !check_method(build, table, "bolts", "solid.method = \"planar_dda\"", asks)) {
+    if (!bolt.first.is_valid() || !bolt.second.is_valid() || !check_method(build, table, "bolts", sim::has_bolts)) {
         return;
     }
     const body::BodySet& bodies = build.model.bodies;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: the top of the file, gravity, solid.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
 
@@ -23,6 +26,12 @@ KeyList<sim::TimeSettings> time_keys() {
 }
 
 namespace {
+
+/// Adds the solid methods that do what is asked for to a help.
+template <class Asks>
+std::string with_solids(std::string_view help, const Asks& asks) {
+    return fmt::format("{} Of solid.method {}.", help, fmt::join(sim::solids_that(asks), " and "));
+}
 
 const Table& spread_table() {
     static const Table table{
@@ -43,12 +52,14 @@ const Table& spread_table() {
 }
 
 const Table& fixed_point_table() {
+    static const std::string help = with_solids(
+        "A point of a block that a stiff spring holds where it is at the start; the block may turn about it and "
+        "strain.",
+        sim::has_fixed_points);
     static const Table table{
         "fixed_point",
         "[[fixed_point]]",
-        "A point of a block that a stiff spring holds where it is at the start; the block may "
-        "turn about it and strain. "
-        "For solid.method planar_dda and implicit_dda.",
+        help,
         {{"body", {text()}, "Name of the body, \"NAME[17]\" for one of many.", {}, true},
          {"at", {vector(dimension::length)}, "The point, where it is at the start.", {}, true},
          {"stiffness",
@@ -59,11 +70,14 @@ const Table& fixed_point_table() {
 }
 
 const Table& bolt_table() {
+    static const std::string help = with_solids(
+        "A straight spring between points of two bodies, under tension and compression alike: a rock bolt. "
+        "Forces are per metre of width.",
+        sim::has_bolts);
     static const Table table{
         "bolt",
         "[[bolt]]",
-        "A straight spring between points of two bodies, under tension and compression alike: a rock bolt. Of "
-        "solid.method planar_dda; per metre of width.",
+        help,
         {{"bodies", {list(text(), 2, 2)}, "Names of the bodies at its ends; one may be fixed.", {}, true},
          {"ends",
           {list(vector(dimension::length), 2, 2)},

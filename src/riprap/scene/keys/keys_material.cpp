@@ -36,11 +36,14 @@ void add_rows(const std::vector<material::PropertyKey<To>>& keys, Table& table) 
 
 const Table& contact_pair_table() {
     static const Table table = [] {
-        Table made{
-            "contact.pair",
-            "[[contact.pair]]",
-            "Values for one pair of materials, instead of the mixed ones.",
-            {{"materials", {list(name(), 2, 2)}, "The two materials; twice the same for contacts within one.", {}, true}}};
+        Table made{"contact.pair",
+                   "[[contact.pair]]",
+                   "Values for one pair of materials, instead of the mixed ones.",
+                   {{"materials",
+                     {list(name(), 2, 2)},
+                     "The two materials; twice the same for contacts within one.",
+                     {},
+                     true}}};
         add_rows(material::pair_keys(), made);
         return made;
     }();

@@ -9,6 +9,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/explicit_dda/bond_loss.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
@@ -265,8 +266,10 @@ KickSums fold(KickSums a, const KickSums& b) {
 affine::Outcome advance(const BlockSystem& system, const Settings& settings, double dt,
                         const affine::BlockLoads& external, State& state, Scratch& scratch, StepReport& report) {
     report = {};
+    Laps laps;
     drift_all(system, settings, 0.5 * dt, state.blocks);
     place_blocks(system, state.blocks, scratch.placed);
+    laps.end(scratch.times.move_bodies);
     std::swap(scratch.old, state.contacts);
     // Contacts that are apart take part where bonds hold them.
     const double touching = scratch.old.bonded.empty() && !has_intact(scratch.old)
@@ -275,6 +278,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     const double reach = touching > 0 ? std::max(touching, affine::tearing_gap(system)) : 0;
     const std::vector<BlockContact>& contacts =
         scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
+    laps.end(scratch.times.find_contacts);
     scratch.forces.resize(contacts.size());
     const double time = 0.5 * (state.last_dt + dt);
     find_softness(system, state.blocks, scratch.softness);
@@ -282,8 +286,10 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)], time);
     });
     sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
+    laps.end(scratch.times.contact_loads);
     book_lost_contacts(scratch, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
+    laps.end(scratch.times.measure);
     const KickSums sums = parallel::reduce(
         system.size(), KickSums{},
         [&](std::int64_t b) {
@@ -297,6 +303,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     report.external_work = sums.external_work;
     drift_all(system, settings, 0.5 * dt, state.blocks);
     state.last_dt = dt;
+    laps.end(scratch.times.move_bodies);
     if (const auto& [block, what] = find_failure(system, settings, state.blocks); block >= 0) {
         return {fmt::format("block {} {}", block, what), 0.5};
     }

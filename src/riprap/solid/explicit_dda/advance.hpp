@@ -5,6 +5,7 @@
 #include "riprap/solid/affine/block_contacts.hpp"
 #include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/explicit_dda/block_motion.hpp"
+#include "riprap/solid/solid_times.hpp"
 
 // Explicit DDA in three dimensions [MikolaSitar2013]: deformable convex blocks, common-plane contact, penalty springs
 // with Coulomb friction, central differences. Block-local: nothing is assembled, no open-close iteration. Settings and
@@ -51,6 +52,7 @@ struct Scratch {
     std::vector<std::uint8_t> is_carried;  ///< rows of `old` that were found again
     std::vector<Mat3> softness;            ///< S^-1 of every block [1/(kg m^2)]
     std::vector<double> squared, damping;  ///< sums of ContactForce::share and damping, per block
+    SolidTimes times;
     const std::vector<affine::BlockContact>& contacts() const { return finder.found(); }
 };
 

@@ -12,7 +12,9 @@
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/misfit.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/explicit_dda/bond_loss.hpp"
@@ -46,7 +48,11 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
 
 std::vector<material::PropertyUse> ExplicitDda::reads(const Settings& /*settings*/) {
     using material::Property;
-    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}, {Property::damping_ratio}};
+    return {{Property::shear_stiffness},
+            {Property::friction},
+            {Property::cohesion},
+            {Property::tensile_strength},
+            {Property::damping_ratio}};
 }
 
 std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
@@ -84,31 +90,6 @@ StepLimit ExplicitDda::limit() const {
             "strain modes and contact points of the blocks"};
 }
 
-namespace {
-
-/// Impulses of gravity, given loads and supports in a piece, work of what is driven, and the fastest block. Positions
-/// and velocities of the kick are those of mid-step.
-void book_outside(const affine::BlockSystem& system, const affine::BlockState& blocks, const body::LoadView& given,
-                  const body::Loads& contacts, double dt, KickReport& kick) {
-    for (std::size_t b = 0; b < system.mass.size(); ++b) {
-        const Vec3 middle = blocks.position[b] - (0.5 * dt) * blocks.velocity[b];
-        if (system.is_fixed[b] != 0) {
-            const Vec3 spin = affine::spin_of(affine::rows_at(blocks.velocity_gradient, b));
-            kick.impulse -= dt * contacts.force[b];
-            kick.angular_impulse -= dt * (cross(middle, contacts.force[b]) + contacts.torque[b]);
-            kick.work_driven -= dt * (dot(contacts.force[b], blocks.velocity[b]) + dot(contacts.torque[b], spin));
-            continue;
-        }
-        const Vec3 outside = system.mass[b] * system.gravity + (given.empty() ? Vec3{} : given.force[b]);
-        kick.impulse += dt * outside;
-        kick.angular_impulse += dt * (cross(middle, outside) + (given.empty() ? Vec3{} : given.torque[b]));
-        kick.mass_moment += system.mass[b] * middle;
-        kick.max_speed = std::max(kick.max_speed, norm(blocks.velocity[b]));
-    }
-}
-
-}  // namespace
-
 std::span<const Account> ExplicitDda::accounts() {
     static constexpr std::array table{
         Account{"strain", Balance::stored, Booking::at_kick, "stored in strained blocks"},
@@ -117,6 +98,11 @@ std::span<const Account> ExplicitDda::accounts() {
         Account{"bonds", Balance::lost, Booking::since_kick, "lost by bonds that broke, since time 0"},
     };
     return table;
+}
+
+std::string ExplicitDda::misfit(const SolidScene& scene, const Settings& /*settings*/,
+                                const body::BodyState& /*bodies*/, const Fields& fields) {
+    return affine::misfit(fields.blocks, fields.contacts, scene.bodies.size());
 }
 
 std::vector<contact::ShownContact> ExplicitDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,
@@ -167,18 +153,14 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         scratch_->loads.force[at(b)] = scratch_->engine.loads[at(b)].force;
         scratch_->loads.torque[at(b)] = 2.0 * affine::spin_of(scratch_->engine.loads[at(b)].dipole);
     }
-    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, 0.5 * span.dt, report.kick);
     for (const affine::ReleasedBlock& block : released) {
         book_released_at_middle(system, fields_->blocks, span.dt, block, report.kick);
     }
     write_bodies(system, fields_->blocks, state_.bodies);
     report.gravity = system.gravity;
     report.kick_time = span.middle();
-    report.kick.mass = step.sums.mass;
-    report.kick.kinetic = step.sums.kinetic;
-    report.kick.potential = step.sums.potential;
-    report.kick.momentum = step.sums.momentum;
-    report.kick.angular_momentum = step.sums.angular_momentum;
+    book_sums(step.sums, report.kick);
     report.kick.damping_loss = step.damping_loss;
     report.kick.external_work = step.external_work;
     report.elastic = step.contact;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "riprap/contact/shown_contact.hpp"
@@ -50,15 +51,20 @@ class ExplicitDda {
     StepLimit limit() const;
     /// Moves the blocks over a piece of a step under loads that are held over it.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
-    /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
     static std::span<const ShownField> shown() { return affine::shown_of_blocks(); }
     static double show(const body::BodyState& /*bodies*/, const Fields& fields, std::size_t body, std::size_t field) {
         return affine::show_block(fields.blocks, body, field);
     }
+    /// Says why fields that were read from a file are not of this scene; empty where they are.
+    static std::string misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
+                              const Fields& fields);
     /// Returns the contacts of the last piece, for output.
     static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
                                                        const Fields& fields, const Scratch& scratch);
+    /// Seconds spent per stage so far.
+    static const SolidTimes& times(const Scratch& scratch) { return scratch.engine.times; }
+    /// Sum of the contact forces and of their moments on every body in the last piece.
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
 
  private:

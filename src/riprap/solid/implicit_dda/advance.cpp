@@ -9,6 +9,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/step_update.hpp"
 #include "riprap/solid/implicit_dda/bond_loss.hpp"
@@ -349,6 +350,7 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
                         const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
                         Scratch& scratch, StepReport& report) {
     report = {};
+    Laps laps;
     const double size = smallest_block(system);
     const double tearing = state.contacts.bonded.empty() ? 0 : affine::tearing_gap(system);
     const double reach =
@@ -360,9 +362,11 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     parallel::for_each_uneven(static_cast<std::int64_t>(found.size()), 64, [&](std::int64_t i) {
         scratch.contacts[at(i)] = make_term(system, state, scratch, found[at(i)], dt);
     });
+    laps.end(scratch.times.find_contacts);
     fill_blocks(system, fixed_points, settings, dt, external, state.blocks, scratch);
     link_rows(static_cast<std::int64_t>(scratch.block.size()), scratch.contacts, scratch.equations);
     affine::Outcome outcome = iterate(settings, scratch, report);
+    laps.end(scratch.times.contact_loads);
     if (!outcome.ok()) {
         return outcome;
     }
@@ -377,8 +381,11 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
         report.static_loss = (1 - settings.dynamic * settings.dynamic) * measure(system, state.blocks).kinetic;
     }
     remember(scratch, affine::bond_tolerance * size, state.contacts, report);
+    laps.end(scratch.times.measure);
     move_blocks(system, settings, dt, scratch, state.blocks);
+    laps.end(scratch.times.move_bodies);
     report.sums = measure(system, state.blocks);
+    laps.end(scratch.times.measure);
     return {};
 }
 

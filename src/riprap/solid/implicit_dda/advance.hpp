@@ -6,6 +6,7 @@
 
 #include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
+#include "riprap/solid/solid_times.hpp"
 
 // Implicit DDA in three dimensions [Ding2021, chapter 4, corrected]: deformable convex blocks of twelve unknowns,
 // common- plane contact, open-close iteration, Newmark with beta = 1/2 and gamma = 1. Settings, BlockSystem and
@@ -54,6 +55,7 @@ struct Scratch {
     std::vector<std::int32_t> row, block;  ///< row of a block, -1 = fixed; block of a row
     Equations equations;
     const std::vector<affine::BlockContact>& found() const { return finder.found(); }
+    SolidTimes times;
     std::vector<std::pair<Vec3, Vec3>> point_forces;  ///< arm [m] and force [N] of every fixed point, after the step
 };
 

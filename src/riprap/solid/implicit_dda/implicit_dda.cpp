@@ -12,7 +12,9 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/linear/cholmod.hpp"
+#include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/misfit.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/implicit_dda/bond_loss.hpp"
@@ -141,26 +143,6 @@ void sum_fixed_points(const std::vector<implicit_dda::FixedPoint>& points, const
     }
 }
 
-/// Impulses of gravity, given loads and supports in a piece, work of what is driven, and the fastest block.
-void book_outside(const affine::BlockSystem& system, const affine::BlockState& blocks, const body::LoadView& given,
-                  const body::Loads& contacts, double dt, KickReport& kick) {
-    for (std::size_t b = 0; b < system.mass.size(); ++b) {
-        const Vec3& x = blocks.position[b];
-        if (system.is_fixed[b] != 0) {
-            const Vec3 spin = affine::spin_of(affine::rows_at(blocks.velocity_gradient, b));
-            kick.impulse -= dt * contacts.force[b];
-            kick.angular_impulse -= dt * (cross(x, contacts.force[b]) + contacts.torque[b]);
-            kick.work_driven -= dt * (dot(contacts.force[b], blocks.velocity[b]) + dot(contacts.torque[b], spin));
-            continue;
-        }
-        const Vec3 outside = system.mass[b] * system.gravity + (given.empty() ? Vec3{} : given.force[b]);
-        kick.impulse += dt * outside;
-        kick.angular_impulse += dt * (cross(x, outside) + (given.empty() ? Vec3{} : given.torque[b]));
-        kick.mass_moment += system.mass[b] * x;
-        kick.max_speed = std::max(kick.max_speed, norm(blocks.velocity[b]));
-    }
-}
-
 /// Writes the mean rates of stretching over the step. Those of the method at the end of a step change their sign from
 /// step to step where a block is stiff.
 void write_mean_rates(const implicit_dda::Scratch& engine, double dt, body::BodyState& bodies) {
@@ -184,6 +166,11 @@ std::span<const Account> ImplicitDda::accounts() {
         Account{"static_damping", Balance::lost, Booking::across_kick, "lost to dynamic_factor since time 0"},
     };
     return table;
+}
+
+std::string ImplicitDda::misfit(const SolidScene& scene, const Settings& /*settings*/,
+                                const body::BodyState& /*bodies*/, const Fields& fields) {
+    return affine::misfit(fields.blocks, fields.contacts, scene.bodies.size());
 }
 
 std::vector<contact::ShownContact> ImplicitDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,
@@ -242,7 +229,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     scratch_->loads.clear(at(system.size()));
     sum_contacts(scratch_->engine, scratch_->loads);
     sum_fixed_points(scratch_->fixed_points, scratch_->engine, fields_->blocks, span.dt, scratch_->loads, report.kick);
-    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, report.kick);
+    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, 0, report.kick);
     for (const affine::ReleasedBlock& block : released) {
         book_released(system, fields_->blocks, block, report.kick);
     }
@@ -251,11 +238,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.gravity = system.gravity;
     report.kick_time = span.end();
     report.kick_share = 1;
-    report.kick.mass = step.sums.mass;
-    report.kick.kinetic = step.sums.kinetic;
-    report.kick.potential = step.sums.potential;
-    report.kick.momentum = step.sums.momentum;
-    report.kick.angular_momentum = step.sums.angular_momentum;
+    book_sums(step.sums, report.kick);
     report.kick.external_work = step.external_work;
     report.elastic = step.contact;
     report.friction_loss = step.friction_loss;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/planar_dda/planar_dda.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -108,7 +110,11 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
 
 std::vector<material::PropertyUse> PlanarDda::reads(const Settings& /*settings*/) {
     using material::Property;
-    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}, {Property::damping_ratio}};
+    return {{Property::shear_stiffness},
+            {Property::friction},
+            {Property::cohesion},
+            {Property::tensile_strength},
+            {Property::damping_ratio}};
 }
 
 std::vector<SceneProblem> PlanarDda::problems_of(const SolidScene& scene, const Settings& settings,
@@ -304,6 +310,34 @@ double PlanarDda::show(const body::BodyState& /*bodies*/, const Fields& fields, 
         default:
             return 0.5 * (a.x * a.y + b.x * b.y);
     }
+}
+
+std::string PlanarDda::misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
+                              const Fields& fields) {
+    const planar_dda::State& s = fields.blocks;
+    const std::size_t count = at(scene.bodies.size()), contacts = s.contact_corner.size();
+    for (const auto* of_blocks :
+         {&s.x, &s.y, &s.angle, &s.stretch_xx, &s.stretch_yy, &s.stretch_xy, &s.stress_x, &s.stress_y, &s.stress_xy}) {
+        if (of_blocks->size() != count || s.rates.size() != 6 * count || fields.was_held.size() != count) {
+            return fmt::format("there are {} blocks of {} bodies", of_blocks->size(), count);
+        }
+    }
+    for (const auto* of_contacts : {&s.contact_lock, &s.contact_share, &s.contact_multiplier, &s.contact_force}) {
+        if (of_contacts->size() != contacts || s.contact_edge.size() != contacts || s.contact_mode.size() != contacts ||
+            s.contact_is_bonded.size() != contacts) {
+            return "the arrays of the contacts differ in length";
+        }
+    }
+    if (fields.around.size() != 3) {
+        return "the disc about the bodies at the start is missing";
+    }
+    planar_dda::SceneBlocks blocks;
+    make_blocks(scene, bodies, {{fields.around[0], fields.around[1]}, fields.around[2]}, settings.elasticity,
+                settings.plane, blocks);
+    const auto is_corner = [corners = blocks.model.corner.size()](std::int32_t c) { return c >= 0 && at(c) < corners; };
+    return std::ranges::all_of(s.contact_corner, is_corner) && std::ranges::all_of(s.contact_edge, is_corner)
+               ? ""
+               : "a contact is of a corner that is not there";
 }
 
 std::vector<contact::ShownContact> PlanarDda::contacts(const SolidScene& /*scene*/, const Settings& /*settings*/,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "riprap/contact/shown_contact.hpp"
@@ -66,10 +67,15 @@ class PlanarDda {
     StepLimit limit() const { return {settings_->step, true, "step of planar DDA"}; }
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
-    /// Sum of the contact forces and of their moments on every body in the last piece.
+    /// Says why fields that were read from a file are not of this scene; empty where they are.
+    static std::string misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
+                              const Fields& fields);
     /// Returns the contacts of the last piece, for output.
     static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
                                                        const Fields& fields, const Scratch& scratch);
+    /// Seconds spent per stage so far.
+    static const SolidTimes& times(const Scratch& scratch) { return scratch.engine.times; }
+    /// Sum of the contact forces and of their moments on every body in the last piece.
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
     static std::span<const Account> accounts();
     /// Stress and strain in the plane, with von Mises' stress: as of blocks in space.

@@ -9,6 +9,7 @@
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/planar_dda/accounts.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/move_blocks.hpp"
@@ -203,8 +204,10 @@ void guess_motion(const State& state, double dt, Scratch& scratch) {
 Outcome advance(const Model& model, const Settings& settings, const Step& step, State& state, Scratch& scratch,
                 StepReport& report) {
     report = {};
+    Laps laps;
     place_corners(model, state, scratch.corners);
     find_contacts(model, state, settings, scratch.corners, scratch.search, scratch.contacts);
+    laps.end(scratch.times.find_contacts);
     number_rows(model, scratch);
     scratch.equations.set_pattern(static_cast<std::int32_t>(scratch.block_of_row.size()), scratch.couplings,
                                   way_of(model, step.dt, scratch));
@@ -222,6 +225,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
         }
         outcome = settle_contacts(model, settings, state, step.dt, scratch, report);
     }
+    laps.end(scratch.times.contact_loads);
     if (outcome.ok()) {
         report.largest_displacement = largest_displacement(model, state, scratch);
         outcome = accept_or_refuse(model, settings, scratch, report);
@@ -229,6 +233,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
     if (outcome.ok()) {
         accept(model, settings, step, state, scratch);
     }
+    laps.end(scratch.times.move_bodies);
     return outcome;
 }
 

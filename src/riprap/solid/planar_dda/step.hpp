@@ -7,6 +7,7 @@
 
 #include "riprap/solid/planar_dda/contacts.hpp"
 #include "riprap/solid/planar_dda/equations.hpp"
+#include "riprap/solid/solid_times.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -62,6 +63,7 @@ struct Scratch {
     std::vector<Unknowns> right, solution;
     std::vector<Unknowns> motion;  ///< D per block, of fixed ones too
     Equations equations;
+    SolidTimes times;
 };
 
 /// Takes one step, or refuses it and leaves the state as it was.

@@ -25,6 +25,7 @@ class PolyhedralDem {
 
     static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
     static constexpr bool tells_depth = true;       ///< see there
+    static constexpr bool has_locks = true;         ///< see there
 
     PolyhedralDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& /*fields*/,
                   Scratch& scratch)

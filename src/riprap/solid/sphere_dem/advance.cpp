@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 #include "riprap/solid/sphere_dem/share.hpp"
@@ -12,12 +13,16 @@ namespace riprap::solid::sphere_dem {
 
 ContactSums evaluate_contacts(const SphereModel& model, double time, double sliding_time, const body::BodyState& bodies,
                               SphereState& state, SphereScratch& scratch, FacesOnFaces* faces, bool with_energy) {
+    Laps laps;
     update_sphere_kinematics(model.bodies, bodies, time, scratch.kinematics);
     place(model, bodies, scratch);
+    laps.end(scratch.times.move_bodies);
     Meeting meeting{model, bodies, sliding_time, with_energy, state, scratch, faces};
     SpherePhysics::for_each([&]<class P>() { P::find(meeting); });
     share_contacts(model, state, scratch);
+    laps.end(scratch.times.find_contacts);
     SpherePhysics::for_each([&]<class P>() { P::respond(meeting); });
+    laps.end(scratch.times.contact_loads);
     ContactSums& sums = meeting.sums;
     sums.friction_loss += meeting.lost;
     ++state.evaluations;

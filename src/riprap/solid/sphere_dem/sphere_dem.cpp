@@ -2,6 +2,7 @@
 #include "riprap/solid/sphere_dem/sphere_dem.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 
 #include <limits>
@@ -10,6 +11,7 @@
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
@@ -106,6 +108,26 @@ std::span<const Account> SphereDem::accounts() {
     return table;
 }
 
+std::string SphereDem::misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& /*bodies*/,
+                              const Fields& fields) {
+    const auto spheres = static_cast<std::uint64_t>(sphere_dem::sample_bodies(scene, settings).size());
+    for (const sphere_dem::Springs* springs : {&fields.contacts, &fields.walls}) {
+        const std::size_t count = springs->size();
+        if (springs->force.size() != count || springs->stiffness.size() != count ||
+            (!springs->rolling.empty() && springs->rolling.size() != count) ||
+            springs->normal.size() != (springs == &fields.walls ? count : 0)) {
+            return "the arrays of the contacts differ in length";
+        }
+        if (std::ranges::any_of(springs->pair, [spheres](std::uint64_t pair) { return pair >> 32U >= spheres; })) {
+            return fmt::format("a contact is of a sphere beyond the {} that there are", spheres);
+        }
+    }
+    if (std::ranges::any_of(fields.contacts.pair, [spheres](auto pair) { return (pair & 0xFFFFFFFFU) >= spheres; })) {
+        return fmt::format("a contact is of a sphere beyond the {} that there are", spheres);
+    }
+    return "";
+}
+
 std::vector<contact::ShownContact> SphereDem::contacts(const SolidScene& scene, const Settings& settings,
                                                        const Fields& fields, const Scratch& scratch) {
     std::vector<contact::ShownContact> shown;
@@ -124,18 +146,22 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
         state_.previous_dt > 0 ? kick_time - sliding_time : -std::numeric_limits<double>::infinity();
     const bool do_faces_meet = scratch_->do_faces_meet;
     report.has_stored = !do_faces_meet || measure == Measure::energy || state_.previous_dt == 0;
+    Laps laps;
     sphere_dem::drift_spheres(bodies, state, kick_time, 0.5 * span.dt);
+    laps.end(buffers.times.move_bodies);
     buffers.keeps_forces = measure == Measure::energy;
     const std::int64_t searches = buffers.pairs.rebuild_count();
     FacesOnFaces faces_meet = faces();
     const sphere_dem::ContactSums sums = evaluate_contacts(model(), kick_time, sliding_time, state, *fields_, buffers,
                                                            do_faces_meet ? &faces_meet : nullptr, report.has_stored);
+    Laps after;
     report.pairs_rebuilt = buffers.pairs.rebuild_count() != searches;
     report.gravity = scene_->gravity.at(kick_time);
     report.kick_time = kick_time;
     report.kick = kick(bodies, faces_settings_, buffers.kinematics, buffers.loads,
                        scratch_->point_loads.add(scene_->point_loads, state, kick_time, loads), report.gravity,
                        {kick_time, previous_kick, span.dt}, state);
+    after.end(buffers.times.move_bodies);
     report.elastic = report.has_stored ? sums.elastic : 0;
     report.friction_loss = sums.friction_loss;
     report.damping_loss = sums.damping_loss;
@@ -147,7 +173,9 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     report.contact_count = count_touching(model(), *fields_);
     report.pair_count = buffers.slots.count + static_cast<std::int64_t>(buffers.wall_pairs.size());
     const Outcome overlap_of_faces = do_faces_meet ? faces_meet.book(buffers.kinematics, span.dt, report) : Outcome{};
+    after.end(buffers.times.measure);
     sphere_dem::drift_spheres(bodies, state, span.end(), 0.5 * span.dt);
+    after.end(buffers.times.move_bodies);
     state_.previous_dt = span.dt;
     if (report.kick.worst_body >= 0) {
         const BodyId body{static_cast<std::int32_t>(report.kick.worst_body)};

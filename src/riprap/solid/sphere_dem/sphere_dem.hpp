@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "riprap/contact/shown_contact.hpp"
@@ -35,6 +36,7 @@ class SphereDem {
         std::size_t bytes() const;
     };
 
+    static constexpr bool has_locks = true;  ///< see sim/method_traits.hpp
     /// See sim/method_traits.hpp: a sphere of the volume of a body reaches beyond its shape.
     static bool meets_by_shapes(const Settings& settings) { return settings.sampling != SphereSampling::one; }
 
@@ -56,9 +58,14 @@ class SphereDem {
     /// Moves the bodies over a piece of a step under loads that are held over it.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
 
-    /// Sum of the contact forces and of their moments on every body in the last piece.
     static std::span<const Account> accounts();
+    /// Seconds spent per stage so far.
+    static const SolidTimes& times(const Scratch& scratch) { return scratch.buffers.times; }
+    /// Sum of the contact forces and of their moments on every body in the last piece.
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.buffers.loads; }
+    /// Says why fields that were read from a file are not of this scene; empty where they are.
+    static std::string misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
+                              const Fields& fields);
     /// Returns the contacts of the last piece, for output: those between spheres only where it measured everything.
     static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
                                                        const Fields& fields, const Scratch& scratch);

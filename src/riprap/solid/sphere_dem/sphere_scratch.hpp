@@ -8,6 +8,7 @@
 #include "riprap/contact/broadphase/pair_cache.hpp"
 #include "riprap/contact/frame.hpp"
 #include "riprap/contact/pipeline.hpp"
+#include "riprap/solid/solid_times.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -136,6 +137,7 @@ struct SphereScratch {
     std::int64_t evaluations{-1};  ///< of State that the buffers belong to
     bool is_simple{false};         ///< every body that can move freely is one sphere about its centre of mass
     bool is_prepared{false};
+    SolidTimes times;
 };
 
 }  // namespace riprap::solid::sphere_dem
