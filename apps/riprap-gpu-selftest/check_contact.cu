@@ -84,7 +84,7 @@ struct Placement {
     Frame frame_a, frame_b;
 };
 
-/// What is compared: outcome and every number of the contact. No padding, so that bytes can be compared.
+/// Bytes to compare: outcome and every number of the contact. No padding, so that bytes can be compared.
 struct Result {
     std::int64_t outcome;
     NormalContact contact;

@@ -27,7 +27,7 @@ std::vector<std::string> options_of(const CLI::App& command) {
     return names;
 }
 
-/// Whether the first word after a command is a case, and else a run folder or another path.
+/// Tells whether the first word after a command is a case; else it is a run folder or another path.
 bool takes_case(const CLI::App& command) {
     const std::vector<const CLI::Option*> options = command.get_options();
     return std::any_of(options.begin(), options.end(),
@@ -124,7 +124,7 @@ std::string fish_script(const CLI::App& app) {
     return text;
 }
 
-/// A text within a manual page: no line of it is a request, no hyphen of an option becomes a dash.
+/// Escapes a text for a manual page, so that no line is a request and no hyphen of an option becomes a dash.
 std::string roff(const std::string& text) {
     std::string result;
     bool is_start = true;

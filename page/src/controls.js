@@ -35,7 +35,7 @@ export function wire(page) {
   });
   $('warnings').addEventListener('click', () => page.openTab('run'));
   document.addEventListener('keydown', event => onKey(page, event));
-  // After a click the keys belong to the scene again: space plays. Who goes by the tab key keeps the place.
+  // After a click the keys belong to the scene again: space plays. A reader who moves by the tab key keeps the place.
   let isPointed = false;
   document.addEventListener('pointerdown', () => { isPointed = true; });
   document.addEventListener('keydown', () => { isPointed = false; }, true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells how far the page is.
+// Marks the stages of loading the page.
 
-/** What is done so far, for tests and for `riprap render`: a mark, and the milliseconds since the page was asked for. */
+/** Marks a stage as done, with the milliseconds since the page was asked for: for tests and `riprap render`. */
 export function note(name) {
   document.documentElement.dataset[name] = Math.round(performance.mark(name).startTime);
 }

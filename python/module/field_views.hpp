@@ -47,7 +47,7 @@ class FieldViews {
             }
         }
     };
-    /// What an array keeps alive.
+    /// Keeps the data of an array alive.
     template <class T>
     struct Anchor {
         std::shared_ptr<Kept<T>> kept;

@@ -69,7 +69,7 @@ class Caller {
     std::optional<py::error_already_set> failure_;
 };
 
-/// What the exit code of a run means in Python, besides success.
+/// Raises the exception that the exit code of a run means in Python; nothing for success.
 void raise_for(int code, const py::object& summary) {
     constexpr int signal_base = static_cast<int>(ExitCode::signal_base);
     if (code == static_cast<int>(ExitCode::numerical)) {

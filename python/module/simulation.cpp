@@ -165,7 +165,7 @@ std::int64_t run_on(const py::object& self, std::optional<double> until, const p
     return taken;
 }
 
-/// What exists only of a step, before there is one: NaN would go on unseen.
+/// Refuses a quantity of a step before the first step: its NaN would go on unseen.
 void refuse_before_first_step(const run::Simulation& simulation, const sim::Column& column, double value) {
     const auto has = [&column](const char* word) { return column.name.find(word) != std::string::npos; };
     const bool is_of_water = has("water") || has("fluid");  // a case without has none after a step either

@@ -56,7 +56,7 @@ class Simulation {
 bool says_stop(const pybind11::object& answer);
 
 void define_simulation(pybind11::module_& module);
-/// What a Simulation shows of its bodies, water and contacts.
+/// Defines the views of bodies, water and contacts of a Simulation.
 void define_views(pybind11::module_& module, pybind11::class_<Simulation>& simulation);
 /// The run folder: riprap.run.
 void define_run(pybind11::module_& module);

@@ -17,7 +17,7 @@ scene::Value to_value(const pybind11::dict& keys);
 /// {"solid.skin": 0.2, "time_step": "1 ms"} or ["solid.skin=0.2", ...] as the command line's --set takes them.
 std::vector<std::string> to_overrides(const pybind11::object& overrides);
 
-/// What a JSON text says, as dicts, lists and numbers.
+/// Returns a JSON text as dicts, lists and numbers.
 pybind11::object from_json(const std::string& text);
 
 }  // namespace riprap::python
