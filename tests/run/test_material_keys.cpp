@@ -65,7 +65,7 @@ material = "ice"
 method = "{}"
 )",
                        is_planar ? "dimension = 2\n" : "", is_planar ? "[0, -9.81]" : "[0, 0, -9.81]", box(5, 0.5),
-                       place(0, -0.25), box(1.0, 0.5), place(-1, 0.249), place(0.5, -0.1), is_planar ? 0.0 : 2.0,
+                       place(0, -0.25), box(1.0, 0.5), place(-1, 0.249), place(20, -0.1), is_planar ? 0.0 : 2.0,
                        box(1.0, 0.5), place(1, 0.25), place(0.1, 0.05), method);
 }
 
@@ -89,7 +89,7 @@ material = "ice"
 const std::map<std::string_view, std::string>& tried() {
     static const std::map<std::string_view, std::string> values{
         {"normal_stiffness", "3e7"}, {"shear_ratio", "0.3"}, {"shear_stiffness", "1e6"},
-        {"friction_angle", "0.2"},   {"cohesion", "1e4"},    {"tensile_strength", "1e4"},
+        {"friction_angle", "0.2"},   {"cohesion", "1e7"},    {"tensile_strength", "1e7"},
         {"damping_ratio", "0.3"},    {"torsion", "true"},    {"youngs_modulus", "3e7"},
         {"poisson_ratio", "0.1"},    {"restitution", "0.8"}, {"friction_coefficient", "0.2"}};
     return values;
@@ -147,11 +147,11 @@ std::vector<std::string> unread(const std::string& text, const std::vector<std::
 }
 
 TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_do) {
-    EXPECT_THAT(unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
-                ElementsAre(HasSubstr(
-                    "case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
-                    "solid.method \"explicit_dda\" does not read it; allowed: leave it out, or solid.method = "
-                    "\"distance_potential_dem\", \"sphere_dem\"")));
+    EXPECT_THAT(
+        unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
+        ElementsAre(HasSubstr("case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
+                              "solid.method \"explicit_dda\" does not read it; leave it out, or solid.method = "
+                              "\"distance_potential_dem\", \"sphere_dem\"")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.restitution=0.5"}),
                 ElementsAre(HasSubstr("'restitution' of material 'ice' does nothing here")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"),
@@ -198,7 +198,8 @@ TEST(MaterialKeys, are_asked_for_where_a_physics_of_the_scene_needs_them) {
                 HasSubstr("material 'ice' lacks 'normal_stiffness'"));
     // Where nothing moves, nothing meets.
     EXPECT_EQ(refusal(without_stiffness(blocks(false, "distance_potential_dem")),
-                      {"body.low.fixed=true", "body.torn.fixed=true"}),
+                      {"body.low.fixed=true", "body.low.velocity=[0,0,0]", "body.low.angular_velocity=[0,0,0]",
+                       "body.torn.fixed=true", "body.torn.velocity=[0,0,0]"}),
               "");
 }
 

@@ -151,15 +151,27 @@ TEST(Restart, TheFieldsOfASolidMethodAreThoseOfItsBodies) {
     const auto springs = [](sim::State & s) -> auto& {
         return std::get<solid::SphereDem::Fields>(s.solid_fields).walls;
     };
+    const auto touch = [](solid::affine::BlockContactHistory& contacts, std::uint64_t pair) {
+        contacts.pair = {pair};
+        contacts.feature = contacts.plane = {0};
+        contacts.normal = contacts.slip = {Vec3{}};
+        contacts.mode = contacts.is_intact = {0};
+        contacts.energy = {0.0};
+    };
     EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}, dda), "accepted");
     EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).blocks.position.pop_back(); }, dda),
                 HasSubstr("there are 3 blocks of 4 bodies"));
-    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).contacts.pair.at(0) = 99; }, dda),
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { touch(blocks(s).contacts, 99); }, dda),
                 HasSubstr("a contact is of a block beyond the 4"));
-    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).contacts.slip.pop_back(); }, dda),
+    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).contacts.slip.push_back({}); }, dda),
                 HasSubstr("differ in length"));
     EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}, spheres), "accepted");
-    EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { springs(s).pair.at(0) = ~0ULL; }, spheres),
+    EXPECT_THAT(refusal_of(
+                    [&](sim::State& s, RunRecord&) {
+                        springs(s) = {
+                            .pair = {~0ULL}, .force = {Vec3{}}, .stiffness = {0.0}, .rolling = {}, .normal = {Vec3{}}};
+                    },
+                    spheres),
                 HasSubstr("a contact is of a sphere beyond"));
 }
 

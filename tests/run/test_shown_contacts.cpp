@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -13,12 +14,14 @@
 namespace riprap::run {
 namespace {
 
-/// Two blocks slide on a floor, and a third on one of them.
-std::string sliding_blocks(const std::string& solid, bool is_planar) {
+/// Two blocks slide on a floor, and a third with one of them.
+/// @param shape  of the blocks; empty: cubes
+std::string sliding_blocks(const std::string& solid, bool is_planar, const std::string& shape) {
     const auto place = [is_planar](double x, double up) {
         return is_planar ? fmt::format("[{}, {}]", x, up) : fmt::format("[{}, {}, 0.0]", x, up);
     };
-    const std::string box = is_planar ? "[1.0, 1.0]" : "[1.0, 1.0, 1.0]", floor = is_planar ? "[9, 1]" : "[9, 1, 3]";
+    const std::string cube = is_planar ? "{ box = [1.0, 1.0] }" : "{ cube = 1.0 }";
+    const std::string floor = is_planar ? "[9, 1]" : "[9, 1, 3]";
     std::string text = fmt::format(R"({}gravity = {}
 end = 1.0
 [material.rock]
@@ -35,23 +38,31 @@ position = {}
 )",
                                    is_planar ? "dimension = 2\n" : "", place(0, -9.81), floor, place(0, -0.5));
     for (const auto& [name, x, up] :
-         {std::tuple("left", -1.0, 0.499), std::tuple("right", 1.0, 0.499), std::tuple("top", 1.1, 1.497)}) {
-        text += fmt::format(
-            "[[body]]\nname = \"{}\"\nmaterial = \"rock\"\nshape = {{ box = {} }}\nposition = {}\nvelocity = {}\n",
-            name, box, place(x, up), place(0.3, -0.1));
+         {std::tuple("left", -1.0, 0.499), std::tuple("right", 1.0, 0.499), std::tuple("top", 1.0, 1.497)}) {
+        text += fmt::format("[[body]]\nname = \"{}\"\nmaterial = \"rock\"\nshape = {}\nposition = {}\nvelocity = {}\n",
+                            name, shape.empty() ? cube : shape, place(x, up), place(0.3, -0.1));
     }
     return text + "[solid]\n" + solid;
 }
 
 TEST(ShownContacts, CarryTheContactForceOfEveryBody) {
-    for (const std::string solid :
-         {"method = \"distance_potential_dem\"\n", "contact = \"common_plane_soft\"\n", "method = \"explicit_dda\"\n",
-          "method = \"implicit_dda\"\n", "method = \"planar_dda\"\n", "method = \"sphere_dem\"\n",
-          "method = \"sphere_dem\"\ntangential_law = \"tanh\"\nnormal_law = \"linear\"\n",
-          "method = \"sphere_dem\"\nspheres = \"balls\"\n"}) {
-        SCOPED_TRACE(solid);
+    const std::string ball = "{ sphere = 0.5 }";
+    for (const auto& [solid, shape] : std::vector<std::pair<std::string, std::string>>{
+             {"method = \"distance_potential_dem\"\n", ""},
+             {"contact = \"common_plane_soft\"\n", ""},
+             {"method = \"explicit_dda\"\n", ""},
+             {"method = \"implicit_dda\"\n", ""},
+             {"method = \"planar_dda\"\n", ""},
+             {"method = \"sphere_dem\"\n", ""},
+             {"method = \"sphere_dem\"\n", ball},
+             {"method = \"sphere_dem\"\ntangential_law = \"tanh\"\nnormal_law = \"linear\"\n", ball},
+             {"method = \"sphere_dem\"\nspheres = \"balls\"\n", ""}}) {
+        SCOPED_TRACE(solid + shape);
         const bool is_planar = solid.find("planar") != std::string::npos;
-        Simulation simulation(scene::read_case_text(sliding_blocks(solid, is_planar), "case.toml", "/nonexistent", {}));
+        // Spheres that sample two faces need not touch.
+        const bool is_sampled = solid == "method = \"sphere_dem\"\n" && shape.empty();
+        Simulation simulation(
+            scene::read_case_text(sliding_blocks(solid, is_planar, shape), "case.toml", "/nonexistent", {}));
         for (int k = 0; k < 3; ++k) {
             ASSERT_TRUE(simulation.step(k < 2 ? sim::Measure::flow : sim::Measure::energy).is_accepted());
         }
@@ -72,7 +83,8 @@ TEST(ShownContacts, CarryTheContactForceOfEveryBody) {
             EXPECT_LT(contact.overlap, 0.01);
             EXPECT_NEAR(contact.point.y, contact.b.value == 3 || contact.a.value == 3 ? 1.0 : 0.0, 0.01);
         }
-        EXPECT_THAT(pairs, testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(2, 3)));
+        EXPECT_THAT(pairs, testing::IsSupersetOf({testing::Pair(0, 1), testing::Pair(0, 2)}));
+        EXPECT_TRUE(is_sampled || pairs.contains({2, 3}));
         for (std::size_t b = 0; b < force.size(); ++b) {
             EXPECT_LT(norm(force[b] - expected[b]), 1e-9 * largest) << "body " << b;
         }
@@ -80,8 +92,8 @@ TEST(ShownContacts, CarryTheContactForceOfEveryBody) {
 }
 
 TEST(ShownContacts, AreNoneBeforeTheFirstStep) {
-    Simulation simulation(
-        scene::read_case_text(sliding_blocks("method = \"explicit_dda\"\n", false), "case.toml", "/nonexistent", {}));
+    Simulation simulation(scene::read_case_text(sliding_blocks("method = \"explicit_dda\"\n", false, ""), "case.toml",
+                                                "/nonexistent", {}));
     EXPECT_THAT(shown_contacts(simulation.model(), simulation.state(), simulation.scratch()), testing::IsEmpty());
 }
 

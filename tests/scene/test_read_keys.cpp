@@ -6,6 +6,7 @@
 #include <iterator>
 #include <set>
 
+#include "riprap/material/property_keys.hpp"
 #include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
@@ -41,6 +42,12 @@ TEST(KeyTable, no_key_is_left_that_the_reader_does_not_name) {
         for (const Key& key : rows) {
             bound.insert(key.name);
         }
+    }
+    for (const auto& key : material::material_keys()) {
+        bound.insert(key.key.row.name);
+    }
+    for (const auto& key : material::pair_keys()) {
+        bound.insert(key.key.row.name);
     }
     const std::string sources = reader_sources();
     ASSERT_GT(sources.size(), 10000U);
