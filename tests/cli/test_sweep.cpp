@@ -27,6 +27,8 @@ TEST_F(Sweep, RunsEveryPointIntoOneTableAndOnePage) {
     EXPECT_EQ(study.at("runs")[2].at("status"), "finished");
     EXPECT_THAT(text_of(in("study", "sweep.csv")), HasSubstr("run,status,end,"));
     EXPECT_THAT(text_of(in("study", "index.html")), HasSubstr("run_003"));
+    const auto summary = nlohmann::json::parse(text_of(in("study", "run_001/summary.json")));
+    EXPECT_THAT(text_of(in("study", "index.html")), HasSubstr("\"title\":" + summary.at("title").dump()));
     EXPECT_EQ(text_of(in("study", "index.html")).find("http://") == std::string::npos ||
                   text_of(in("study", "index.html")).find("http://www.w3.org") != std::string::npos,
               true);

@@ -42,11 +42,14 @@ const study = JSON.parse(document.getElementById("data").textContent), runs = st
 const make = (tag, text = "", name = "") => { const e = document.createElement(tag); e.textContent = text; if (name) e.className = name; return e; };
 const svg = (tag, attributes) => { const e = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const k in attributes) e.setAttribute(k, attributes[k]); return e; };
 const colour = i => `hsl(${(210 + i * 137.5) % 360} 65% 50%)`;
-const shown = v => v === null || v === undefined || !isFinite(v) ? "" : v === 0 ? "0" : Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3 ? v.toExponential(3) : String(+v.toPrecision(5));
+const shown = v => v === null || v === undefined || !isFinite(v) ? "" : v === 0 ? "0" : Math.abs(v) >= 1e5 || Math.abs(v) < 1e-4 ? v.toExponential(3).replace(/\.?0+e/, "e").replace("e+", "e") : String(+v.toPrecision(5));
 const union = list => [...new Set(list)];
 const keys = union(runs.flatMap(r => Object.keys(r.set))), answers = union(runs.flatMap(r => r.answers.map(a => a.name)));
-const columns = union(runs.flatMap(r => Object.keys(r.columns)));
-document.title = document.getElementById("title").textContent = (study.bands ? "Ensemble of " : "Study of ") + study.case;
+const sizeOf = c => Math.max(...runs.map(r => r.columns[c]).filter(d => d).map(d => Math.max(Math.abs(d.min ?? 0), Math.abs(d.max ?? 0))));
+const vectorOf = c => c.replace(/\.[xyz]$/, ""), named = union(runs.flatMap(r => Object.keys(r.columns)));
+/* Components that are round-off beside the others of their vector tell nothing. */
+const columns = named.filter(c => !named.some(d => d !== c && vectorOf(d) === vectorOf(c) && sizeOf(c) < 1e-9 * sizeOf(d)));
+document.title = document.getElementById("title").textContent = (study.bands ? "Ensemble of " : "Study of ") + (study.title || study.case);
 document.getElementById("about").textContent = `${runs.length} ${study.bands ? "members" : "runs"}, ${runs.filter(r => r.status === "finished").length} finished` + (study.set.length ? "; all with " + study.set.join(", ") : "");
 const marks = runs.map(() => []);
 const point = (i, on) => marks[i].forEach(e => e.classList.toggle("on", on) || (e.tagName === "path" && e.setAttribute("stroke-width", on ? 3.5 : 1.5)));
@@ -62,7 +65,8 @@ runs.forEach((r, i) => {
   for (const k of keys) row.append(make("td", r.set[k] ?? ""));
   for (const name of answers) { const a = r.answers.find(a => a.name === name); row.append(make("td", a ? shown(a.value) : "", a ? (a.verdict === "met" || a.verdict === "passed" ? "met" : a.verdict === "missed" || a.verdict === "failed" ? "missed" : "") : "")); }
   for (const c of reduced) row.append(make("td", r.columns[c] ? shown(r.columns[c].max) : ""));
-  row.append(make("td", r.status, r.status === "finished" ? "" : "missed"), make("td", shown(r.wall_seconds)));
+  const why = r.status !== "finished" && r.reason ? ": " + r.reason.slice(0, 120) : "";
+  row.append(make("td", r.status + why, r.status === "finished" ? "" : "missed"), make("td", shown(r.wall_seconds)));
 });
 function ticks(low, high) {
   const span = high - low, step0 = Math.pow(10, Math.floor(Math.log10(span / 4))), step = [1, 2, 5, 10].map(m => m * step0).find(s => span / s <= 5);
@@ -103,6 +107,7 @@ for (const k of keys) {
   section("Answers over " + k, measured.map(([name, unit, of, one]) => chart(`${name}${unit ? ` [${unit}]` : ""}`, k, runs.map((r, i) => ({ run: i, xy: [[parseFloat(r.set[k]), of(r) ?? NaN]] })), false, one && isFinite(one.low) && isFinite(one.high) && one.low !== null && one.high !== null ? [one.low, one.high] : null)));
 }
 section("Over time", columns.map(c => chart(`${c} [${runs.find(r => r.columns[c])?.columns[c].unit ?? ""}]`, "time [s]", runs.map((r, i) => ({ run: i, xy: (r.curves?.[c] ?? []).map((y, n) => [r.curves.time[n], y]) })), true, null, bandOf(c))));
+if (!study.bands && runs.length > 1) more.append(make("p", `The scenes of two to nine runs side by side: riprap view ${runs.slice(0, 2).map(r => r.name).join(" ")}, in this folder.`, "soft"));
 if (study.bands) more.append(make("p", "Shaded: from the least to the largest member. Black or white line: their mean.", "soft"));
 </script></body></html>
 )page";
@@ -125,6 +130,19 @@ Json curves_of(const std::filesystem::path& file) {
     return curves;
 }
 
+/// Title of the case, from the first run that has written its summary; empty where none has.
+std::string title_of(const std::filesystem::path& folder, const Json& study) {
+    constexpr std::size_t most = std::size_t{64} << 20U;
+    for (const Json& run : study["runs"]) {
+        const std::filesystem::path file = folder / run["name"].get<std::string>() / "summary.json";
+        if (std::filesystem::exists(file)) {
+            const Json summary = Json::parse(io::read_file(file, most), nullptr, false);
+            return summary.is_object() ? summary.value("title", "") : "";
+        }
+    }
+    return "";
+}
+
 /// JSON within a script element: no "</script>" in it.
 std::string for_script(const Json& json) {
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
@@ -141,6 +159,7 @@ namespace {
 std::filesystem::path write_study_page(const std::filesystem::path& folder, const char* file, Json bands) {
     constexpr std::size_t most = std::size_t{64} << 20U;
     Json study = Json::parse(io::read_file(folder / file, most));
+    study["title"] = title_of(folder, study);
     for (Json& run : study["runs"]) {
         const std::string name = run["name"].get<std::string>();
         run["curves"] = curves_of(folder / name / "probes.csv");
