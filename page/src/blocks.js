@@ -72,6 +72,7 @@ export class Blocks {
     this.colourBy = 'material';
     this.selected = -1;
     this.edgeColour = new THREE.Color(0x000000);
+    this.wallColour = new THREE.Color(0x000000);
     this.up = upOf(contents);
     const bodies = contents.bodies;
     const isFixed = body => first.motion[MOTION * body + 9] === 0;
@@ -132,7 +133,7 @@ export class Blocks {
     lines.instanceCount = members.length;
     const edges = new THREE.LineSegments(lines, new THREE.ShaderMaterial({
       vertexShader: EDGE_VERTEX, fragmentShader: EDGE_FRAGMENT, transparent: true,
-      uniforms: {colour: {value: this.edgeColour}, opacity: {value: isPlane ? 0.3 : 0.8}}}));
+      uniforms: {colour: {value: isPlane ? this.wallColour : this.edgeColour}, opacity: {value: isPlane ? 0.3 : 0.8}}}));
     edges.frustumCulled = false;
     edges.visible = !isPlane || this.contents.is_planar;  // there a wall is seen from its edge
     this.group.add(mesh, edges);
@@ -224,10 +225,11 @@ export class Blocks {
     this.#colourEdges();
   }
 
-  /** Edges stand out from the faces, and those of glass from what is behind it. */
+  /** Edges stand out from the faces, those of glass from what is behind it, walls seen from their edge from the background. */
   #colourEdges() {
     const isByValue = this.colourBy !== 'material';  // whose lowest colours are dark
     this.edgeColour.setHex(!this.isDark ? 0x222222 : this.isGlass ? 0xaab2ba : isByValue ? 0x8b949e : 0x0c0d0f);
+    this.wallColour.setHex(this.isDark ? 0xffffff : 0x222222);
   }
 
   /** See-through blocks, so that what lies between them can be seen. */

@@ -6,6 +6,7 @@ import {reading} from './numbers.js';
 const $ = id => document.getElementById(id);
 const LENGTH = 8;  // seconds from the first time to the last, at pace 1
 const STEPS = 1000;
+const PAUSE = 300; // milliseconds between two changes of the address
 const ALIKE = 4;   // sizes of runs up to which they are drawn to one scale
 
 /** The page of one of the runs, from the parts of this one. */
@@ -44,7 +45,33 @@ class Comparison {
     this.#useOneScale();
     this.#wire();
     this.setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-    await this.show(this.first);
+    await this.#restore();
+    this.isOpen = true;
+  }
+
+  /** Shows what the address says: time and view, as of the page of one run. */
+  async #restore() {
+    const said = new URLSearchParams(location.hash.slice(1)), time = Number(said.get('t') ?? 'none');
+    const eye = (said.get('eye') ?? '').split(',').map(Number);
+    if (eye.length === 7 && eye.every(Number.isFinite)) {
+      this.runs.forEach(({riprap}) => riprap.scene && (riprap.scene.eye = eye));
+    }
+    await this.show(Number.isFinite(time) ? Math.min(Math.max(time, this.first), this.last) : this.first);
+  }
+
+  #note() {
+    if (!this.isOpen || this.waits) {
+      return;
+    }
+    this.waits = setTimeout(() => {
+      this.waits = null;
+      const rounded = value => String(Number(value.toPrecision(6))), scene = this.runs.map(({riprap}) => riprap.scene).find(Boolean);
+      const said = new URLSearchParams({t: rounded(this.time)});
+      if (scene && !scene.preset) {
+        said.set('eye', scene.eye.map(rounded).join(','));
+      }
+      history.replaceState(null, '', '#' + said.toString().replaceAll('%2C', ','));
+    }, PAUSE);
   }
 
   async #add(grid, name, html) {
@@ -93,6 +120,7 @@ class Comparison {
       }
     }
     requestAnimationFrame(() => { this.isTurning = false; });
+    this.#note();
   }
 
   async show(time) {
@@ -104,6 +132,7 @@ class Comparison {
       const isOver = time > times.at(-1) * (1 + 1e-9);
       about.textContent = [about.dataset.status, isOver ? `ended at ${reading(times.at(-1), 4)} s` : ''].filter(Boolean).join(', ');
     }));
+    this.#note();
   }
 
   setTheme(theme) {

@@ -252,6 +252,12 @@ test('two runs stand side by side under one clock', async () => {
   assert.deepEqual(await both.evaluate(() => window.riprap.runs.map(({riprap}) => riprap.times[riprap.index])).then(t => t.map(v => v.toFixed(2))),
                    ['0.25', '0.20']);
   assert.match(await both.textContent('#runs figure:last-child'), /short.*ended at 0\.2/);
+  await both.waitForFunction(() => location.hash.includes('t=0.25'));
+  const again = await stage.browser.newPage({viewport: {width: 1280, height: 720}});
+  await again.goto(both.url());
+  await again.waitForFunction(() => document.documentElement.dataset.opened);
+  assert.equal(await again.evaluate(() => window.riprap.time), 0.25);
+  await again.close();
   assert.deepEqual(requests.filter(url => !url.startsWith('about:')), [pathToFileURL(out).href]);
   await both.close();
 });
