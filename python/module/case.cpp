@@ -79,6 +79,9 @@ void define_case(py::module_& module) {
         .def_property_readonly(
             "text", [](const Case& self) { return self.loaded.source_text; }, "The case file as it was read.")
         .def_property_readonly(
+            "overrides", [](const Case& self) { return self.overrides; },
+            "What replaced keys of the text (list of str).")
+        .def_property_readonly(
             "resolved", [](const Case& self) { return from_json(self.loaded.resolved_json); },
             "Every key with its value in SI, defaults and overrides included (dict).")
         .def_property_readonly(

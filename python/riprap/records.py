@@ -251,12 +251,22 @@ def open(folder: str | _os.PathLike[str]) -> Run:  # noqa: A001
     return Run(folder)
 
 
+def _toml(value):
+    """A value of an override; JSON of numbers, texts, truth values and lists of them is TOML."""
+    return _json.dumps(value, default=lambda array: array.tolist())
+
+
 def _run_point(case, overrides, folder, threads):
     import riprap
 
     riprap.set_threads(threads)
     try:
-        riprap.run(riprap.load(case, overrides=overrides), folder, resume=True, quiet=True)
+        if isinstance(case, str):
+            loaded = riprap.load(case, overrides=overrides)
+        else:
+            text, place, given = case
+            loaded = riprap.loads(text, folder=place, overrides=given + [f"{key}={_toml(value)}" for key, value in overrides.items()])
+        riprap.run(loaded, folder, resume=True, quiet=True)
         return ""
     except Exception as error:  # noqa: BLE001 - told in the table; the other runs go on
         return str(error)
@@ -265,6 +275,8 @@ def _run_point(case, overrides, folder, threads):
 def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list[dict[str, _Any]]:
     """Runs a case once for each combination of the values in `vary`, {"key": [a, b], ...}, or for each dict of a list.
 
+    `case` is a file, a folder, a name from riprap.list(), or a riprap.Case with what replaced its keys.
+
     Each run is a process of its own, `jobs` at a time (default: as many as there are cores), in a folder of `out`. Runs that
     are finished stay, so that a study that was stopped goes on. Returns a list of dicts: "set", "run" (riprap.Run) and
     "error", and leaves sweep.json and a page that compares, index.html, in `out`. Call it below `if __name__ == "__main__":` in a script.
@@ -272,6 +284,10 @@ def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list
     import concurrent.futures
     import multiprocessing
 
+    from ._riprap import Case
+
+    title = case.title if isinstance(case, Case) else str(case)
+    case = (case.text, str(case.folder), case.overrides) if isinstance(case, Case) else str(case)
     if isinstance(vary, dict):
         points = [dict(zip(vary, values)) for values in _itertools.product(*vary.values())]
     else:
@@ -290,30 +306,30 @@ def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list
         asked = {}
         for k, (point, folder) in enumerate(zip(points, folders)):
             if not is_finished(folder):
-                asked[pool.submit(_run_point, str(case), point, str(folder), threads)] = k
+                asked[pool.submit(_run_point, case, point, str(folder), threads)] = k
         for done in concurrent.futures.as_completed(asked):
             errors[asked[done]] = done.result()
     runs = [{"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
             for point, folder, error in zip(points, folders, errors)]
-    _write_study(case, runs, out)
+    _write_study(title, runs, folders, out)
     return runs
 
 
-def _write_study(case, runs, out):
+def _write_study(title, runs, folders, out):
     """sweep.json and index.html, as `riprap sweep` leaves them."""
     from ._riprap import _write_study_page
 
     listed = []
-    for one in runs:
+    for one, folder in zip(runs, folders):
         run, summary = one["run"], one["run"].summary if one["run"] else {}
         tables = run.probes if run and (run.folder / "probes.csv").is_file() else {}
         columns = {name: {"unit": tables.units[name], "min": float(_np.nanmin(values)), "max": float(_np.nanmax(values)),
                           "last": float(values[-1])}
                    for name, values in tables.items() if name not in ("time", "step") and _np.isfinite(values).any()}
-        listed.append({"name": run.folder.name if run else "", "set": {key: _shown(value) for key, value in one["set"].items()},
-                       "status": run.status if run else "failed", "wall_seconds": summary.get("wall_seconds"),
+        listed.append({"name": folder.name, "set": {key: _shown(value) for key, value in one["set"].items()},
+                       "status": run.status if run else "failed", "reason": one["error"], "wall_seconds": summary.get("wall_seconds"),
                        "answers": summary.get("expects", []), "columns": columns})
-    study = {"case": str(case), "set": [], "runs": [one for one in listed if one["name"]]}
+    study = {"case": title, "set": [], "runs": listed}
     (out / "sweep.json").write_text(_json.dumps(study, indent=1).replace("NaN", "null"))
     _write_study_page(out)
 

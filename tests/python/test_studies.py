@@ -26,6 +26,19 @@ class Studies(unittest.TestCase):
             self.assertAlmostEqual(study["runs"][1]["columns"]["block.displacement.x"]["last"],
                                    runs[1]["run"].probes["block.displacement.x"][-1])
 
+    def test_a_case_object_is_studied_with_what_replaced_its_keys(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = riprap.load("hello_block", overrides={"end": 0.02, "material.rock.friction_angle_deg": 10})
+            runs = riprap.sweep(case, {"end": [0.01, "never"]}, folder, jobs=1)
+            alone = riprap.run(riprap.load("hello_block", overrides={"end": 0.01, "material.rock.friction_angle_deg": 10}),
+                               pathlib.Path(folder, "alone"))
+            self.assertEqual(runs[0]["run"].summary["state_hash"], alone["state_hash"], runs[0]["error"])
+            self.assertIsNone(runs[1]["run"])
+            self.assertIn("never", runs[1]["error"])
+            study = json.loads(pathlib.Path(folder, "sweep.json").read_text())
+            self.assertEqual([one["status"] for one in study["runs"]], ["finished", "failed"])
+            self.assertIn("never", study["runs"][1]["reason"])
+
     def test_a_run_is_opened_with_its_tables_as_arrays(self):
         with tempfile.TemporaryDirectory() as folder:
             out = pathlib.Path(folder, "run")
