@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/fluid/grid/transport.hpp"
+
 namespace riprap::validation::grid {
 
 void GridTrial::run(double end, const std::function<void(GridTrial&)>& each) {
@@ -45,6 +47,19 @@ void GridTrial::run(double end, const std::function<void(GridTrial&)>& each) {
 }
 
 double GridTrial::at_time(const std::string& name, double t) const { return between_rows(time_, columns_.at(name), t); }
+
+double GridTrial::flow_at(double place) const {
+    if (!(state_.last_step > 0)) {
+        return 0;
+    }
+    const Mesh& mesh = settings_.mesh;
+    const int i = mesh.cell_at(0, place);
+    double volume = 0;
+    for (int j = 0; j < mesh.box.cells[1]; ++j) {
+        volume += water_through(settings_, scratch_, 0, mesh.box.index(i, j, 0), state_.last_step);
+    }
+    return volume / state_.last_step / mesh.h(2, 0);
+}
 
 void GridTrial::report_books(CaseReport& report) const {
     if (settings_.has_surface) {

@@ -37,6 +37,8 @@ class GridTrial {
     const std::vector<double>& time() const { return time_; }
     const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
     double at_time(const std::string& name, double t) const;
+    /// Water that crossed the plane x = `place` in the last step, per time and width [m^2/s]; 0 before the first step.
+    double flow_at(double place) const;
     double mean_iterations() const {
         return steps_ > 0 ? static_cast<double>(iterations_) / static_cast<double>(steps_) : 0;
     }

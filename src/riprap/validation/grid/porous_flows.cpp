@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "riprap/fluid/grid/porous.hpp"
-#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/grid/grid_trial.hpp"
 
@@ -94,17 +93,8 @@ void dupuit(const CaseSetting& setting, CaseReport& report) {
                     }));
     trial.add("left", [](const GridTrial& t) { return read_level(t.settings(), t.state(), {-5, 0, 0}, 1); });
     trial.add("right", [](const GridTrial& t) { return read_level(t.settings(), t.state(), {6, 0, 0}, 1); });
-    const auto flow = [](const GridTrial& t, double place) {
-        const Mesh& mesh = t.settings().mesh;
-        const int i = mesh.cell_at(0, place);
-        double sum = 0;
-        for (int j = 0; j < mesh.box.cells[1]; ++j) {
-            sum += water_through(t.settings(), t.scratch(), 0, mesh.box.index(i, j, 0), t.state().last_step);
-        }
-        return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
-    };
-    trial.add("in", [&](const GridTrial& t) { return flow(t, 0.5 * h); });
-    trial.add("out", [&](const GridTrial& t) { return flow(t, 1 - 0.5 * h); });
+    trial.add("in", [&](const GridTrial& t) { return t.flow_at(0.5 * h); });
+    trial.add("out", [&](const GridTrial& t) { return t.flow_at(1 - 0.5 * h); });
     const double end = 20;
     trial.run(end);
     const auto mean = [&](const char* name) { return mean_over(trial.time(), trial.column(name), 0.5 * end, end); };

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "riprap/coupling/cut_cells/cut_bodies.hpp"
-#include "riprap/fluid/grid/transport.hpp"
 #include "riprap/fluid/grid/wave_side.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/grid/grid_trial.hpp"
@@ -201,15 +200,7 @@ void overtopping(const CaseSetting& setting, CaseReport& report) {
     GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < crest + head && x.x < 1.8; }));
     set_open_shares(settings, trial.state(), trial.scratch(), coupling::cut_bodies(settings.mesh, {dike}).open);
     trial.add("level", [](const GridTrial& t) { return read_level(t.settings(), t.state(), {0.6, 0, 0}, 1); });
-    trial.add("flow", [](const GridTrial& t) {
-        const Mesh& mesh = t.settings().mesh;
-        const int i = mesh.cell_at(0, 2.0);
-        double sum = 0;
-        for (int j = 0; j < mesh.box.cells[1]; ++j) {
-            sum += water_through(t.settings(), t.scratch(), 0, mesh.box.index(i, j, 0), t.state().last_step);
-        }
-        return t.state().last_step > 0 ? sum / t.state().last_step / mesh.h(2, 0) : 0;
-    });
+    trial.add("flow", [](const GridTrial& t) { return t.flow_at(2.0); });
     const double end = 15;
     trial.run(end);
     const double level = mean_over(trial.time(), trial.column("level"), end - 5, end);
