@@ -6,6 +6,7 @@
 
 #include "riprap/coupling/particle_walls/paddle_absorption.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/wave/paddle_sea.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::coupling {
@@ -108,8 +109,34 @@ TEST(PaddleAbsorption, where_the_gauge_is_dry_the_paddle_stays) {
     fluid::SphSettings settings;
     settings.spacing = 0.025;
     settings.domain = {{-5, -5, 0}, {5, 5, 0}, {}, 2};
-    absorb_waves(std::vector{paddle}, bodies, 20, 0.01, settings, {}, state);
+    std::vector<double> surge;
+    absorb_waves(std::vector{paddle}, bodies, 20, 0.01, settings, {}, surge, state);
     EXPECT_EQ(state.drive_rate[0], Vec3{});
+}
+
+TEST(PaddleAbsorption, a_paddle_does_not_answer_the_sea_it_makes_itself) {
+    PaddleAbsorption paddle;
+    paddle.depth = 0.5;
+    paddle.still = 0.5;
+    paddle.sea = wave::jonswap_sea(0.04, 2.5, 3.3, 0.5, g, 20, 7);
+    paddle.sea_period = 2.5;
+    paddle.ramp = 5;
+    prepare_sea(paddle, 0.25 * gauge);
+    for (const double t : {10.0, 13.7, 21.2}) {
+        double stroke = 0, eta = 0, alone = 0;  // the gauge goes with the face, progressive waves do not
+        for (const wave::StrokeHarmonic& one : wave::first_order_stroke(*paddle.sea)) {
+            stroke += (one.amplitude * std::polar(1.0, one.angular_frequency * t)).real();
+            const double k = wave::wave_number(one.angular_frequency, 0.5, g);
+            const wave::LinearWave linear{0, 0.5, g, one.angular_frequency, k};
+            alone += wave::evanescent_elevation(linear, gauge) *
+                     (one.amplitude * std::polar(1.0, one.angular_frequency * t)).real();
+        }
+        eta = paddle.sea->elevation(stroke + gauge, t) + alone;
+        EXPECT_NEAR(absorbing_velocity(paddle, t, 0.5 + eta, stroke, 0, gauge), 0, 1e-9);
+        EXPECT_LT(absorbing_velocity(paddle, t, 0.51 + eta, stroke, 0, gauge), -0.03);
+    }
+    paddle.start = 3;
+    EXPECT_EQ(absorbing_velocity(paddle, 2.9, 0.5, 0, 0, gauge), 0);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct CouplingState {
     std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
     /// Of bodies that deform: mean change of the stretch rate D over the last step, world axes; else empty [1/s^2].
     std::vector<Sym3> stretch_acceleration;
+    std::vector<double> surge;               ///< of paddles that absorb a sea, along their waves; else empty [m/s^2]
     std::vector<std::int32_t> near_samples;  ///< that water or joints may feel, see coupling::near_samples
     double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
 
@@ -40,6 +41,9 @@ struct CouplingState {
         visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
         if (!self.stretch_acceleration.empty()) {
             visit("coupling.stretch_acceleration", self.stretch_acceleration);
+        }
+        if (!self.surge.empty()) {
+            visit("coupling.surge", self.surge);
         }
         visit("coupling.near_samples", self.near_samples);
         visit("coupling.near_travel", self.near_travel);

@@ -10,6 +10,29 @@
 
 namespace riprap::coupling {
 
+namespace {
+
+/// Periods within which the correction of a paddle returns to zero.
+constexpr double periods_to_return = 5;
+
+/// Moves the answer of a paddle that makes a sea over dt: a tau^2 u'' + tau u' + u = wanted.
+double answered(const wave::AbsorptionLaw& law, double wanted, double now, double dt, double& surge) {
+    const double bend = wave::absorption_bend * law.delay * law.delay;
+    surge = (surge + dt * (wanted - now) / bend) / (1 + dt * (law.delay + dt) / bend);
+    return now + dt * surge;
+}
+
+}  // namespace
+
+void prepare_sea(PaddleAbsorption& paddle, double spacing) {
+    // Particles carry no waves shorter than about ten spacings.
+    constexpr double shortest_length = 10;
+    const wave::GaugedPaddle gauged{paddle.depth, paddle.gravity, absorption_gauge_distance * spacing};
+    const double shortest = 2 * std::numbers::pi * absorption_gauge_distance / shortest_length;
+    paddle.law = wave::absorption_of_sea(*paddle.sea, gauged, 1 / (periods_to_return * paddle.sea_period), shortest);
+    paddle.own = wave::OwnSurface(*paddle.sea, gauged, paddle.ramp);
+}
+
 double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::ParticleSettings& settings,
                          const fluid::ParticleState& water) {
     fluid::Gauge gauge;
@@ -30,6 +53,9 @@ double absorbing_velocity(const PaddleAbsorption& paddle, double time, double re
         const double own = has_begun ? wave.elevation(from_crest) : 0.0;
         return -std::sqrt(wave.gravity / wave.depth) * (eta - own);
     }
+    if (paddle.sea) {
+        return -paddle.law.gain * (eta - paddle.own.elevation(time - paddle.start, driven)) - paddle.law.home * offset;
+    }
     if (!paddle.regular) {
         return -std::sqrt(paddle.gravity / paddle.depth) * eta;
     }
@@ -39,7 +65,6 @@ double absorbing_velocity(const PaddleAbsorption& paddle, double time, double re
     const double made = has_begun ? 0.5 * wave.height * share * std::cos(angle) : 0.0;
     const double own = made + wave::evanescent_elevation(wave, gauge_distance) * driven;
     const double gain = wave.angular_frequency / height_over_stroke(wave::Paddle::piston, wave.kd());
-    const double periods_to_return = 5;
     const double back = wave.angular_frequency / (2 * std::numbers::pi * periods_to_return);
     return -gain * (eta - own) - back * offset;
 }
@@ -55,7 +80,8 @@ double absorption_delay(const PaddleAbsorption& paddle, double spacing, double g
 }
 
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
-                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water, body::BodyState& state) {
+                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water,
+                  std::vector<double>& surge, body::BodyState& state) {
     for (const PaddleAbsorption& paddle : paddles) {
         const auto b = static_cast<std::size_t>(paddle.body.value);
         const Vec3 at_rest = bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[b])].start.position;
@@ -67,6 +93,10 @@ void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet
         const double wanted =
             reading > 0 ? absorbing_velocity(paddle, time, reading, shift - offset, offset, distance) : 0.0;
         const double now = dot(state.drive_rate[b], paddle.direction);
+        if (paddle.sea) {
+            state.drive_rate[b] = answered(paddle.law, wanted, now, dt, surge[b]) * paddle.direction;
+            continue;
+        }
         const double delay = absorption_delay(paddle, settings.spacing, distance);
         state.drive_rate[b] = (now + (wanted - now) * (1 - std::exp(-dt / delay))) * paddle.direction;
     }

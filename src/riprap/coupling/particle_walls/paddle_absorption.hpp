@@ -8,6 +8,7 @@
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/wave/linear_wave.hpp"
+#include "riprap/wave/sea_absorption.hpp"
 #include "riprap/wave/solitary_wave.hpp"
 
 namespace riprap::coupling {
@@ -25,6 +26,8 @@ namespace riprap::coupling {
 /// makes are C_e(x) (-u'/w^2), its acceleration: taking them off as well turns the law into u + G C_e/w^2 u' = -G
 /// (...), a delay (absorption_delay). Where waves are regular the correction also returns to zero within five periods,
 /// so that the mean level does not carry the paddle away.
+///
+/// A sea has its own law (wave::AbsorptionLaw), which answers all its frequencies.
 struct PaddleAbsorption {
     BodyId body;
     Vec3 direction{1, 0, 0};  ///< where the waves go [-]
@@ -38,16 +41,23 @@ struct PaddleAbsorption {
     double phase{0}, ramp{0};  ///< of the regular wave [rad], [s]
     std::optional<wave::SolitaryWave> solitary;
     double solitary_crest{0};  ///< t_0: when its crest would pass the place at rest [s]
+    std::optional<wave::IrregularWave> sea;
+    double sea_period{0};     ///< of its peak [s]
+    wave::AbsorptionLaw law;  ///< of a sea; see prepare_sea
+    wave::OwnSurface own;     ///< likewise
 };
 
 /// Distance of the gauge from the face, in spacings: outside of the support of the face's own layers.
 inline constexpr double absorption_gauge_distance = 4;
 
+/// Finds the law of a paddle that makes a sea, and the surface that it makes, for the place of the gauge.
+void prepare_sea(PaddleAbsorption& paddle, double spacing);
+
 /// Height of the surface above the foot, in front of a paddle that is `shift` from its place at rest [m]; 0 where dry.
 double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::ParticleSettings& settings,
                          const fluid::ParticleState& water);
 
-/// The correction of velocity that the law asks for [m/s].
+/// The correction of velocity that the law asks for, that of a sea without its delay [m/s].
 /// @param reading  of surface_at_paddle [m]
 /// @param driven   displacement of the paddle by its own motion along `direction` [m]
 /// @param offset   what corrections have moved it so far [m]
@@ -59,7 +69,9 @@ double absorbing_velocity(const PaddleAbsorption& paddle, double time, double re
 double absorption_delay(const PaddleAbsorption& paddle, double spacing, double gauge_distance);
 
 /// Sets how fast the corrections of all absorbing paddles go over the next step.
+/// @param surge  per body: how fast the correction of a paddle that makes a sea changes; empty without one [m/s^2]
 void absorb_waves(std::span<const PaddleAbsorption> paddles, const body::BodySet& bodies, double time, double dt,
-                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water, body::BodyState& state);
+                  const fluid::ParticleSettings& settings, const fluid::ParticleState& water,
+                  std::vector<double>& surge, body::BodyState& state);
 
 }  // namespace riprap::coupling

@@ -41,7 +41,7 @@ void ParticleMethod::drive(const TimeSpan& span, std::vector<Vec3>& correction) 
     std::vector<Vec3>& rate = state_.bodies.drive_rate;
     correction = rate;
     absorb_waves(water_->absorptions, scene_->bodies, span.time, span.dt, water_->settings(), state_.particles,
-                 state_.bodies);
+                 state_.coupling.surge, state_.bodies);
     for (std::size_t b = 0; b < correction.size(); ++b) {
         correction[b] = (rate[b] - correction[b]) / span.dt;
     }

@@ -201,13 +201,15 @@ bool check_planar_turn(CaseBuild& build, const Value& table, std::string_view wh
 void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::size_t count) {
     const Value* motion = table.find("motion");
     const Value* maker = motion != nullptr ? motion->find("wave_maker") : nullptr;
-    if (maker == nullptr || count == first || makes_sea(*maker)) {
+    if (maker == nullptr || count == first) {
         return;
     }
-    WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
-                      get(*maker, "depth").place, paddle_wave(build, *maker)};
-    paddle.wave.paddle = get_text(table, "name");
-    build.paddles.push_back(std::move(paddle));
+    if (!makes_sea(*maker)) {
+        WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
+                          get(*maker, "depth").place, paddle_wave(build, *maker)};
+        paddle.wave.paddle = get_text(table, "name");
+        build.paddles.push_back(std::move(paddle));
+    }
     auto absorption = paddle_absorption(build, *maker);
     if (!absorption) {
         return;

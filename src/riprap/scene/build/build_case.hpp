@@ -136,7 +136,7 @@ std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const 
 /// The wave of that table.
 PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
 /// Returns the absorption of that paddle; nothing where it absorbs no waves.
-std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table);
+std::optional<coupling::PaddleAbsorption> paddle_absorption(CaseBuild& build, const Value& table);
 
 /// Loads act on bodies that follow forces, now or later, and there are not too many. False with a problem.
 bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies);

@@ -37,11 +37,32 @@ bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
     return true;
 }
 
+/// Finds how a paddle answers what its sea does not explain, and says what it leaves; refuses what would grow.
+void build_sea_absorption(CaseBuild& build, const SourcePlace& place, double spacing,
+                          coupling::PaddleAbsorption& paddle) {
+    prepare_sea(paddle, spacing);
+    const std::string name = build.model.bodies.name(paddle.body);
+    if (paddle.law.highest > wave::most_returned) {
+        build.problem(place,
+                      fmt::format("'{}' would send short waves back {:.3g} times as high as they come: the surface is "
+                                  "looked at {:g} spacings before it",
+                                  name, paddle.law.highest, coupling::absorption_gauge_distance),
+                      "a smaller fluid.spacing, a longer period, or no 'absorb'");
+        return;
+    }
+    build.state.coupling.surge.assign(static_cast<std::size_t>(build.model.bodies.size()), 0);
+    build.notes.push_back(fmt::format("'{}' absorbs a sea: of the energy of waves like its own {:.2g} % goes back",
+                                      name, 100 * paddle.law.returned));
+}
+
 /// Paddles that absorb waves look at the water as it lies at the start.
 void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, coupling::ParticleFluid& fluid) {
     for (std::size_t k = 0; k < build.absorptions.size(); ++k) {
         coupling::PaddleAbsorption& paddle = build.absorptions[k];
         paddle.still = coupling::surface_at_paddle(paddle, 0, fluid.settings(), particles);
+        if (paddle.sea) {
+            build_sea_absorption(build, build.absorption_places[k], fluid.settings().spacing, paddle);
+        }
         const std::string& name = build.model.bodies.name(paddle.body);
         const Vec3& foot = paddle.foot;
         const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g}) m", foot.x, foot.y, foot.z);

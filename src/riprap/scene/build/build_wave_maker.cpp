@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
@@ -184,19 +185,29 @@ PaddleWave paddle_wave(const CaseBuild& build, const Value& table) {
     return result;
 }
 
-std::optional<coupling::PaddleAbsorption> paddle_absorption(const CaseBuild& build, const Value& table) {
+std::optional<coupling::PaddleAbsorption> paddle_absorption(CaseBuild& build, const Value& table) {
     const Value* absorb = table.find("absorb");
-    if (absorb == nullptr) {
+    const double g = norm(build.model.gravity.value), depth = get_number(table, "depth");
+    if (absorb == nullptr || g == 0) {
         return std::nullopt;
     }
-    const double g = norm(build.model.gravity.value), depth = get_number(table, "depth");
-    const WaveKind kind = wave_of(table);
     coupling::PaddleAbsorption absorption;
     absorption.direction = normalized(get_vector(table, "direction"));
     absorption.foot = to_vector(*absorb);
     absorption.up = -1 / g * build.model.gravity.value;
     absorption.gravity = g;
     absorption.depth = depth;
+    if (makes_sea(table)) {
+        auto sea = paddle_sea(build, table);
+        if (!sea) {
+            return std::nullopt;
+        }
+        absorption.sea = std::move(sea->waves);
+        absorption.sea_period = sea->period;
+        absorption.ramp = get_number_or(table, "ramp", 2 * sea->period);
+        return absorption;
+    }
+    const WaveKind kind = wave_of(table);
     if (kind == WaveKind::solitary) {
         absorption.solitary = wave::SolitaryWave{get_number(table, "height"), depth, g};
         // The crest leaves the paddle at half its time, when it has gone half its stroke from its place at rest.

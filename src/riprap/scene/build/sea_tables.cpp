@@ -70,10 +70,6 @@ void check_paddle(CaseBuild& build, const Value& table) {
     if (get_word(table, "paddle", paddles()) == wave::Paddle::flap) {
         build.problem(table.place, "a flap cannot make a sea here", "paddle = \"piston\"");
     }
-    if (const Value* absorb = table.find("absorb")) {
-        build.problem(absorb->place, "a paddle that makes a sea cannot absorb waves here",
-                      "leave out 'absorb'; a [[fluid.sponge]] or a paddle with wave = \"none\" at the other end");
-    }
 }
 
 /// Refuses seas beyond second-order theory, too high, or too long for rows.
@@ -169,6 +165,16 @@ std::optional<body::SplineMotion> sea_motion(CaseBuild& build, const Value& tabl
     motion.stroke = std::move(series.value);
     motion.rate = std::move(series.rate);
     return motion;
+}
+
+std::optional<PaddleSea> paddle_sea(CaseBuild& build, const Value& table) {
+    const std::size_t before = build.problems.size();
+    const auto sea = read_sea(build, table);
+    if (!sea || build.problems.size() > before) {
+        build.problems.resize(before);  // said by sea_motion
+        return std::nullopt;
+    }
+    return PaddleSea{waves_of(*sea, get_number(table, "depth"), norm(build.model.gravity.value)), sea->period};
 }
 
 }  // namespace riprap::scene

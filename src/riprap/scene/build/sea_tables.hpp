@@ -28,4 +28,11 @@ bool makes_sea(const Value& table);
 /// nothing with a problem.
 std::optional<body::SplineMotion> sea_motion(CaseBuild& build, const Value& table);
 
+/// The sea of a table that sea_motion has accepted, with its peak period; nothing where the table is wrong.
+struct PaddleSea {
+    wave::IrregularWave waves;
+    double period;  ///< of the peak [s]
+};
+std::optional<PaddleSea> paddle_sea(CaseBuild& build, const Value& table);
+
 }  // namespace riprap::scene
