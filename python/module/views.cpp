@@ -14,8 +14,6 @@ namespace py = pybind11;
 
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 /// The simulation's bodies or its water; both keep the simulation alive.
 struct Bodies {
     py::object owner;
