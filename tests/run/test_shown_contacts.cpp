@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run shows as contacts, by every solid method: they carry the contact force of every body.
+// Tries the contacts that a run shows, by every solid method: they carry the contact force of every body.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

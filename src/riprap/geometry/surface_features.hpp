@@ -10,7 +10,7 @@
 
 namespace riprap::geometry {
 
-/// How a surface turns at an edge, seen from outside of the solid.
+/// Turn of a surface at an edge, seen from outside of the solid.
 enum class EdgeKind : std::uint8_t {
     flat,    ///< by less than `flat_turn`: nothing meets this edge
     ridge,   ///< away; an edge with a triangle on one side alone is the rim of a cliff

@@ -11,7 +11,7 @@
 
 namespace riprap::io {
 
-/// How a file holds its arrays.
+/// Encoding of the arrays of a file.
 struct VtkLayout {
     std::string_view appended;    ///< what follows the "_" of AppendedData
     bool is_raw{false};           ///< appended bytes as they are; base64 else
