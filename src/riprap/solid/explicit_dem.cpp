@@ -44,43 +44,62 @@ void drift(const body::BodySet& bodies, body::BodyState& state, double end_time,
 
 namespace {
 
-/// Terms that a kick adds up over bodies, of one body or of eight: the sums of KickReport in its order.
+/// Terms of free bodies that a kick adds up, of one body or of several side by side: sums of KickReport.
 template <class T>
-struct KickTerms {
-    T kinetic{}, potential{}, damping_loss{}, external_work{}, work_driven{}, released_energy{}, mass{};
-    Vec3T<T> momentum{}, angular_momentum{}, impulse{}, angular_impulse{}, released_momentum{},
-        released_angular_momentum{}, mass_moment{}, released_mass_moment{};
+struct FreeTerms {
+    T kinetic{}, potential{}, damping_loss{}, external_work{}, mass{};
+    Vec3T<T> momentum{}, angular_momentum{}, impulse{}, angular_impulse{}, mass_moment{};
+
+    [[gnu::always_inline]] FreeTerms& operator+=(const FreeTerms& b) {
+        kinetic += b.kinetic;
+        potential += b.potential;
+        damping_loss += b.damping_loss;
+        external_work += b.external_work;
+        mass += b.mass;
+        momentum += b.momentum;
+        angular_momentum += b.angular_momentum;
+        impulse += b.impulse;
+        angular_impulse += b.angular_impulse;
+        mass_moment += b.mass_moment;
+        return *this;
+    }
 };
-constexpr std::size_t kick_terms = sizeof(KickTerms<double>) / sizeof(double);
-static_assert(kick_terms == 7 + 8 * 3);
+constexpr std::size_t free_terms = 5 + 5 * 3;
+static_assert(sizeof(FreeTerms<double>) == free_terms * sizeof(double));
+
+/// All terms of one body.
+struct KickTerms {
+    FreeTerms<double> free;
+    double work_driven{0}, released_energy{0};
+    Vec3 released_momentum{}, released_angular_momentum{}, released_mass_moment{};
+};
+constexpr std::size_t kick_terms = sizeof(KickTerms) / sizeof(double);
+static_assert(kick_terms == free_terms + 2 + 3 * 3);
 
 /// Sums over bodies in their order.
 struct KickSums {
     std::array<double, kick_terms> sum{};
-    std::array<Eight, kick_terms> wide{};  ///< of bodies that came eight at a time, lane by lane
-    Eight fastest{};                       ///< of them
+    std::array<FreeTerms<Native>, parts> wide{};  ///< of bodies that came eight at a time, lane by lane
+    Eight fastest{};                              ///< of them
     double max_speed{0};
     std::int64_t worst_body{-1};
 
-    void add(const KickTerms<double>& terms) {
+    void add(const KickTerms& terms) {
         const auto numbers = std::bit_cast<std::array<double, kick_terms>>(terms);
         for (std::size_t k = 0; k < kick_terms; ++k) {
             sum[k] += numbers[k];
         }
     }
-    void add(const KickTerms<Eight>& terms) {
-        const auto numbers = std::bit_cast<std::array<Eight, kick_terms>>(terms);
-        for (std::size_t k = 0; k < kick_terms; ++k) {
-            wide[k] += numbers[k];
-        }
-    }
     /// Adds the lanes to the sums, in their order.
     void fold() {
-        for (std::size_t k = 0; k < kick_terms; ++k) {
-            for (std::int64_t lane = 0; lane < lanes; ++lane) {
-                sum[k] += wide[k][lane];
+        for (FreeTerms<Native>& terms : wide) {
+            const auto numbers = std::bit_cast<std::array<Native, free_terms>>(terms);
+            for (std::size_t k = 0; k < free_terms; ++k) {
+                for (std::int64_t lane = 0; lane < lanes_in<Native>; ++lane) {
+                    sum[k] += numbers[k][lane];
+                }
             }
-            wide[k] = Eight(0.0);
+            terms = {};
         }
         for (std::int64_t lane = 0; lane < lanes; ++lane) {
             max_speed = std::max(max_speed, fastest[lane]);
@@ -98,22 +117,22 @@ struct KickSums {
         worst_body = worst_body >= 0 ? worst_body : after.worst_body;
     }
     KickReport report() const {
-        const auto t = std::bit_cast<KickTerms<double>>(sum);
-        return {.kinetic = t.kinetic,
-                .potential = t.potential,
-                .damping_loss = t.damping_loss,
-                .external_work = t.external_work,
+        const auto t = std::bit_cast<KickTerms>(sum);
+        return {.kinetic = t.free.kinetic,
+                .potential = t.free.potential,
+                .damping_loss = t.free.damping_loss,
+                .external_work = t.free.external_work,
                 .work_driven = t.work_driven,
                 .released_energy = t.released_energy,
-                .momentum = t.momentum,
-                .angular_momentum = t.angular_momentum,
-                .impulse = t.impulse,
-                .angular_impulse = t.angular_impulse,
+                .momentum = t.free.momentum,
+                .angular_momentum = t.free.angular_momentum,
+                .impulse = t.free.impulse,
+                .angular_impulse = t.free.angular_impulse,
                 .released_momentum = t.released_momentum,
                 .released_angular_momentum = t.released_angular_momentum,
-                .mass_moment = t.mass_moment,
+                .mass_moment = t.free.mass_moment,
                 .released_mass_moment = t.released_mass_moment,
-                .mass = t.mass,
+                .mass = t.free.mass,
                 .max_speed = max_speed,
                 .worst_body = worst_body};
     }
@@ -152,7 +171,7 @@ struct KickedBody {
 
 /// Kicks velocity and angular momentum. @returns what is added up but for what a release brings
 template <class T>
-[[gnu::always_inline]] inline KickTerms<T> kick_free(const DemSettings& settings, bool is_planar, const Vec3& g,
+[[gnu::always_inline]] inline FreeTerms<T> kick_free(const DemSettings& settings, bool is_planar, const Vec3& g,
                                                      double step, KickedBody<T>& body) {
     const T alpha(settings.local_damping), rate(settings.mass_damping), dt(step), half(0.5 * step);
     const Vec3T<T> gravity{T(g.x), T(g.y), T(g.z)};
@@ -173,7 +192,7 @@ template <class T>
     body.velocity += (dt / mass) * force;
     body.angular_momentum += dt * torque;
 
-    KickTerms<T> terms;
+    FreeTerms<T> terms;
     terms.mass = mass;
     terms.mass_moment = mass * body.position;
     terms.kinetic = T(0.5) * (mass * norm_squared(mid_velocity) + dot(mid_momentum, mid_spin));
@@ -216,10 +235,10 @@ struct Kick {
     body::BodyState& state;
 
     /// A support or driver: what it takes, the free bodies gain; its motion works on them.
-    KickTerms<double> of_support(std::size_t i) const {
-        KickTerms<double> terms;
-        terms.impulse = -times.dt * loads.force[i];
-        terms.angular_impulse = -times.dt * (cross(state.position[i], loads.force[i]) + loads.torque[i]);
+    KickTerms of_support(std::size_t i) const {
+        KickTerms terms;
+        terms.free.impulse = -times.dt * loads.force[i];
+        terms.free.angular_impulse = -times.dt * (cross(state.position[i], loads.force[i]) + loads.torque[i]);
         terms.work_driven =
             -times.dt * (dot(loads.force[i], state.velocity[i]) + dot(loads.torque[i], kinematics.angular_velocity[i]));
         return terms;
@@ -248,55 +267,55 @@ struct Kick {
         if (locks.any()) {
             hold(locks, gravity, body);
         }
-        KickTerms<double> terms = kick_free(settings, bodies.is_planar, gravity, times.dt, body);
+        KickTerms terms{.free = kick_free(settings, bodies.is_planar, gravity, times.dt, body)};
         state.velocity[i] = locks.free_translation(body.velocity);  // what rounding leaves goes
         state.angular_momentum[i] = locks.free_rotation(body.angular_momentum);
         if (!is_free(bodies, BodyId{static_cast<std::int32_t>(index)}, times.previous)) {
             // At the kick, like everything else: half a kick of velocity came without a path to work along.
-            terms.released_energy = terms.kinetic + terms.potential;
+            terms.released_energy = terms.free.kinetic + terms.free.potential;
             terms.released_momentum = body.mass * old_velocity;
             terms.released_angular_momentum = body.mass * cross(body.position, old_velocity) + old_momentum;
-            terms.released_mass_moment = terms.mass_moment;
+            terms.released_mass_moment = terms.free.mass_moment;
         }
         sums.add(terms);
         const double speed = speed_of(body);
         sums.add_speed(index, speed, speed <= settings.max_speed && is_finite(body.position));
     }
 
-    /// Eight free bodies that were free before: the same operations in the same order.
-    void eight(std::int64_t first, KickSums& sums) const {
+    /// Part `p` of eight free bodies that were free before: the same operations in the same order.
+    [[gnu::flatten]] void part(std::int64_t first, std::size_t p, KickSums& sums) const {
         const auto i = at(first);
-        RowIndex rows;
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        RowsOf<Native> rows;
+        for (std::int64_t lane = 0; lane < lanes_in<Native>; ++lane) {
             rows.row[lane] = static_cast<std::int32_t>(first + lane);
         }
         const double* m = &kinematics.inverse_inertia[0].xx;
-        const FourByEight front = load_four<6>(m, rows), back = load_four<6>(m + 2, rows);
-        KickedBody<Eight> body{Eight::load(&bodies.mass[i]),
-                               {front.a, front.b, front.c, front.d, back.c, back.d},
-                               load_vectors(&state.position[i]),
-                               load_vectors(&state.velocity[i]),
-                               load_vectors(&state.angular_momentum[i]),
-                               load_vectors(&kinematics.angular_velocity[i]),
-                               load_vectors(&loads.force[i]),
-                               load_vectors(&loads.torque[i]),
-                               {},
-                               {}};
+        const FourOf<Native> front = load_four<6>(m, rows), back = load_four<6>(m + 2, rows);
+        KickedBody<Native> body{Native::load(&bodies.mass[i]),
+                                {front.a, front.b, front.c, front.d, back.c, back.d},
+                                load_vectors<Native>(&state.position[i]),
+                                load_vectors<Native>(&state.velocity[i]),
+                                load_vectors<Native>(&state.angular_momentum[i]),
+                                load_vectors<Native>(&kinematics.angular_velocity[i]),
+                                load_vectors<Native>(&loads.force[i]),
+                                load_vectors<Native>(&loads.torque[i]),
+                                {},
+                                {}};
         if (!external.force.empty()) {
-            body.external_force = load_vectors(&external.force[i]);
-            body.external_torque = load_vectors(&external.torque[i]);
+            body.external_force = load_vectors<Native>(&external.force[i]);
+            body.external_torque = load_vectors<Native>(&external.torque[i]);
         }
-        sums.add(kick_free(settings, bodies.is_planar, gravity, times.dt, body));
+        sums.wide[p] += kick_free(settings, bodies.is_planar, gravity, times.dt, body);
         store_vectors(body.velocity, &state.velocity[i]);
         store_vectors(body.angular_momentum, &state.angular_momentum[i]);
-        const Vec3x8& x = body.position;
-        const Eight speed = speed_of(body), rest = (x.x - x.x) + (x.y - x.y) + (x.z - x.z);  // 0 where x is finite
-        const auto are_sane = (speed <= Eight(settings.max_speed)) & (rest == Eight(0.0));
-        if (bits_below(select(are_sane, Eight(0.0), Eight(1.0)), Eight(0.5)) == 0xFF) {
-            sums.fastest = max(sums.fastest, speed);
+        const Vec3T<Native>& x = body.position;
+        const Native speed = speed_of(body), rest = (x.x - x.x) + (x.y - x.y) + (x.z - x.z);  // 0 where x is finite
+        const auto are_sane = (speed <= Native(settings.max_speed)) & (rest == Native(0.0));
+        if (bits_below(select(are_sane, Native(1.0), Native(0.0)), Native(0.5)) == 0) {
+            sums.fastest.part[p] = riprap::detail::greater(sums.fastest.part[p], speed.part[0]);
             return;
         }
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        for (std::int64_t lane = 0; lane < lanes_in<Native>; ++lane) {
             sums.add_speed(first + lane, speed[lane], speed[lane] <= settings.max_speed && rest[lane] == 0);
         }
     }
@@ -316,7 +335,9 @@ KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const 
         KickSums sums;
         for (std::int64_t i = begin; i < end;) {
             if (i + lanes <= end && are_free(bodies, i, lanes)) {
-                kick.eight(i, sums);
+                for (std::int64_t p = 0; p < parts; ++p) {
+                    kick.part(i + p * lanes_in<Native>, at(p), sums);
+                }
                 i += lanes;
             } else {
                 kick.one(i++, sums);

@@ -2,205 +2,111 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "riprap/core/vec3.hpp"
 #include "riprap/core/wide.hpp"
+#include "riprap/solid/transposed.hpp"
 
 namespace riprap::solid {
 
-/// Contacts or bodies that are computed side by side.
+/// Contacts or bodies of a group: sums over groups have the same bits on every machine.
 inline constexpr std::int64_t lanes = 8;
 using Eight = Wide<double, 8>;
 using Vec3x8 = Vec3T<Eight>;
+/// One vector of the machine. Long formulas go through a group by such parts, which leaves their values in registers.
+using Native = Wide<double, transposed::width>;
+inline constexpr std::int64_t parts = lanes / transposed::width;
 
-/// Eight rows of a table.
-struct RowIndex {
-    alignas(32) std::int32_t row[8];
+/// Numbers of T.
+template <class T>
+inline constexpr std::int64_t lanes_in = sizeof(T) / sizeof(double);
+
+/// work(lane) of every lane of T, written out: GCC would make vectors of a loop over places.
+template <class T, class Work>
+[[gnu::always_inline]] inline void for_lanes(const Work& work) {
+    [&]<std::int64_t... Lane>(std::integer_sequence<std::int64_t, Lane...>) { (work(Lane), ...); }
+    (std::make_integer_sequence<std::int64_t, lanes_in<T>>{});
+}
+
+/// Rows of a table, one per lane of T.
+template <class T>
+struct RowsOf {
+    std::int32_t row[lanes_in<T>];
 };
 
-/// Numbers base[row * Stride] of eight rows.
-template <int Stride>
-inline Eight gather(const double* base, const RowIndex& index) {
-#if defined(__AVX512F__)
-    const __m256i rows = _mm256_load_si256(reinterpret_cast<const __m256i*>(index.row));
-    const __m256i places = _mm256_mullo_epi32(rows, _mm256_set1_epi32(Stride));
-    Eight out;
-    out.part[0] = _mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xFF, places, base, 8);
-    return out;
-#else
-    Eight out{};
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        out.set(lane, base[static_cast<std::int64_t>(index.row[lane]) * Stride]);
-    }
-    return out;
-#endif
-}
-
-/// Four numbers of eight rows.
-struct FourByEight {
-    Eight a, b, c, d;
+/// Four numbers of each row.
+template <class T>
+struct FourOf {
+    T a, b, c, d;
 };
 
-#if defined(__AVX512F__)
-namespace detail {
-inline __m512d two_rows(const double* low, const double* high) {
-    const __m512d wide = _mm512_maskz_broadcast_f64x4(0xFF, _mm256_loadu_pd(low));
-    return _mm512_maskz_insertf64x4(0xFF, wide, _mm256_loadu_pd(high), 1);
-}
-inline __m512d low_pairs(__m512d x, __m512d y) {
-    return _mm512_maskz_permutex2var_pd(0xFF, x, _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0), y);
-}
-inline __m512d high_pairs(__m512d x, __m512d y) {
-    return _mm512_maskz_permutex2var_pd(0xFF, x, _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2), y);
-}
-}  // namespace detail
-#endif
-
-/// Four numbers at each of eight places: a transposition in registers.
-inline FourByEight load_four(const double* const (&at)[8]) {
-    FourByEight out;
-#if defined(__AVX512F__)
-    const __m512d r04 = detail::two_rows(at[0], at[4]), r15 = detail::two_rows(at[1], at[5]),
-                  r26 = detail::two_rows(at[2], at[6]), r37 = detail::two_rows(at[3], at[7]);
-    const __m512d even01 = _mm512_maskz_unpacklo_pd(0xFF, r04, r15), odd01 = _mm512_maskz_unpackhi_pd(0xFF, r04, r15);
-    const __m512d even23 = _mm512_maskz_unpacklo_pd(0xFF, r26, r37), odd23 = _mm512_maskz_unpackhi_pd(0xFF, r26, r37);
-    out.a.part[0] = detail::low_pairs(even01, even23);
-    out.b.part[0] = detail::low_pairs(odd01, odd23);
-    out.c.part[0] = detail::high_pairs(even01, even23);
-    out.d.part[0] = detail::high_pairs(odd01, odd23);
-#else
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        out.a.set(lane, at[lane][0]);
-        out.b.set(lane, at[lane][1]);
-        out.c.set(lane, at[lane][2]);
-        out.d.set(lane, at[lane][3]);
+/// Numbers base[row * Stride], one row per lane of T.
+template <int Stride, class T>
+inline T gather(const double* base, const RowsOf<T>& rows) {
+    T out{};
+    for (std::int64_t lane = 0; lane < lanes_in<T>; ++lane) {
+        out.set(lane, base[static_cast<std::int64_t>(rows.row[lane]) * Stride]);
     }
-#endif
     return out;
 }
-/// Numbers base[row * Stride] to base[row * Stride + 3] of eight rows.
-template <int Stride>
-inline FourByEight load_four(const double* base, const RowIndex& index) {
-    const double* at[8];
-    for (int k = 0; k < 8; ++k) {
-        at[k] = base + static_cast<std::int64_t>(index.row[k]) * Stride;
-    }
-    return load_four(at);
+/// Vectors of an array, one row per lane of T.
+template <class T>
+inline Vec3T<T> gather(const Vec3* base, const RowsOf<T>& rows) {
+    return {gather<3>(&base->x, rows), gather<3>(&base->y, rows), gather<3>(&base->z, rows)};
 }
 
-/// Writes four numbers a row at to[k], k < count.
-inline void store_four(const FourByEight& from, double* const* to, std::int64_t count) {
-    alignas(64) double rows[32];
-#if defined(__AVX512F__)
-    const __m512d ab_even = _mm512_maskz_unpacklo_pd(0xFF, from.a.part[0], from.b.part[0]),
-                  ab_odd = _mm512_maskz_unpackhi_pd(0xFF, from.a.part[0], from.b.part[0]);
-    const __m512d cd_even = _mm512_maskz_unpacklo_pd(0xFF, from.c.part[0], from.d.part[0]),
-                  cd_odd = _mm512_maskz_unpackhi_pd(0xFF, from.c.part[0], from.d.part[0]);
-    _mm512_store_pd(rows, detail::low_pairs(ab_even, cd_even));        // rows 0 and 4
-    _mm512_store_pd(rows + 8, detail::low_pairs(ab_odd, cd_odd));      // rows 1 and 5
-    _mm512_store_pd(rows + 16, detail::high_pairs(ab_even, cd_even));  // rows 2 and 6
-    _mm512_store_pd(rows + 24, detail::high_pairs(ab_odd, cd_odd));    // rows 3 and 7
-    for (std::int64_t k = 0; k < count; ++k) {
-        __builtin_memcpy(to[k], rows + 8 * (k & 3) + 4 * (k >> 2), 32);
+/// Four numbers at each place, one place per lane of T.
+template <class T>
+[[gnu::always_inline]] inline FourOf<T> load_four(const double* const* at) {
+    FourOf<T> out;
+    for (std::size_t p = 0; p < T::part_count; ++p) {
+        transposed::load_four(at + p * T::part_size, out.a.part[p], out.b.part[p], out.c.part[p], out.d.part[p]);
     }
-#else
-    for (std::int64_t k = 0; k < count; ++k) {
-        const double row[4] = {from.a[k], from.b[k], from.c[k], from.d[k]};
-        __builtin_memcpy(to[k], row, 32);
-    }
-    static_cast<void>(rows);
-#endif
+    return out;
+}
+/// Numbers base[row * Stride] to base[row * Stride + 3], one row per lane of T.
+template <int Stride, class T>
+[[gnu::always_inline]] inline FourOf<T> load_four(const double* base, const RowsOf<T>& rows) {
+    const double* at[lanes_in<T>];
+    for_lanes<T>([&](std::int64_t k) { at[k] = base + static_cast<std::int64_t>(rows.row[k]) * Stride; });
+    return load_four<T>(at);
 }
 
-/// Adds six numbers a row to those at to[k], k < count, one row after the other; rows have eight numbers and begin at
-/// multiples of 64 bytes.
-inline void add_six(const Vec3x8& front, const Vec3x8& back, double* const* to, std::int64_t count) {
-#if defined(__AVX512F__)
-    const auto low = [](__m512d x, __m512d y) { return _mm512_maskz_unpacklo_pd(0xFF, x, y); };
-    const auto high = [](__m512d x, __m512d y) { return _mm512_maskz_unpackhi_pd(0xFF, x, y); };
-    const auto even = [](__m512d x, __m512d y) { return _mm512_maskz_shuffle_f64x2(0xFF, x, y, 0x88); };
-    const auto odd = [](__m512d x, __m512d y) { return _mm512_maskz_shuffle_f64x2(0xFF, x, y, 0xDD); };
-    const __m512d zero = _mm512_setzero_pd();
-    __m512d rows[lanes];
-    const auto four_rows = [&](__m512d ab, __m512d cd, __m512d ef, int first) {
-        const __m512d abcd04 = even(ab, cd), abcd26 = odd(ab, cd), ef04 = even(ef, zero), ef26 = odd(ef, zero);
-        rows[first] = even(abcd04, ef04);
-        rows[first + 2] = even(abcd26, ef26);
-        rows[first + 4] = odd(abcd04, ef04);
-        rows[first + 6] = odd(abcd26, ef26);
-    };
-    const __m512d a = front.x.part[0], b = front.y.part[0], c = front.z.part[0], d = back.x.part[0], e = back.y.part[0],
-                  f = back.z.part[0];
-    four_rows(low(a, b), low(c, d), low(e, f), 0);
-    four_rows(high(a, b), high(c, d), high(e, f), 1);
-    const auto add = [&](std::int64_t k) {
-        _mm512_store_pd(to[k], _mm512_maskz_add_pd(0xFF, _mm512_load_pd(to[k]), rows[k]));
-    };
-    if (count == lanes) {
-        for (std::int64_t k = 0; k < lanes; ++k) {
-            add(k);
-        }
-    } else {
-        for (std::int64_t k = 0; k < count; ++k) {
-            add(k);
-        }
+/// Writes four numbers at each place.
+template <class T>
+[[gnu::always_inline]] inline void store_four(const FourOf<T>& from, double* const* to) {
+    for (std::size_t p = 0; p < T::part_count; ++p) {
+        transposed::store_four(from.a.part[p], from.b.part[p], from.c.part[p], from.d.part[p], to + p * T::part_size);
     }
-#else
-    for (std::int64_t k = 0; k < count; ++k) {
-        const double row[6] = {front.x[k], front.y[k], front.z[k], back.x[k], back.y[k], back.z[k]};
-        for (int n = 0; n < 6; ++n) {
-            to[k][n] += row[n];
-        }
-    }
-#endif
 }
 
-/// Eight vectors in a row, from memory to lanes and back: transpositions in registers.
-inline Vec3x8 load_vectors(const Vec3* from) {
-#if defined(__AVX512F__)
-    const double* p = &from->x;
-    const __m512d a = _mm512_loadu_pd(p), b = _mm512_loadu_pd(p + 8), c = _mm512_loadu_pd(p + 16);
-    const auto pick = [&](__m512i of_ab, __m512i with_c) {
-        return _mm512_maskz_permutex2var_pd(0xFF, _mm512_maskz_permutex2var_pd(0xFF, a, of_ab, b), with_c, c);
-    };
-    Vec3x8 v;
-    v.x.part[0] = pick(_mm512_set_epi64(0, 0, 15, 12, 9, 6, 3, 0), _mm512_set_epi64(13, 10, 5, 4, 3, 2, 1, 0));
-    v.y.part[0] = pick(_mm512_set_epi64(0, 0, 0, 13, 10, 7, 4, 1), _mm512_set_epi64(14, 11, 8, 4, 3, 2, 1, 0));
-    v.z.part[0] = pick(_mm512_set_epi64(0, 0, 0, 14, 11, 8, 5, 2), _mm512_set_epi64(15, 12, 9, 4, 3, 2, 1, 0));
-    return v;
-#else
-    Vec3x8 v;
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        v.x.set(lane, from[lane].x);
-        v.y.set(lane, from[lane].y);
-        v.z.set(lane, from[lane].z);
+/// Two vectors of each lane, side by side in memory.
+[[gnu::always_inline]] inline transposed::SixRows six_rows(const Vec3T<Native>& front, const Vec3T<Native>& back) {
+    return transposed::SixRows(
+        {front.x.part[0], front.y.part[0], front.z.part[0], back.x.part[0], back.y.part[0], back.z.part[0]});
+}
+
+/// Vectors in a row, from memory to lanes and back.
+template <class T = Eight>
+[[gnu::always_inline]] inline Vec3T<T> load_vectors(const Vec3* from) {
+    Vec3T<T> v;
+    for (std::size_t p = 0; p < T::part_count; ++p) {
+        transposed::load_three(&from[p * T::part_size].x, v.x.part[p], v.y.part[p], v.z.part[p]);
     }
     return v;
-#endif
 }
-inline void store_vectors(const Vec3x8& v, Vec3* to) {
-#if defined(__AVX512F__)
-    double* p = &to->x;
-    const auto put = [&](double* place, __m512i of_xy, __m512i with_z) {
-        const __m512d xy = _mm512_maskz_permutex2var_pd(0xFF, v.x.part[0], of_xy, v.y.part[0]);
-        _mm512_storeu_pd(place, _mm512_maskz_permutex2var_pd(0xFF, xy, with_z, v.z.part[0]));
-    };
-    put(p, _mm512_set_epi64(10, 2, 0, 9, 1, 0, 8, 0), _mm512_set_epi64(7, 6, 9, 4, 3, 8, 1, 0));
-    put(p + 8, _mm512_set_epi64(5, 0, 12, 4, 0, 11, 3, 0), _mm512_set_epi64(7, 12, 5, 4, 11, 2, 1, 10));
-    put(p + 16, _mm512_set_epi64(0, 15, 7, 0, 14, 6, 0, 13), _mm512_set_epi64(15, 6, 5, 14, 3, 2, 13, 0));
-#else
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        to[lane] = {v.x[lane], v.y[lane], v.z[lane]};
+template <class T>
+[[gnu::always_inline]] inline void store_vectors(const Vec3T<T>& v, Vec3* to) {
+    for (std::size_t p = 0; p < T::part_count; ++p) {
+        transposed::store_three(v.x.part[p], v.y.part[p], v.z.part[p], &to[p * T::part_size].x);
     }
-#endif
-}
-
-/// Vectors of eight rows of an array of Vec3.
-inline Vec3x8 gather(const Vec3* base, const RowIndex& index) {
-    return {gather<3>(&base->x, index), gather<3>(&base->y, index), gather<3>(&base->z, index)};
 }
 
 /// Vector of one lane.
-inline Vec3 lane_of(const Vec3x8& v, std::int64_t lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
+template <class T>
+inline Vec3 lane_of(const Vec3T<T>& v, std::int64_t lane) {
+    return {v.x[lane], v.y[lane], v.z[lane]};
+}
 
 }  // namespace riprap::solid

@@ -11,6 +11,8 @@
 namespace riprap::solid::sphere_dem {
 
 /// Constants of all pairs of materials.
+/// @tparam T  contacts side by side
+template <class T>
 class Surfaces {
  public:
     Surfaces(const contact::ContactTable& table, contact::NormalLaw law) : count_(table.size()) {
@@ -20,18 +22,17 @@ class Surfaces {
             }
         }
         const SurfacePair<double>& p = pairs_.front();
-        first_ = {Eight(p.modulus),          Eight(p.shear_modulus),    Eight(p.ratio),
-                  Eight(p.static_friction),  Eight(p.kinetic_friction), Eight(p.rolling_friction),
-                  Eight(p.normal_stiffness), Eight(p.shear_ratio),      Eight(p.shear_damping)};
+        first_ = {T(p.modulus),          T(p.shear_modulus),    T(p.ratio),
+                  T(p.static_friction),  T(p.kinetic_friction), T(p.rolling_friction),
+                  T(p.normal_stiffness), T(p.shear_ratio),      T(p.shear_damping)};
     }
     bool is_uniform() const { return count_ == 1; }
-    const SurfacePair<Eight>& first() const { return first_; }
+    const SurfacePair<T>& first() const { return first_; }
 
-    /// Constants of eight contacts.
     /// @param a, b  materials of either side
-    SurfacePair<Eight> of(const RowIndex& a, const RowIndex& b) const {
-        SurfacePair<Eight> out = first_;
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+    SurfacePair<T> of(const RowsOf<T>& a, const RowsOf<T>& b) const {
+        SurfacePair<T> out = first_;
+        for (std::int64_t lane = 0; lane < lanes_in<T>; ++lane) {
             const SurfacePair<double>& p = pairs_[at(a.row[lane] * count_ + b.row[lane])];
             out.modulus.set(lane, p.modulus);
             out.shear_modulus.set(lane, p.shear_modulus);
@@ -49,28 +50,30 @@ class Surfaces {
  private:
     std::int32_t count_;
     std::vector<SurfacePair<double>> pairs_;
-    SurfacePair<Eight> first_;
+    SurfacePair<T> first_;
 };
 
-/// Sums of eight contacts at a time, folded in the order of the lanes.
+/// Sums of groups of contacts, folded in the order of the lanes.
 struct WideSums {
     Eight elastic{}, friction{}, damping{}, rolling{}, deepest{};
 
     /// @param depth  overlap over the smaller radius [-]
-    /// @param count  lanes that hold a contact
-    [[gnu::always_inline]] void add(const ContactResponse<Eight>& response, Eight depth, std::int64_t count) {
-        Eight one_elastic = response.elastic, one_friction = response.friction_loss,
-              one_damping = response.damping_loss, one_rolling = response.rolling_loss;
-        for (std::int64_t lane = count; lane < lanes; ++lane) {  // of the last group only
-            for (Eight* value : {&depth, &one_elastic, &one_friction, &one_damping, &one_rolling}) {
+    /// @param p      part of the group
+    /// @param count  lanes of the part that hold a contact
+    [[gnu::always_inline]] void add(const ContactResponse<Native>& response, Native depth, std::size_t p,
+                                    std::int64_t count) {
+        Native one_elastic = response.elastic, one_friction = response.friction_loss,
+               one_damping = response.damping_loss, one_rolling = response.rolling_loss;
+        for (std::int64_t lane = count; lane < lanes_in<Native>; ++lane) {  // of the last group only
+            for (Native* value : {&depth, &one_elastic, &one_friction, &one_damping, &one_rolling}) {
                 value->set(lane, 0);
             }
         }
-        elastic += one_elastic;
-        friction += one_friction;
-        damping += one_damping;
-        rolling += one_rolling;
-        deepest = max(deepest, depth);
+        elastic.part[p] += one_elastic.part[0];
+        friction.part[p] += one_friction.part[0];
+        damping.part[p] += one_damping.part[0];
+        rolling.part[p] += one_rolling.part[0];
+        deepest.part[p] = riprap::detail::greater(deepest.part[p], depth.part[0]);
     }
     ContactSums fold() const {
         ContactSums sums;

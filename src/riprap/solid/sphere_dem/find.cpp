@@ -49,12 +49,16 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
 
 /// One bit per slot of a group whose spheres overlap.
 std::uint32_t touching_bits(const Placed& placed, const Slots& slots, std::int64_t group) {
-    RowIndex a, b;
-    std::copy_n(&slots.a[at(8 * group)], 8, a.row);
-    std::copy_n(&slots.b[at(8 * group)], 8, b.row);
-    const FourByEight from = load_four<12>(&placed.records[0].x, a), to = load_four<12>(&placed.records[0].x, b);
-    const Eight x = from.a - to.a, y = from.b - to.b, z = from.c - to.c, reach = from.d + to.d;
-    const std::uint32_t bits = bits_below(x * x + y * y + z * z, reach * reach);
+    std::uint32_t bits = 0;
+    for (std::int64_t part = 0; part < parts; ++part) {
+        const std::int64_t first = part * lanes_in<Native>;
+        RowsOf<Native> a, b;
+        std::copy_n(&slots.a[at(8 * group + first)], lanes_in<Native>, a.row);
+        std::copy_n(&slots.b[at(8 * group + first)], lanes_in<Native>, b.row);
+        const FourOf<Native> from = load_four<12>(&placed.records[0].x, a), to = load_four<12>(&placed.records[0].x, b);
+        const Native x = from.a - to.a, y = from.b - to.b, z = from.c - to.c, reach = from.d + to.d;
+        bits |= bits_below(x * x + y * y + z * z, reach * reach) << first;
+    }
     const std::int64_t left = slots.count - 8 * group;
     return left >= 8 ? bits : bits & ((1U << left) - 1);
 }

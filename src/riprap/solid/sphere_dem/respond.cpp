@@ -13,69 +13,70 @@ namespace riprap::solid::sphere_dem {
 
 namespace {
 
-/// Side A or B of eight contacts.
+/// Contacts side by side: a vector of the machine.
+constexpr std::int64_t side_by_side = lanes_in<Native>;
+using Rows = RowsOf<Native>;
+using Vectors = Vec3T<Native>;
+
+/// Side A or B of contacts.
 struct Side {
-    Vec3x8 x, v, w;
-    Eight radius, inverse_mass;
+    Vectors x, v, w;
+    Native radius, inverse_mass;
 };
 
-[[gnu::always_inline]] inline Side load_side(const Placed& placed, const RowIndex& rows) {
-    const double* at_row[lanes];
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        at_row[lane] = &placed.records[at(rows.row[lane])].x;
-    }
+[[gnu::always_inline]] inline Side load_side(const Placed& placed, const Rows& rows) {
+    const double* place[side_by_side];
+    for_lanes<Native>([&](std::int64_t lane) { place[lane] = &placed.records[at(rows.row[lane])].x; });
     const auto four_from = [&](std::int64_t first) {
-        const double* places[lanes];
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
-            places[lane] = at_row[lane] + first;
-        }
-        return load_four(places);
+        const double* from[side_by_side];
+        for_lanes<Native>([&](std::int64_t lane) { from[lane] = place[lane] + first; });
+        return load_four<Native>(from);
     };
-    const FourByEight x = four_from(0), v = four_from(4), w = four_from(8);
+    const FourOf<Native> x = four_from(0), v = four_from(4), w = four_from(8);
     return {{x.a, x.b, x.c}, {v.a, v.b, v.c}, {w.a, w.b, w.c}, x.d, v.d};
 }
 
-RowIndex materials_of(const Placed& placed, const RowIndex& rows) {
-    RowIndex out;
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+Rows materials_of(const Placed& placed, const Rows& rows) {
+    Rows out;
+    for (std::int64_t lane = 0; lane < side_by_side; ++lane) {
         out.row[lane] = static_cast<std::int32_t>(placed.records[at(rows.row[lane])].material);
     }
     return out;
 }
 
-/// Motion of eight contacts along the lines of their centres. The normal of the last step is that of r - v dt, which is
+/// Motion of contacts along the lines of their centres. The normal of the last step is that of r - v dt, which is
 /// where the centres were: velocities are constant between two evaluations.
 /// @param arm  from A to B over the sum of radii: times its own radius, the arm of each sphere [-]
-[[gnu::always_inline]] inline ContactMotion<Eight> motion_of(const Side& a, const Side& b, Eight dt, Vec3x8& arm) {
-    ContactMotion<Eight> m;
-    const Vec3x8 r = b.x - a.x, approach = a.v - b.v;
-    const Vec3x8 r_old = r + approach * dt;
+[[gnu::always_inline]] inline ContactMotion<Native> motion_of(const Side& a, const Side& b, Native dt, Vectors& arm) {
+    ContactMotion<Native> m;
+    const Vectors r = b.x - a.x, approach = a.v - b.v;
+    const Vectors r_old = r + approach * dt;
     // Roots and reciprocals of the squares side by side: 1/r = r/r^2.
-    const Eight square = dot(r, r), square_old = dot(r_old, r_old), one(1.0);
-    const Eight distance = sqrt(square), reach = a.radius + b.radius, inverse_reach = one / reach;
+    const Native square = dot(r, r), square_old = dot(r_old, r_old), one(1.0);
+    const Native distance = sqrt(square), reach = a.radius + b.radius, inverse_reach = one / reach;
     m.normal = r * (distance * (one / square));
     m.old_normal = r_old * (sqrt(square_old) * (one / square_old));
     arm = r * inverse_reach;
     m.velocity = approach + cross(a.w * a.radius + b.w * b.radius, arm);
     m.spin = a.w - b.w;
-    m.mean_turn = Eight(0.5) * dt * dot(a.w + b.w, m.normal);
-    m.overlap = max(reach - distance, Eight(0.0));
+    m.mean_turn = Native(0.5) * dt * dot(a.w + b.w, m.normal);
+    m.overlap = max(reach - distance, Native(0.0));
     m.radius = a.radius * b.radius * inverse_reach;
     m.inverse_mass = a.inverse_mass + b.inverse_mass;
     m.mass = one / m.inverse_mass;
-    m.weight = m.damping_weight = m.count = Eight(1.0);
+    m.weight = m.damping_weight = m.count = Native(1.0);
     m.dt = dt;
     return m;
 }
 
 /// Puts contact normals of faces in place of those along the centres, see contact::closest_pair_normal.
-void use_face_normals(const SphereModel& model, const body::BodyState& state, const RowIndex& a, const RowIndex& b,
-                      const Side& of_a, const Side& of_b, ContactMotion<Eight>& m) {
+void use_face_normals(const SphereModel& model, const body::BodyState& state, const Rows& a, const Rows& b,
+                      const Side& of_a, const Side& of_b, ContactMotion<Native>& m) {
     const auto world = [&](std::int32_t sphere) {
         const Vec3& n = model.spheres.face_normal[at(sphere)];
         return n == Vec3{} ? n : rotate(state.orientation[at(model.spheres.body[at(sphere)])], n);
     };
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
+    for (std::int64_t lane = 0; lane < side_by_side; ++lane) {
         const Vec3 n = contact::closest_pair_normal(world(a.row[lane]), world(b.row[lane]), lane_of(m.normal, lane));
         const Vec3 r = lane_of(of_b.x, lane) - lane_of(of_a.x, lane);
         for (int axis = 0; axis < 3; ++axis) {
@@ -86,27 +87,28 @@ void use_face_normals(const SphereModel& model, const body::BodyState& state, co
     m.old_normal = m.normal;
 }
 
-/// Up to eight contacts side by side.
+/// Contacts [first, first + count) side by side.
 struct Group {
-    RowIndex a, b, row;
     std::int64_t first, count;
-    ContactMotion<Eight> motion;
-    Vec3x8 arm;  ///< see motion_of
-    Eight radius_a, radius_b;
-    ContactResponse<Eight> response;
-};
+    Rows a, b;
 
-[[gnu::always_inline]] inline void number(const Springs& springs, std::int64_t first, std::int64_t end, Group& g) {
-    g.first = first;
-    g.count = std::min(lanes, end - first);
-    for (std::int64_t lane = 0; lane < lanes; ++lane) {
-        const std::int64_t c = first + std::min(lane, g.count - 1);
-        const std::uint64_t key = springs.pair[at(c)];
-        g.a.row[lane] = static_cast<std::int32_t>(key >> 32);
-        g.b.row[lane] = static_cast<std::int32_t>(key & 0xFFFFFFFF);
-        g.row.row[lane] = static_cast<std::int32_t>(c);
+    Group(const Springs& springs, std::int64_t first_contact, std::int64_t contact_count)
+        : first(first_contact), count(contact_count) {
+        for_lanes<Native>([&](std::int64_t lane) {
+            const std::uint64_t key = springs.pair[contact(lane)];
+            a.row[lane] = static_cast<std::int32_t>(key >> 32);
+            b.row[lane] = static_cast<std::int32_t>(key & 0xFFFFFFFF);
+        });
     }
-}
+    bool is_full() const { return count == side_by_side; }
+    /// Row of one lane: lanes without a contact repeat the last one.
+    std::size_t contact(std::int64_t lane) const { return at(first + std::min(lane, count - 1)); }
+    Rows contacts() const {
+        Rows rows;
+        for_lanes<Native>([&](std::int64_t lane) { rows.row[lane] = static_cast<std::int32_t>(contact(lane)); });
+        return rows;
+    }
+};
 
 /// Everything that stays the same over a range of contacts.
 /// @tparam is_plain  the default laws, one material, every contact counts in full along the centres
@@ -119,106 +121,129 @@ struct Respond {
     double dt;
     SphereState& state;
     SphereScratch& scratch;
-    const Surfaces& surfaces;
+    const Surfaces<Native>& surfaces;
     bool has_faces, has_rolling;
 
-    /// Motion of the contacts.
-    [[gnu::always_inline]] void measure(Group& g) const {
-        const Side a = load_side(scratch.placed, g.a), b = load_side(scratch.placed, g.b);
-        ContactMotion<Eight>& motion = g.motion;
-        motion = motion_of(a, b, Eight(dt), g.arm);
-        g.radius_a = a.radius;
-        g.radius_b = b.radius;
-        if (is_plain) {
-            return;
-        }
+    /// What the settings change in the motion of contacts.
+    void adjust(const Group& g, const Side& a, const Side& b, ContactMotion<Native>& motion) const {
         if (has_faces) {
             use_face_normals(model, bodies, g.a, g.b, a, b, motion);
         }
         if (!scratch.weight.empty()) {
-            motion.damping_weight = gather<1>(scratch.weight.data(), g.row);
+            motion.damping_weight = gather<1>(scratch.weight.data(), g.contacts());
             if (model.settings.sharing == contact::Sharing::dashpots) {
-                motion.count = Eight(1.0) / (motion.damping_weight * motion.damping_weight);
+                motion.count = Native(1.0) / (motion.damping_weight * motion.damping_weight);
             } else {
                 motion.weight = motion.damping_weight;
                 motion.count =
-                    model.settings.sharing == contact::Sharing::divide ? Eight(1.0) / motion.weight : motion.count;
+                    model.settings.sharing == contact::Sharing::divide ? Native(1.0) / motion.weight : motion.count;
             }
+        }
+    }
+
+    contact::TangentialSpring<Native> spring_of(const Group& g) const {
+        const Springs& springs = state.contacts;
+        if (g.is_full()) {
+            return {load_vectors<Native>(&springs.force[at(g.first)]), Native::load(&springs.stiffness[at(g.first)])};
+        }
+        return {gather(springs.force.data(), g.contacts()), gather<1>(springs.stiffness.data(), g.contacts())};
+    }
+
+    void keep(const Group& g, const contact::TangentialSpring<Native>& spring) const {
+        Springs& springs = state.contacts;
+        if (g.is_full()) {
+            store_vectors(spring.force, &springs.force[at(g.first)]);
+            spring.stiffness.store(&springs.stiffness[at(g.first)]);
+            return;
+        }
+        for (std::int64_t lane = 0; lane < g.count; ++lane) {
+            springs.force[at(g.first + lane)] = lane_of(spring.force, lane);
+            springs.stiffness[at(g.first + lane)] = spring.stiffness[lane];
         }
     }
 
     /// Forces by the laws; springs are advanced.
-    [[gnu::always_inline]] void answer(Group& g) const {
-        Springs& springs = state.contacts;
-        contact::TangentialSpring<Eight> spring;
-        if (g.count == lanes) {
-            spring = {load_vectors(&springs.force[at(g.first)]), Eight::load(&springs.stiffness[at(g.first)])};
-        } else {
-            spring = {gather(springs.force.data(), g.row), gather<1>(springs.stiffness.data(), g.row)};
-        }
-        Vec3x8 rolling{};
-        const bool has_springs = !is_plain && !springs.rolling.empty();
+    [[gnu::always_inline]] ContactResponse<Native> answer(const Group& g, const ContactMotion<Native>& motion) const {
+        contact::TangentialSpring<Native> spring = spring_of(g);
+        std::vector<Vec3>& couples = state.contacts.rolling;
+        const bool has_springs = !is_plain && !couples.empty();
+        Vectors rolling{};
         if (has_springs) {
-            rolling = gather(springs.rolling.data(), g.row);
+            rolling = gather(couples.data(), g.contacts());
         }
-        const bool is_uniform = is_plain || surfaces.is_uniform();
-        g.response = respond_to<Eight>(
-            Laws{model.settings}, friction,
-            is_uniform ? surfaces.first()
-                       : surfaces.of(materials_of(scratch.placed, g.a), materials_of(scratch.placed, g.b)),
-            g.motion, spring, rolling);
-        if (g.count == lanes) {
-            store_vectors(spring.force, &springs.force[at(g.first)]);
-            spring.stiffness.store(&springs.stiffness[at(g.first)]);
-        } else {
-            for (std::int64_t lane = 0; lane < g.count; ++lane) {
-                springs.force[at(g.first + lane)] = lane_of(spring.force, lane);
-                springs.stiffness[at(g.first + lane)] = spring.stiffness[lane];
-            }
-        }
+        const auto by_laws = [&](const SurfacePair<Native>& pair) {
+            return respond_to<Native>(Laws{model.settings}, friction, pair, motion, spring, rolling);
+        };
+        const ContactResponse<Native> response =
+            is_plain || surfaces.is_uniform()
+                ? by_laws(surfaces.first())
+                : by_laws(surfaces.of(materials_of(scratch.placed, g.a), materials_of(scratch.placed, g.b)));
+        keep(g, spring);
         for (std::int64_t lane = 0; has_springs && lane < g.count; ++lane) {
-            springs.rolling[at(g.first + lane)] = lane_of(rolling, lane);
+            couples[at(g.first + lane)] = lane_of(rolling, lane);
         }
+        return response;
     }
 
-    /// Loads on both sides.
-    [[gnu::always_inline]] void add_loads(const Group& g) const {
-        double *at_a[lanes], *at_b[lanes];
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
-            const ContactEnds ends = scratch.ends[at(g.first + std::min(lane, g.count - 1))];
-            at_a[lane] = &scratch.load_rows.rows[ends.a].force.x;
-            at_b[lane] = &scratch.load_rows.rows[ends.b].force.x;
-        }
-        const Vec3x8 turn = cross(g.arm, g.response.force);
-        Vec3x8 torque_a = turn * g.radius_a, torque_b = turn * g.radius_b;
+    /// Adds the loads of the contacts to the rows of both sides.
+    [[gnu::always_inline]] void add_loads(const Group& g, const ContactResponse<Native>& response, const Vectors& arm,
+                                          Native radius_a, Native radius_b) const {
+        const Vectors turn = cross(arm, response.force);
+        Vectors torque_a = turn * radius_a, torque_b = turn * radius_b;
         if (!is_plain && has_rolling) {
-            torque_a += g.response.couple;
-            torque_b -= g.response.couple;
+            torque_a += response.couple;
+            torque_b -= response.couple;
         }
-        add_six(g.response.force, torque_a, at_a, g.count);
-        add_six(-g.response.force, torque_b, at_b, g.count);
+        const transposed::SixRows on_a = six_rows(response.force, torque_a), on_b = six_rows(-response.force, torque_b);
+        for_lanes<Native>([&](std::int64_t lane) {
+            if (lane < g.count) {
+                const ContactEnds ends = scratch.ends[at(g.first + lane)];
+                on_a.add(lane, &scratch.load_rows.rows[ends.a].force.x);
+                on_b.add(lane, &scratch.load_rows.rows[ends.b].force.x);
+            }
+        });
     }
 
     /// Keeps the forces for output.
-    void keep_forces(const Group& g) const {
+    void keep_forces(const Group& g, const Vectors& force) const {
         for (std::int64_t lane = 0; lane < g.count; ++lane) {
-            scratch.forces[at(g.first + lane)] = lane_of(g.response.force, lane);
+            scratch.forces[at(g.first + lane)] = lane_of(force, lane);
         }
+    }
+
+    /// Contacts [first, first + count), part `p` of a group of eight.
+    [[gnu::always_inline]] void part(std::int64_t first, std::int64_t count, std::int64_t p, WideSums& sums) const {
+        const Group g(state.contacts, first, count);
+        const Side a = load_side(scratch.placed, g.a), b = load_side(scratch.placed, g.b);
+        Vectors arm;
+        ContactMotion<Native> motion = motion_of(a, b, Native(dt), arm);
+        if (!is_plain) {
+            adjust(g, a, b, motion);
+        }
+        const ContactResponse<Native> response = answer(g, motion);
+        add_loads(g, response, arm, a.radius, b.radius);
+        if (scratch.keeps_forces) {
+            keep_forces(g, response.force);
+        }
+        sums.add(response, motion.overlap / min(a.radius, b.radius), at(p), count);
+    }
+    [[gnu::flatten]] void full_part(std::int64_t first, std::int64_t p, WideSums& sums) const {
+        part(first, side_by_side, p, sums);
+    }
+    [[gnu::noinline]] void last_part(std::int64_t first, std::int64_t count, std::int64_t p, WideSums& sums) const {
+        part(first, count, p, sums);
     }
 
     /// Contacts [begin, end).
     ContactSums range(std::int64_t begin, std::int64_t end) const {
         WideSums sums;
-        for (std::int64_t c = begin; c < end; c += lanes) {
-            Group g;
-            number(state.contacts, c, end, g);
-            measure(g);
-            answer(g);
-            add_loads(g);
-            if (scratch.keeps_forces) {
-                keep_forces(g);
-            }
-            sums.add(g.response, g.motion.overlap / min(g.radius_a, g.radius_b), g.count);
+        std::int64_t c = begin, p = 0;
+        for (; c + side_by_side <= end; c += side_by_side) {
+            full_part(c, p, sums);
+            p = p + 1 < parts ? p + 1 : 0;
+        }
+        if (c < end) {
+            last_part(c, end - c, p, sums);
         }
         return sums.fold();
     }
@@ -228,7 +253,7 @@ template <class Law, bool is_plain>
 ContactSums respond_by(const Law& friction, const SphereModel& model, const body::BodyState& bodies, double dt,
                        SphereState& state, SphereScratch& scratch) {
     const bool has_faces = model.settings.normals == contact::SphereNormals::faces;
-    const Surfaces surfaces(model.table, model.settings.normal);
+    const Surfaces<Native> surfaces(model.table, model.settings.normal);
     const Respond<Law, is_plain> work{friction, model,     bodies,
                                       dt,       state,     scratch,
                                       surfaces, has_faces, model.settings.rolling != contact::RollingLaw::none};

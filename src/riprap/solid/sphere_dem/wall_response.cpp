@@ -62,11 +62,14 @@ double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Sp
     return lost;
 }
 
-/// Up to eight contacts of spheres with walls, side by side.
+/// Contacts side by side: a vector of the machine.
+constexpr std::int64_t side_by_side = lanes_in<Native>;
+
+/// Contacts of spheres with walls, side by side.
 struct WallGroup {
-    ContactMotion<Eight> motion;
-    RowIndex material, wall_material;
-    Vec3 arm[lanes], wall_arm[lanes];  ///< from the centres of mass to the contacts [m]
+    ContactMotion<Native> motion;
+    RowsOf<Native> material, wall_material;
+    Vec3 arm[side_by_side], wall_arm[side_by_side];  ///< from the centres of mass to the contacts [m]
 };
 
 /// Everything that stays the same over all contacts with walls.
@@ -78,18 +81,18 @@ struct RespondToWalls {
     double dt;
     Springs& springs;
     SphereScratch& scratch;
-    const Surfaces& surfaces;
+    const Surfaces<Native>& surfaces;
 
     WallGroup group_at(std::size_t first, std::int64_t count) const {
         WallGroup g;
         enum { normal = 0, old_normal = 3, velocity = 6, spin = 9, turn = 12, overlap, radius, mass, weight, numbers };
-        alignas(64) double of[numbers][lanes];
+        alignas(64) double of[numbers][side_by_side];
         const auto set = [&](int number, std::int64_t lane, const Vec3& v) {
             of[number][lane] = v.x;
             of[number + 1][lane] = v.y;
             of[number + 2][lane] = v.z;
         };
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        for (std::int64_t lane = 0; lane < side_by_side; ++lane) {
             const std::size_t c = first + at(std::min(lane, count - 1));
             const WallContact& contact = scratch.walls[c];
             const auto body = at(model.spheres.body[at(contact.sphere)]), wall = at(wall_body(model, contact.wall));
@@ -111,45 +114,47 @@ struct RespondToWalls {
             of[mass][lane] = scratch.kinematics.inverse_mass[body] + scratch.kinematics.inverse_mass[wall];
             of[weight][lane] = contact.weight;
         }
-        const auto eight = [&](int number) { return Eight::load(of[number]); };
-        const auto vectors = [&](int number) { return Vec3x8{eight(number), eight(number + 1), eight(number + 2)}; };
-        const Eight one(1.0), share = eight(weight);
+        const auto numbers_of = [&](int number) { return Native::load(of[number]); };
+        const auto vectors = [&](int number) {
+            return Vec3T<Native>{numbers_of(number), numbers_of(number + 1), numbers_of(number + 2)};
+        };
+        const Native one(1.0), share = numbers_of(weight);
         const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
         g.motion = {.normal = vectors(normal),
                     .old_normal = vectors(old_normal),
                     .velocity = vectors(velocity),
                     .spin = vectors(spin),
-                    .mean_turn = eight(turn),
-                    .overlap = eight(overlap),
-                    .radius = eight(radius),
-                    .mass = one / eight(mass),
-                    .inverse_mass = eight(mass),
+                    .mean_turn = numbers_of(turn),
+                    .overlap = numbers_of(overlap),
+                    .radius = numbers_of(radius),
+                    .mass = one / numbers_of(mass),
+                    .inverse_mass = numbers_of(mass),
                     .weight = shares_dashpots ? one : share,
                     .damping_weight = share,
                     .count = shares_dashpots                                      ? one / (share * share)
                              : model.settings.sharing == contact::Sharing::divide ? one / share
                                                                                   : one,
-                    .dt = Eight(dt)};
+                    .dt = Native(dt)};
         return g;
     }
 
-    /// Loads of the contacts from `first` on.
-    void group(std::size_t first, std::int64_t count, WideSums& sums) const {
+    /// Loads of the contacts [first, first + count), part `p` of a group.
+    [[gnu::flatten]] void part(std::size_t first, std::int64_t count, std::size_t p, WideSums& sums) const {
         const WallGroup g = group_at(first, count);
-        contact::TangentialSpring<Eight> spring;
-        Vec3x8 rolling{};
-        RowIndex rows;
-        for (std::int64_t lane = 0; lane < lanes; ++lane) {
+        contact::TangentialSpring<Native> spring;
+        Vec3T<Native> rolling{};
+        RowsOf<Native> rows;
+        for (std::int64_t lane = 0; lane < side_by_side; ++lane) {
             rows.row[lane] = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(std::min(lane, count - 1));
         }
         spring = {gather(springs.force.data(), rows), gather<1>(springs.stiffness.data(), rows)};
         if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), rows);
         }
-        const ContactResponse<Eight> response =
-            respond_to<Eight>(ChosenLaws{model.settings}, friction,
-                              surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material),
-                              g.motion, spring, rolling);
+        const ContactResponse<Native> response =
+            respond_to<Native>(ChosenLaws{model.settings}, friction,
+                               surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material),
+                               g.motion, spring, rolling);
         for (std::int64_t lane = 0; lane < count; ++lane) {
             const std::size_t c = first + at(lane);
             springs.force[c] = lane_of(spring.force, lane);
@@ -162,7 +167,7 @@ struct RespondToWalls {
             scratch.wall_loads[c] = {force, cross(g.arm[lane], force) + couple,
                                      -cross(g.wall_arm[lane], force) - couple};
         }
-        sums.add(response, g.motion.overlap / g.motion.radius, count);
+        sums.add(response, g.motion.overlap / g.motion.radius, p, count);
     }
 };
 
@@ -170,14 +175,14 @@ template <class Law>
 ContactSums respond_by(const Law& friction, const SphereModel& model, const body::BodyState& bodies, double dt,
                        Springs& springs, SphereScratch& scratch) {
     constexpr std::int64_t range = 256;  // contacts that one thread takes at a time; part of the sums
-    const Surfaces surfaces(model.table, model.settings.normal);
+    const Surfaces<Native> surfaces(model.table, model.settings.normal);
     const RespondToWalls<Law> work{friction, model, bodies, dt, springs, scratch, surfaces};
     const auto count = static_cast<std::int64_t>(scratch.walls.size());
     std::vector<ContactSums> partial(at((count + range - 1) / range));
     parallel::for_ranges(count, range, [&](std::int64_t begin, std::int64_t end) {
         WideSums sums;
-        for (std::int64_t c = begin; c < end; c += lanes) {
-            work.group(at(c), std::min(lanes, end - c), sums);
+        for (std::int64_t c = begin, p = 0; c < end; c += side_by_side, p = p + 1 < parts ? p + 1 : 0) {
+            work.part(at(c), std::min(side_by_side, end - c), at(p), sums);
         }
         partial[at(begin / range)] = sums.fold();
     });
