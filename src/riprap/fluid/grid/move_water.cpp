@@ -14,16 +14,12 @@ constexpr double most_flushed = 0.5;
 /// Sweeps over such cells; each carries water through one more of them in a row [-].
 constexpr int flush_sweeps = 4;
 
-/// Arrays of the transport, in the memory of the pressure's solver, which is idle until then.
+/// Arrays of the transport, in the memory of what find_masses fills anew after it.
 struct Buffers {
     std::vector<double>& water;         ///< in cells, between two directions [m^3]
     std::vector<double>& end_fraction;  ///< of slivers beside solids, at the end of the step [-]
-    std::vector<double>& flushed;       ///< the same, one sweep further [-]
 };
-Buffers buffers_of(GridScratch& s) {
-    linear::PoissonSolver::Work& work = s.projection.solver.work();
-    return {work.r, work.d, work.q};
-}
+Buffers buffers_of(GridScratch& s) { return {s.stress.viscosity, s.inertia.mass}; }
 
 /// Volume that leaves a cell in the step through all its faces [m^3].
 double outflow(const CellBox& box, const GridScratch& s, std::int64_t c) {
@@ -64,9 +60,14 @@ double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, i
 void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
     const Buffers buffers = buffers_of(s);
-    std::vector<double>&end_fraction = buffers.end_fraction, &flushed = buffers.flushed;
-    end_fraction = state.fraction;
-    flushed.resize(end_fraction.size());
+    std::vector<double>& end_fraction = buffers.end_fraction;
+    std::vector<double>& flushed = buffers.water;  // the same, one sweep further [-]
+    std::array<int, 3> first{}, last = box.cells;  // masses stay zero in the second layer of ghosts
+    for (int a = 0; a < box.axes; ++a) {
+        first[at(a)] = -1;
+        last[at(a)] += 1;
+    }
+    for_box(box, first, last, [&](std::int64_t c, int, int, int) { end_fraction[at(c)] = state.fraction[at(c)]; });
     for (int sweep = 0; sweep < flush_sweeps; ++sweep) {
         for_cells(box, [&](std::int64_t c, int i, int j, int k) {
             if (!is_sliver(box, s, c, settings.mesh.volume(i, j, k))) {
@@ -185,7 +186,6 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
             flush_slivers(settings, state, s);
         }
         std::vector<double>& water = buffers_of(s).water;
-        water.resize(state.fraction.size());
         for_cells(
             box, [&](std::int64_t c, int, int, int) { water[at(c)] = state.fraction[at(c)] * s.room.before()[at(c)]; });
         for (int turn = 0; turn < box.axes; ++turn) {

@@ -91,12 +91,32 @@ double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>&
     return sum;
 }
 
+/// Lends the solver memory that nothing reads from the prediction on until it is filled anew. The carrier along the
+/// first axis stays for water_through.
+class LentMemory {
+ public:
+    explicit LentMemory(GridScratch& scratch) : s_(scratch) { exchange(); }
+    LentMemory(const LentMemory&) = delete;
+    LentMemory& operator=(const LentMemory&) = delete;
+    ~LentMemory() { exchange(); }
+
+ private:
+    void exchange() {
+        linear::PoissonSolver::Work& work = s_.projection.solver.work();
+        work.r.swap(s_.moved.settling);
+        work.d.swap(s_.start.carrier[1]);
+        work.q.swap(s_.start.carrier[2]);
+    }
+    GridScratch& s_;
+};
+
 }  // namespace
 
 linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt,
                                        bool is_rough) {
     const CellBox& box = settings.mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
+    const LentMemory lent(s);
     s.projection.right().resize(at(box.size));
     // net_outflow sums in the same order for a fluid at rest as for one that moves: exact zeros stay zero
     for_cells(box, [&](std::int64_t c, int, int, int) {

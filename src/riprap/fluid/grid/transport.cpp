@@ -83,10 +83,10 @@ void find_mass_fluxes(const GridSettings& settings, GridScratch& s) {
     }
 }
 
-double water_through(const GridSettings& settings, const GridScratch& s, int a, std::int64_t face, double dt) {
+double water_through(const GridSettings& settings, const GridScratch& s, std::int64_t face, double dt) {
     const double water = settings.water.density, air = settings.has_surface ? settings.air.density : 0;
-    const double speed = s.start.carrier[at(a)][at(face)], volume = speed * s.room.area[at(a)][at(face)] * dt;
-    return (s.inertia.mass_flux[at(a)][at(face)] - air * volume) / (water - air);
+    const double speed = s.start.carrier[0][at(face)], volume = speed * s.room.area[0][at(face)] * dt;
+    return (s.inertia.mass_flux[0][at(face)] - air * volume) / (water - air);
 }
 
 void carry_row(const GridSettings& settings, const GridScratch& s, const std::vector<double>& u, int a,

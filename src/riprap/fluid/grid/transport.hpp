@@ -10,9 +10,9 @@ namespace riprap::fluid::grid {
 /// step, of water and air [kg].
 void find_mass_fluxes(const GridSettings& settings, GridScratch& scratch);
 
-/// Water that went through a face of the mesh in the last step of dt, along +axis; with one pressure a pass, whose
-/// carrier is still there [m^3].
-double water_through(const GridSettings& settings, const GridScratch& scratch, int a, std::int64_t face, double dt);
+/// Water that went through a face across the first axis in the last step of dt, along that axis; with one pressure a
+/// pass, whose carrier is still there [m^3].
+double water_through(const GridSettings& settings, const GridScratch& scratch, std::int64_t face, double dt);
 
 /// Pore velocity of a row of velocity cells after the transport alone, into `moved`:
 ///

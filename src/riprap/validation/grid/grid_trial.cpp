@@ -56,7 +56,7 @@ double GridTrial::flow_at(double place) const {
     const int i = mesh.cell_at(0, place);
     double volume = 0;
     for (int j = 0; j < mesh.box.cells[1]; ++j) {
-        volume += water_through(settings_, scratch_, 0, mesh.box.index(i, j, 0), state_.last_step);
+        volume += water_through(settings_, scratch_, mesh.box.index(i, j, 0), state_.last_step);
     }
     return volume / state_.last_step / mesh.h(2, 0);
 }
