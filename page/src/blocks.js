@@ -15,6 +15,7 @@ const WALL = 0.12;        // of upright half-spaces
 const FLOOR = 0.35;       // of others
 const HIDING = 0.3;       // share of looks at the water that a body must stop to become glass
 const MOST_ALONE = 40;    // fixed bodies of one shape that are drawn one by one
+const FLAT = 1 - 1e-6;      // cosine between the normals of two faces of one plane
 const MOST_TRIANGLES = 60_000;  // that looks are tried against
 
 const EDGE_VERTEX = `
@@ -45,19 +46,31 @@ function trianglesOf(shape) {
   return geometry;
 }
 
-function edgesOf(shape) {
-  const seen = new Set(), positions = [];
-  for (const face of shape.faces) {
+/** Newell's normal of a face, of length 1. */
+function normalOf(shape, face) {
+  const at = corner => new THREE.Vector3().fromArray(shape.corners, 3 * corner), normal = new THREE.Vector3();
+  for (let k = 1; k + 1 < face.length; ++k) {
+    normal.add(at(face[k]).sub(at(face[0])).cross(at(face[k + 1]).sub(at(face[0]))));
+  }
+  return normal.normalize();
+}
+
+/** Lines along which a shape bends. Seams between its convex parts, flat on both sides, are none of them. */
+export function edgesOf(shape) {
+  const whole = welded(shape), edges = new Map(), times = new Map();
+  const nameOf = corners => [...corners].sort((a, b) => a - b).join(' ');
+  for (const face of whole.faces) {
+    times.set(nameOf(face), (times.get(nameOf(face)) ?? 0) + 1);
+  }
+  for (const face of whole.faces.filter(face => times.get(nameOf(face)) === 1)) {  // the others lie between two parts
+    const normal = normalOf(whole, face);
     face.forEach((a, k) => {
-      const b = face[(k + 1) % face.length];
-      const key = a < b ? `${a} ${b}` : `${b} ${a}`;
-      if (!seen.has(key)) {
-        seen.add(key);
-        positions.push(...shape.corners.slice(3 * a, 3 * a + 3), ...shape.corners.slice(3 * b, 3 * b + 3));
-      }
+      const b = face[(k + 1) % face.length], key = nameOf([a, b]), other = edges.get(key);
+      edges.set(key, {a, b, normal, isSeam: other !== undefined && other.normal.dot(normal) > FLAT});
     });
   }
-  return positions;
+  const lines = [...edges.values()].filter(({a, b, isSeam}) => a !== b && !isSeam);
+  return lines.flatMap(({a, b}) => [a, b].flatMap(corner => whole.corners.slice(3 * corner, 3 * corner + 3)));
 }
 
 export const wordsOf = name => name.replaceAll('_', ' ');

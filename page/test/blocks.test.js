@@ -146,6 +146,8 @@ test('everything fits on the screen of a small laptop', async () => {
 test('nothing reaches beyond the screen of a telephone', async () => {
   await page.setViewportSize({width: 390, height: 800});
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  const rows = await page.evaluate(() => ['theme', 'panel-button', 'help-button'].map(id => document.getElementById(id).getBoundingClientRect().top));
+  assert.equal(new Set(rows).size, 1, `the buttons stand in rows at ${rows}`);
   await page.setViewportSize({width: 1280, height: 720});
 });
 
@@ -260,6 +262,24 @@ test('two runs stand side by side under one clock', async () => {
   await again.close();
   assert.deepEqual(requests.filter(url => !url.startsWith('about:')), [pathToFileURL(out).href]);
   await both.close();
+});
+
+test('a block that is not convex shows its outline, not the seams of its convex parts', async () => {
+  const section = await stage.visit(stage.run('section', 'cases/slope_section', ['end=0.02']));
+  const drawn = await section.evaluate(() => {
+    const {blocks} = window.riprap.scene, rock = blocks.meshes.findIndex(mesh => blocks.contents.bodies.names[mesh.userData.members[0]] === 'rock[0]');
+    const x = blocks.lines[rock].geometry.attributes.position.array;
+    let length = 0;
+    for (let k = 0; k < x.length; k += 6) {
+      length += Math.hypot(x[k + 3] - x[k], x[k + 4] - x[k + 1], x[k + 5] - x[k + 2]);
+    }
+    return length;
+  });
+  const outline = [[0, 0], [40, 0], [40, 20], [26, 20], [26, 17.803], [12, 8], [10, 5], [0, 5]];  // slope.geo below its sliding plane
+  const around = outline.reduce((sum, [x, y], k) => sum + Math.hypot(x - outline.at(k - 1)[0], y - outline.at(k - 1)[1]), 0);
+  const wanted = 2 * around + outline.length;  // before and behind, and the lines across, 1 m each
+  assert.ok(Math.abs(drawn - wanted) < 0.1, `${drawn} m of lines for ${wanted}`);
+  await section.close();
 });
 
 test('where gravity turns, it points down the picture all the time', async () => {
