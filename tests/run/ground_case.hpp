@@ -56,28 +56,42 @@ inline Vec3 place_of_last(const std::unique_ptr<Simulation>& simulation) {
     return simulation->state().bodies.position.back();
 }
 
-/// A block, or a ball, on a slope of 30 degrees: half a second of sliding.
-inline std::string slope(const std::string& ground, const std::string& block, const std::string& method = "") {
-    return fmt::format(R"(gravity = [0.0, 0.0, -9.81]
-end = 0.5
+/// A case with one block on ground.
+struct BlockOnGround {
+    std::string ground;    ///< keys of the ground: shape, and `fixed` or a motion
+    std::string block;     ///< keys of the block: shape and place
+    std::string method{};  ///< keys of the run, then [solid]
+    double end{0.5};       ///< [s]
+    bool is_planar{false};
+    std::string material{"density = 2500.0\nnormal_stiffness = 1.0e7\nfriction_angle_deg = 35.0\n"};
+};
+
+inline std::string text_of(const BlockOnGround& scene) {
+    return fmt::format(R"({}
+end = {}
 {}
 [material.rock]
-density = 2500.0
-normal_stiffness = 1.0e7
-friction_angle_deg = 20.0
-damping_ratio = 0.1
+{}
 [[body]]
 name = "ground"
 material = "rock"
-fixed = true
-shape = {}
+{}
 [[body]]
 name = "block"
 material = "rock"
-orientation = {{ axis_angle = {{ axis = [0, 1, 0], angle_deg = 30 }} }}
 {}
 )",
-                       method, ground, block);
+                       scene.is_planar ? "dimension = 2\ngravity = [0.0, -9.81]" : "gravity = [0.0, 0.0, -9.81]",
+                       scene.end, scene.method, scene.material, scene.ground, scene.block);
+}
+
+/// A block, or a ball, on a slope of 30 degrees: half a second of sliding.
+inline std::string slope(const std::string& ground, const std::string& block, const std::string& method = "") {
+    return text_of(
+        {.ground = "fixed = true\nshape = " + ground,
+         .block = "orientation = { axis_angle = { axis = [0, 1, 0], angle_deg = 30 } }\n" + block,
+         .method = method,
+         .material = "density = 2500.0\nnormal_stiffness = 1.0e7\nfriction_angle_deg = 20.0\ndamping_ratio = 0.1\n"});
 }
 
 /// The slope for blocks, from (0, 0) downwards, as points of a height grid, and as a half-space.

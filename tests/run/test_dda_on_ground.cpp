@@ -62,26 +62,14 @@ TEST_P(DdaOnGround, ARollingBlockKeepsItsSpeedOverInnerEdges) {
 }
 
 /// Bumps of a fifth of the block's width.
-std::string on_bumps(const std::string& method, const std::string& body, double end, const std::string& more = "") {
-    return fmt::format(R"(gravity = [0.0, 0.0, -9.81]
-end = {}
-{}
-[material.rock]
-density = 2500.0
-normal_stiffness = 1.0e7
-friction_angle_deg = 35.0
-damping_ratio = 0.3
-[[body]]
-name = "ground"
-material = "rock"
-shape = {{ terrain = {{ file = 'bed.asc' }} }}
-{}
-[[body]]
-name = "block"
-material = "rock"
-{}
-)",
-                       end, method, more.empty() ? "fixed = true" : more, body);
+std::string on_bumps(const std::string& method, const std::string& block, double end,
+                     const std::string& drive = "fixed = true") {
+    return text_of(
+        {.ground = "shape = { terrain = { file = 'bed.asc' } }\n" + drive,
+         .block = block,
+         .method = method,
+         .end = end,
+         .material = "density = 2500.0\nnormal_stiffness = 1.0e7\nfriction_angle_deg = 35.0\ndamping_ratio = 0.3\n"});
 }
 
 double bumps(double x, double y) { return 0.05 * std::sin(4 * x) + 0.03 * std::cos(5 * y); }
@@ -105,26 +93,13 @@ TEST_P(DdaOnGround, ABlockAtRestOnBumpsStays) {
 TEST(ExplicitDdaOnGround, ABlockWithoutFrictionKeepsItsEnergyOverRidgesAndValleys) {
     const CaseFolder folder;
     folder.write_heights(15, 11, 0.25, bumps);
-    const auto end = run(folder, fmt::format(R"(gravity = [0.0, 0.0, -9.81]
-end = 0.4
-time_step_factor = 0.2
-{}
-[material.ice]
-density = 900.0
-normal_stiffness = 1.0e6
-[[body]]
-name = "ground"
-material = "ice"
-fixed = true
-shape = {{ terrain = {{ file = 'bed.asc' }} }}
-[[body]]
-name = "block"
-material = "ice"
-shape = {{ box = [0.3, 0.3, 0.1] }}
-position = [-0.3, 0.2, 0.2]
-velocity = [2.0, 0.5, 0.0]
-)",
-                                             method_of("explicit_dda", 1e6)));
+    const auto end = run(
+        folder,
+        text_of({.ground = "fixed = true\nshape = { terrain = { file = 'bed.asc' } }",
+                 .block = "shape = { box = [0.3, 0.3, 0.1] }\nposition = [-0.3, 0.2, 0.2]\nvelocity = [2.0, 0.5, 0.0]",
+                 .method = "time_step_factor = 0.2\n" + method_of("explicit_dda", 1e6),
+                 .end = 0.4,
+                 .material = "density = 900.0\nnormal_stiffness = 1.0e6\n"}));
     const body::BodySet& bodies = end->model().bodies;
     const body::BodyState& state = end->state().bodies;
     const Vec3 spin = body::angular_velocity(bodies, state, BodyId{1});
@@ -177,8 +152,10 @@ TEST_P(DdaOnGround, TheBitsAreTheSameAtAnyThreadCountAndFromAFreshScratch) {
     EXPECT_EQ(walk(2, 7), straight);
 }
 
-/// A section: points of a line with six segments, those of the slope or of bumps.
-std::string section(const std::string& points) { return "{ terrain = { profile = [" + points + "], thickness = 1 } }"; }
+/// Ground under a line through points.
+std::string section(const std::string& points) {
+    return "fixed = true\nshape = { terrain = { profile = [" + points + "], thickness = 1 } }";
+}
 
 TEST(PlanarDdaOnGround, ABlockSlidesOverASectionLineAsOverAPlane) {
     std::string points;
@@ -186,30 +163,17 @@ TEST(PlanarDdaOnGround, ABlockSlidesOverASectionLineAsOverAPlane) {
         points += fmt::format("[{}, {:.17g}], ", x, -slope_tangent * x);
     }
     const auto text = [](const std::string& ground) {
-        return fmt::format(R"(dimension = 2
-gravity = [0.0, -9.81]
-end = 0.5
-{}
-[material.rock]
-density = 2500.0
-normal_stiffness = 1.0e7
-friction_angle_deg = 20.0
-[[body]]
-name = "ground"
-material = "rock"
-fixed = true
-shape = {}
-[[body]]
-name = "block"
-material = "rock"
-orientation = {{ angle_deg = -30 }}
-shape = {{ box = [0.5, 0.25] }}
-position = [0.0625, 0.1082531754730548]
-)",
-                           method_of("planar_dda"), ground);
+        return text_of({.ground = ground,
+                        .block =
+                            "orientation = { angle_deg = -30 }\nshape = { box = [0.5, 0.25] }\nposition = [0.0625, "
+                            "0.1082531754730548]",
+                        .method = method_of("planar_dda"),
+                        .is_planar = true,
+                        .material = "density = 2500.0\nnormal_stiffness = 1.0e7\nfriction_angle_deg = 20.0\n"});
     };
     const CaseFolder folder;
-    const Vec3 smooth = place_of_last(run(folder, text("{ half_space = { normal = [0.5, 0.8660254037844386] } }")));
+    const Vec3 smooth = place_of_last(
+        run(folder, text("fixed = true\nshape = { half_space = { normal = [0.5, 0.8660254037844386] } }")));
     const Vec3 rough = place_of_last(run(folder, text(section(points))));
     const double way = norm(smooth - Vec3{0.0625, 0.1082531754730548, 0});
     EXPECT_NEAR(way, 0.2265, 2e-3);
@@ -218,28 +182,14 @@ position = [0.0625, 0.1082531754730548]
 
 TEST(PlanarDdaOnGround, ABlockComesToRestInTheValleysOfASection) {
     const CaseFolder folder;
-    const auto simulation = start(folder, fmt::format(R"(dimension = 2
-gravity = [0.0, -9.81]
-end = 3.0
-{}
-[material.rock]
-density = 2500.0
-normal_stiffness = 1.0e7
-friction_angle_deg = 35.0
-[[body]]
-name = "ground"
-material = "rock"
-fixed = true
-shape = {}
-[[body]]
-name = "block"
-material = "rock"
-shape = {{ box = [0.4, 0.2] }}
-position = [0.1, 0.2]
-)",
-                                                      method_of("planar_dda", 1e6, 2e-3),
-                                                      section("[-1, 0.3], [-0.4, 0.0], [-0.1, 0.06], [0.1, -0.02], "
-                                                              "[0.3, 0.04], [0.5, 0.0], [1, 0.3]")));
+    const auto simulation =
+        start(folder,
+              text_of({.ground = section("[-1, 0.3], [-0.4, 0.0], [-0.1, 0.06], [0.1, -0.02], [0.3, 0.04], [0.5, 0.0], "
+                                         "[1, 0.3]"),
+                       .block = "shape = { box = [0.4, 0.2] }\nposition = [0.1, 0.2]",
+                       .method = method_of("planar_dda", 1e6, 2e-3),
+                       .end = 3.0,
+                       .is_planar = true}));
     Vec3 before{};
     while (simulation->steps_left() > 0) {
         ASSERT_NE(simulation->step(sim::Measure::flow).kind, StepOutcome::Kind::refused);
