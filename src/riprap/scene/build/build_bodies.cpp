@@ -312,19 +312,6 @@ void build_body(CaseBuild& build, const Value& table) {
 
 }  // namespace
 
-Vec3 CaseBuild::up() const {
-    const Vec3 gravity = model.gravity.value;
-    return norm(gravity) > 0 ? -1.0 * normalized(gravity) : is_planar ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-}
-
-void CaseBuild::claim_name(const Value& table) {
-    const Value* name = table.find("name");
-    if (name != nullptr && !names.emplace(name->text, name->place).second) {
-        problem(name->place, fmt::format("the name '{}' is taken", name->text),
-                "names of [[body]], [[pack]], [[rock_mass]] and [[section]] are unique");
-    }
-}
-
 void check_overlaps(CaseBuild& build) {
     constexpr std::size_t most = 10;  // a shifted pack has thousands
     const double max_share = get_number(get(build.root, "contact"), "max_initial_overlap");

@@ -13,7 +13,7 @@ namespace riprap::scene {
 /// [[output.gauge]] with a `count`, as so many entries of their own.
 Value expand_records(Value root, std::vector<Diagnostic>& problems);
 
-/// Whether a gauge looks along a line, through a rectangle or into a box, and not at a point.
+/// Tells whether a gauge reads along a line, through a rectangle or in a box, and not at a point.
 bool needs_end(fluid::GaugeKind kind);
 
 }  // namespace riprap::scene

@@ -9,24 +9,24 @@
 
 namespace riprap::solid::affine {
 
-/// A block that loads move from a span on, as it was at its beginning.
+/// A block that loads move from a span on, as it was at the beginning of the span.
 struct ReleasedBlock {
     std::int32_t block;
     Vec3 position, velocity;
     Mat3 gradient;  ///< of the velocity [1/s]
 };
 
-/// Finds the blocks that a span releases: free in it, held in the one before, which was `previous_dt` long.
+/// Finds the blocks that a span releases: free in this span, held in the span before, which was `previous_dt` long.
 std::vector<ReleasedBlock> released_blocks(const body::BodySet& bodies, const TimeSpan& span, double previous_dt,
                                            const BlockState& blocks);
 
-/// Books energy and momentum that a released block brings along, where it is found: at the beginning of the span for a
-/// method whose energies hold at its end.
+/// Books energy and momentum of a released block at the beginning of the span, for a method whose energies are those at
+/// the end of the step.
 void book_released(const BlockSystem& system, const BlockState& blocks, const ReleasedBlock& released,
                    KickReport& kick);
 
-/// The same for a method whose energies hold at mid-step, after the step: half a kick came without a path to work
-/// along.
+/// Books energy and momentum of a released block after the step, for a method whose energies are those at mid-step:
+/// half of the first kick came without a path to do work along.
 void book_released_at_middle(const BlockSystem& system, const BlockState& blocks, double dt,
                              const ReleasedBlock& released, KickReport& kick);
 

@@ -14,6 +14,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/dda_keys.hpp"
 #include "riprap/solid/affine/misfit.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
@@ -26,7 +27,6 @@ using namespace key;
 
 MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
     using Engine = explicit_dda::Settings;
-    using affine::Elasticity;
     const KeyList<Engine> engine_keys{
         choice(&Engine::form, "form",
                {{"pseudo_rigid", explicit_dda::Form::pseudo_rigid},
@@ -34,25 +34,13 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
                "Equations of a block: finite strain, or the small strain per step of the papers."),
         number(&Engine::mass_damping, "mass_damping", dimension::frequency, non_negative(),
                "Damping force per mass and velocity.")};
-    const KeyList<Elasticity> elastic_keys{
-        number(&Elasticity::youngs_modulus, "youngs_modulus", dimension::pressure, positive(),
-               "Young's modulus of all blocks."),
-        number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
-               "Poisson's ratio of all blocks."),
-        number(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness, positive(),
-               "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential one.")};
     return {.help = "explicit discontinuous deformation analysis, deformable convex blocks",
             .keys = within(&ExplicitDdaSettings::engine, engine_keys) +
-                    within(&ExplicitDdaSettings::elasticity, elastic_keys)};
+                    within(&ExplicitDdaSettings::elasticity, affine::elastic_keys())};
 }
 
 std::vector<material::PropertyUse> ExplicitDda::reads(const Settings& /*settings*/) {
-    using material::Property;
-    return {{Property::shear_stiffness},
-            {Property::friction},
-            {Property::cohesion},
-            {Property::tensile_strength},
-            {Property::damping_ratio}};
+    return affine::contact_uses(true);
 }
 
 std::vector<SceneProblem> ExplicitDda::problems_of(const SolidScene& scene, const Settings& settings,

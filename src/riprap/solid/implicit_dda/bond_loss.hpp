@@ -15,7 +15,7 @@ Vec3 slip_kept(const ContactTerm& contact);
 /// as it slides [J].
 double bond_loss(const affine::BlockContact& found, const ContactTerm& contact);
 
-/// The same of all contact points of the last step, apart from all losses of its StepReport [J].
+/// Sums the energy that bonds gave up in the last step; no other loss of its StepReport includes it [J].
 double bond_loss(const Scratch& scratch);
 
 }  // namespace riprap::solid::implicit_dda

@@ -14,6 +14,7 @@
 #include "riprap/linear/cholmod.hpp"
 #include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/dda_keys.hpp"
 #include "riprap/solid/affine/misfit.hpp"
 #include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
@@ -26,7 +27,6 @@ using namespace key;
 MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
     using S = ImplicitDdaSettings;
     using Engine = implicit_dda::Settings;
-    using affine::Elasticity;
     using implicit_dda::Solver;
     using implicit_dda::SolveSettings;
     std::vector<Word<Solver>> solvers{
@@ -49,23 +49,15 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                 "Rounds of the open-close iteration before the step is cut."),
         number(&Engine::dynamic, "dynamic_factor", dimension::plain, between(0, 1),
                "Share of the velocity that the next step begins with: 1 = dynamic, 0 = static.")};
-    const KeyList<Elasticity> elastic_keys{
-        number(&Elasticity::youngs_modulus, "youngs_modulus", dimension::pressure, positive(),
-               "Young's modulus of all blocks."),
-        number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
-               "Poisson's ratio of all blocks."),
-        number(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness, positive(),
-               "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential one.")};
     return {.help = "implicit discontinuous deformation analysis, deformable convex blocks",
             .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys) +
-                    within(&S::elasticity, elastic_keys) +
+                    within(&S::elasticity, affine::elastic_keys()) +
                     KeyList<S>{number(&S::step, "step", dimension::time, positive(),
                                       "Time step; shorter where contacts do not settle.")}};
 }
 
 std::vector<material::PropertyUse> ImplicitDda::reads(const Settings& /*settings*/) {
-    using material::Property;
-    return {{Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}};
+    return affine::contact_uses(false);
 }
 
 std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, const Settings& settings,
@@ -89,6 +81,7 @@ std::vector<implicit_dda::FixedPoint> fixed_points_of(const SolidScene& scene, c
     }
     return points;
 }
+
 }  // namespace
 
 ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,

@@ -7,7 +7,7 @@ namespace riprap::solid::planar_dda {
 
 /// Energy of the springs of the closed contacts of a State, at their present gaps and slips [J].
 double contact_energy(const Model& model, const State& state, const std::vector<Vec2>& corners);
-/// The same of the contacts that a search found and remembers as closed [J].
+/// Energy of the springs of the contacts that a search found and remembers as closed [J].
 double remembered_energy(const Scratch& scratch);
 /// Kinetic energy of free blocks [J].
 double kinetic_energy(const Model& model, const State& state);

@@ -12,7 +12,7 @@ namespace riprap::solid::sphere_dem {
 
 namespace {
 
-/// Sorts contacts by their pair of bodies, and gives every one its share.
+/// Sorts contacts by their pair of bodies, and gives each contact its share.
 /// @param overlap  per contact [m]
 /// @param set      set(contact, weight)
 template <class Set>
@@ -76,8 +76,8 @@ void share_walls(const SphereModel& model, SphereScratch& scratch) {
         const WallContact& contact = scratch.walls[c];
         const std::int32_t body = model.spheres.body[at(contact.sphere)];
         if (model.spheres.count_of(body) > 1) {
-            // A part is one side of a pair by itself: floor and wall of one tank are two. A surface of triangles is
-            // one.
+            // Each part counts as a body of its own, so floor and wall of one tank are two; all triangles of a surface
+            // count as one.
             const std::int32_t other = contact.wall < parts ? contact.wall : parts + wall_body(model, contact.wall);
             scratch.overlap[c] = contact.overlap;
             scratch.group_key.push_back(body_key(body, other));

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces of the mesh: what bodies show on them, and the shares that they leave open.
+#include <algorithm>
+#include <tuple>
+
+#include "riprap/coupling/cut_cells/cell_sides.hpp"
+#include "riprap/coupling/cut_cells/cutter.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+using fluid::grid::at;
+using fluid::grid::CellBox;
+
+/// A closed share above 1 less this is 1: slivers of a face that no flow comes through [-].
+constexpr double closed_tolerance = 1e-9;
+
+}  // namespace
+
+/// Filled cells show their sides where the same body does not fill what lies beyond.
+void Cutter::show_filled_cells() {
+    const CellBox& box = mesh_->box;
+    for (const std::array<int, 3>& place : filled_cells_) {
+        const std::int64_t cell = box.index(place[0], place[1], place[2]);
+        const std::int32_t number = filled_[at(cell)];
+        const Vec3 centre = mesh_->centre(place[0], place[1], place[2]);
+        for_faces_of(box, place, [&](int a, std::int64_t face, int p, bool is_below) {
+            const bool is_on_rim = p == (is_below ? box.cells[at(a)] : 0);
+            if (is_on_rim || filled_[at(is_below ? face : face - box.stride[at(a)])] == number) {
+                return;
+            }
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            Vec3 middle = centre, u{}, v{};
+            middle[a] += (is_below ? 0.5 : -0.5) * mesh_->h(a, place[at(a)]);
+            u[b] = 0.5 * mesh_->h(b, place[at(b)]);
+            v[c] = 0.5 * mesh_->h(c, place[at(c)]);
+            const double half = 0.5 * mesh_->face_area(a, place[0], place[1], place[2]);
+            const auto axis = static_cast<std::int8_t>(a);
+            on_faces_.push_back(
+                {face, number, axis, is_below, false, half, middles(middle - u - v, middle + u - v, middle + u + v)});
+            on_faces_.push_back(
+                {face, number, axis, is_below, false, half, middles(middle - u - v, middle + u + v, middle - u + v)});
+        });
+    }
+}
+
+/// A body's surface lies on a face by as much as the body is on one side more than on the other: sections through it
+/// cancel.
+void Cutter::show_faces() {
+    std::stable_sort(on_faces_.begin(), on_faces_.end(), [](const OnFace& a, const OnFace& b) {
+        return std::tie(a.axis, a.face, a.body) < std::tie(b.axis, b.face, b.body);
+    });
+    for (std::size_t i = 0; i < on_faces_.size();) {
+        std::size_t end = i;
+        double below = 0, above = 0;
+        const OnFace& first = on_faces_[i];
+        for (; end < on_faces_.size() && on_faces_[end].face == first.face && on_faces_[end].axis == first.axis &&
+               on_faces_[end].body == first.body;
+             ++end) {
+            (on_faces_[end].is_below ? below : above) += on_faces_[end].area;
+        }
+        const double net = below - above, most = std::max(below, above);
+        if (std::abs(net) > closed_tolerance * most && !first.is_on_rim) {
+            const bool is_below = net > 0;
+            const std::int64_t stride = mesh_->box.stride[at(first.axis)];
+            for (std::size_t k = i; k < end; ++k) {
+                if (on_faces_[k].is_below == is_below) {
+                    Vec3 area{};
+                    area[first.axis] = net / most * on_faces_[k].area;
+                    out_.facets.push_back(
+                        {first.body, is_below ? first.face : first.face - stride, area, on_faces_[k].middle, -1});
+                }
+            }
+        }
+        i = end;
+    }
+}
+
+void Cutter::close_shares() {
+    for (int a = 0; a < mesh_->box.axes; ++a) {
+        auto& share = out_.open.area[at(a)];
+        for (std::size_t f = 0; f < share.size(); ++f) {
+            const double open = 1 - std::max(below_[at(a)][f], above_[at(a)][f]);
+            share[f] = open < closed_tolerance ? 0 : std::min(open, 1.0);
+        }
+    }
+    for (double& v : out_.open.volume) {
+        v = v < closed_tolerance ? 0 : v;
+    }
+    // a cell without room has no equation that would balance what drives a flow through a face of it: bodies pressed
+    // on each other fill a cell by more than its volume and leave some of a face open
+    for (int a = 0; a < mesh_->box.axes; ++a) {
+        const std::int64_t stride = mesh_->box.stride[at(a)];
+        fluid::grid::for_faces(mesh_->box, a, [&](std::int64_t f, int, int, int) {
+            if (out_.open.volume[at(f)] == 0 || out_.open.volume[at(f - stride)] == 0) {
+                out_.open.area[at(a)][at(f)] = 0;
+            }
+        });
+    }
+}
+
+void Cutter::list_near_faces() {
+    const CellBox& box = mesh_->box;
+    for (int a = 0; a < box.axes; ++a) {
+        std::array<int, 3> last = box.cells;
+        last[at(a)] += 1;
+        for (int k = 0; k < last[2]; ++k) {
+            for (int j = 0; j < last[1]; ++j) {
+                for (int i = 0; i < last[0]; ++i) {
+                    const std::int64_t f = box.index(i, j, k);
+                    if (out_.nearest[at(a)][at(f)] >= 0) {
+                        out_.near_faces.push_back({a, f, {i, j, k}});
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace riprap::coupling

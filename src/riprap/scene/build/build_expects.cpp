@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/build/build_expects.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/scene/text/suggest.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Tells whether `quantity` may be missing only because the record or body that it names has a problem of its own.
+bool may_lack_its_subject(const CaseBuild& build, const std::string& quantity) {
+    if (build.problems.empty()) {
+        return false;
+    }
+    const auto begins = [&quantity](const std::string& name) {
+        return quantity.compare(0, name.size(), name) == 0 &&
+               (quantity.size() == name.size() || quantity[name.size()] == '.');
+    };
+    if (std::any_of(build.records.begin(), build.records.end(), begins)) {
+        return true;
+    }
+    const std::string body = quantity.substr(0, quantity.find('.'));
+    return build.is_claimed(body) && !sim::find_body(build.model.bodies, body).is_valid();
+}
+
+/// Adds the names by which an [[expect]] asks for the numbers of a body.
+void add_quantities_of(const std::string& body, std::vector<std::string>& names) {
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body) {
+            continue;
+        }
+        for (const char* const component : {".x", ".y", ".z"}) {
+            names.push_back(fmt::format("{}.{}{}", body, info.name, info.components > 1 ? component : ""));
+        }
+    }
+}
+
+/// Tells whether `quantity` names one number of the run; adds a problem with the nearest name otherwise.
+bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
+    if (const std::optional<sim::Column> column = sim::find_column(build.model, quantity)) {
+        if (column->quantity == nullptr || has_quantity(build.model, *column->quantity)) {
+            return true;
+        }
+        build.problem(place, fmt::format("the methods of this case do not have '{}'", quantity),
+                      other_names(build.model, *column->quantity));
+        return false;
+    }
+    if (may_lack_its_subject(build, quantity)) {
+        return false;
+    }
+    std::vector<std::string> known;
+    for (const sim::Column& column : sim::record_columns(build.model)) {
+        known.push_back(column.name);
+    }
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        known.emplace_back(info.name);
+    }
+    if (const std::string body = quantity.substr(0, quantity.find('.'));
+        sim::find_body(build.model.bodies, body).is_valid()) {
+        add_quantities_of(body, known);
+    }
+    const std::string meant = nearest(quantity, known);
+    build.problem(place, fmt::format("there is no quantity '{}'", quantity),
+                  meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
+                                : fmt::format("did you mean '{}'?", meant));
+    return false;
+}
+
+/// Warns of an expected answer that is not judged as the run ends before it, say because --end shortens the run.
+void warn_of_late(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect, std::string_view key,
+                  double time) {
+    if (time > build.model.time.end) {
+        build.warnings.push_back(to_string(
+            Diagnostic{place,
+                       fmt::format("[[expect]] '{}' is not judged: the run ends at {:.6g} s, before {} = {:.6g} s",
+                                   expect.name, build.model.time.end, key, time),
+                       ""}));
+    }
+}
+
+/// Reads the time window in which steps count.
+void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    const Value* from = table.find("from");
+    const Value* to = table.find("to");
+    const Value* given = from != nullptr ? from : to;
+    if (given == nullptr) {
+        return;
+    }
+    if (expect.reduce == "at" || expect.reduce == "when") {
+        build.problem(given->place, fmt::format("'from' and 'to' say nothing where reduce = \"{}\"", expect.reduce),
+                      "with last, min, max, extreme or mean");
+    }
+    expect.from = get_number_or(table, "from", expect.from);
+    expect.to = get_number_or(table, "to", expect.to);
+    if (expect.from >= expect.to) {
+        build.problem(given->place,
+                      fmt::format("no step lies between from = {:.6g} s and to = {:.6g} s", expect.from, expect.to),
+                      "from before to");
+    } else if (to != nullptr) {
+        warn_of_late(build, to->place, expect, "to", expect.to);
+    } else {
+        warn_of_late(build, from->place, expect, "from", expect.from);
+    }
+}
+
+void read_expect(CaseBuild& build, const Value& table) {
+    sim::Expect expect;
+    expect.name = get_text(table, "name");
+    expect.quantity = get_text(table, "quantity");
+    expect.reduce = get_text(table, "reduce");
+    expect.citation = get_text(table, "citation");
+    expect.place = fmt::format("{}:{}:{}", table.place.file, table.place.line, table.place.column);
+    if (expect.citation.empty()) {
+        build.problem(get(table, "citation").place, "the citation is empty", "say where the value comes from");
+    }
+    const Value* at = table.find("at");
+    if ((expect.reduce == "at") != (at != nullptr)) {
+        build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");
+    } else if (at != nullptr) {
+        expect.at = at->as_number();
+        warn_of_late(build, at->place, expect, "at", expect.at);
+    }
+    read_window(build, table, expect);
+    const Value* when = table.find("when");
+    if ((expect.reduce == "when") != (when != nullptr)) {
+        build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");
+    } else if (when != nullptr) {
+        expect.when = when->text;
+        expect.reaches = get_number(table, "reaches");
+    }
+    if (const Value* value = table.find("value")) {
+        expect.value = value->as_number();
+        const Value* absolute = table.find("tolerance");
+        const Value* relative = table.find("relative_tolerance");
+        if (absolute == nullptr && relative == nullptr) {
+            build.problem(table.place, fmt::format("[[expect]] '{}' lacks a tolerance", expect.name),
+                          "tolerance or relative_tolerance");
+            return;
+        }
+        if (absolute == nullptr && expect.value == 0) {
+            build.problem(relative->place, "a relative_tolerance of value = 0 is no band", "tolerance");
+            return;
+        }
+        const double band =
+            absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
+        expect.low = expect.value - band;
+        expect.high = expect.value + band;
+    } else {
+        expect.low = get_number(table, "low");
+        expect.high = get_number(table, "high");
+        expect.value = 0.5 * (expect.low + expect.high);
+        if (expect.low > expect.high) {
+            build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
+            return;
+        }
+    }
+    const bool has_quantity = check_column(build, expect.quantity, get(table, "quantity").place);
+    const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
+    if (!has_quantity || !has_trigger) {
+        return;
+    }
+    build.model.expects.push_back(std::move(expect));
+}
+
+}  // namespace
+
+std::string other_names(const sim::Model& model, const sim::QuantityInfo& quantity) {
+    const bool is_account = quantity.name.find('.') != std::string_view::npos;
+    std::string names;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        const bool is_alike =
+            info.is_of_body == quantity.is_of_body && is_account == (info.name.find('.') != std::string_view::npos);
+        if (is_alike && has_quantity(model, info)) {
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", info.name);
+        }
+    }
+    return names;
+}
+
+void build_expects(CaseBuild& build, const Value& list) {
+    for (const Value& expect : list.items) {
+        read_expect(build, expect);
+    }
+}
+
+}  // namespace riprap::scene
