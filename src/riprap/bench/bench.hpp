@@ -26,7 +26,7 @@ int run_benches(const BenchOptions& options, std::span<const Bench> benches,
                 MachineLimits (*measure)(const std::vector<int>& thread_counts), std::ostream& out,
                 std::ostream* progress);
 
-/// The same for all_benches() on the terminal.
+/// Runs all_benches() and reports on the terminal.
 int bench_main(const BenchOptions& options);
 
 /// {"machine": {...}, "results": [{"name", "threads", "value", "unit", "note"}]}

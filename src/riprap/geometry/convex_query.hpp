@@ -52,9 +52,9 @@ RIPRAP_HD inline std::int32_t support_vertex(const ConvexView& shape, const Vec3
     return best;
 }
 
-/// The same by hill climbing from `start` along edges (vertex_neighbours): about the square root of vertex_count steps,
-/// few when `start` was the answer a moment ago. Worth it from some 50 vertices. On a flat top it may stop at
-/// another vertex, no lower than by round-off.
+/// Finds the support vertex by hill climbing from `start` along edges (vertex_neighbours): about the square root of
+/// vertex_count steps, few when `start` was the answer a moment ago. Worth it from some 50 vertices. On a flat top it
+/// may stop at another vertex, no lower than by round-off.
 /// @param neighbour_start, neighbour  the arrays of VertexNeighbours
 RIPRAP_HD inline std::int32_t support_vertex(const ConvexView& shape, const std::int32_t* neighbour_start,
                                              const std::int32_t* neighbour, const Vec3& direction, std::int32_t start) {

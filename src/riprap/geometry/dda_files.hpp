@@ -64,7 +64,7 @@ struct DdaAnalysis {
 /// @throws CaseError with every problem as file:line:column.
 DdaGeometry read_dda_geometry(std::string_view bytes, const std::string& file);
 
-/// The same of an analysis file. The form of bare numbers is: 0 static or 1 dynamic, number of steps, of block
+/// Reads an analysis file. The form of bare numbers is: 0 static or 1 dynamic, number of steps, of block
 /// materials and of joint materials, displacement ratio, largest time step, 13 numbers for each block material and
 /// three for each joint material. @throws CaseError
 DdaAnalysis read_dda_analysis(std::string_view bytes, const std::string& file);

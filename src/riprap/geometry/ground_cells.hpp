@@ -24,8 +24,8 @@ namespace riprap::geometry {
 /// @returns one cell per triangle, in their order; empty where nothing is left of one (a ridge sharper than round-off).
 std::vector<Polyhedron> cells_under(const TriangleMesh& mesh, double thickness, const std::optional<Vec3>& down);
 
-/// The same of a planar scene: prisms from z = -1/2 to 1/2 under the segments of a line whose solid lies on its right,
-/// as deep as `thickness` along -y. @param line  x increases from point to point
+/// Returns the cells of a planar scene: prisms from z = -1/2 to 1/2 under the segments of a line whose solid lies on
+/// its right, as deep as `thickness` along -y. @param line  x increases from point to point
 std::vector<Polyhedron> cells_under_line(const std::vector<Vec3>& line, double thickness);
 
 }  // namespace riprap::geometry

@@ -58,14 +58,14 @@ class SurfaceFeatures {
     }
     /// Direction that the surface faces at a point: the sum of the normals of the edges around it.
     const Vec3& facing(std::int32_t point) const { return facing_[index(point)]; }
-    /// Whether a point can stick out: an edge around it is a ridge.
+    /// Tells whether a point can stick out: an edge around it is a ridge.
     bool is_sharp(std::int32_t point) const { return is_sharp_[index(point)] != 0; }
     /// The triangle on the other side of an edge; -1 = none.
     std::int32_t across(std::int32_t e, std::int32_t triangle) const {
         return edge(e).left == triangle ? edge(e).right : edge(e).left;
     }
-    /// Whether x lies in the cell of a triangle of `mesh`, the mesh of the constructor. A place on a wall belongs to
-    /// the left.
+    /// Tells whether x lies in the cell of a triangle of `mesh`, the mesh of the constructor. A place on a wall belongs
+    /// to the left.
     bool is_in_cell(const TriangleMesh& mesh, std::int32_t triangle, const Vec3& x) const;
     std::size_t bytes() const;
 

@@ -19,9 +19,9 @@ namespace riprap::io {
 /// base64 of [block count, block size, size of the last partial block or 0, compressed sizes...], then base64 of the
 /// compressed blocks.
 std::string encode_vtk_array(std::span<const unsigned char> bytes);
-/// The same piece by piece: no more than the compressed bytes are in memory.
+/// Encodes the bytes piece by piece: no more than the compressed bytes are in memory.
 void encode_vtk_array(std::span<const unsigned char> bytes, const TextSink& put);
-/// The bytes again; `most_bytes` bounds them, for a few bytes can promise a thousand times as many.
+/// Decodes the bytes; `most_bytes` bounds their number, because a few bytes can promise a thousand times as many.
 /// @throws FileError when the text is not that, or holds more
 std::string decode_vtk_array(std::string_view text, std::size_t most_bytes = std::size_t{4} << 30U);
 
@@ -30,14 +30,14 @@ void put_vtk_array(const TextSink& put, std::string_view name, std::span<const f
 void put_vtk_array(const TextSink& put, std::string_view name, std::span<const std::int32_t> values);
 void put_vtk_array(const TextSink& put, std::string_view name, std::span<const Vec3> values);
 
-/// The same as one text.
+/// One DataArray element as one text.
 std::string vtk_array(std::string_view name, std::span<const float> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const double> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::int32_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::int64_t> values, int components = 1);
 std::string vtk_array(std::string_view name, std::span<const std::uint8_t> values, int components = 1);
 
-/// The same for FieldData, where the number of tuples is said by the element itself.
+/// One DataArray element of FieldData, which states its number of tuples itself.
 std::string vtk_field_array(std::string_view name, std::span<const double> values, int components = 1);
 
 }  // namespace riprap::io

@@ -23,7 +23,7 @@ BoundKey<To> without_default(BoundKey<To> key) {
     return key;
 }
 
-/// The same key for a pair of materials: mixed, where it is not given.
+/// Returns the key for a pair of materials, which is mixed from both where it is not given.
 template <class To>
 BoundKey<To> mixed(BoundKey<To> key) {
     if constexpr (std::is_same_v<To, PairProperties>) {

@@ -23,7 +23,7 @@ class Progress {
 
     /// Wall-clock cost so far [s]; 0 before the first step.
     double seconds_per_step(std::int64_t step) const;
-    /// The same [ns per body and step].
+    /// Wall-clock cost so far per body [ns per body and step].
     double cost_per_body(std::int64_t step) const {
         return 1e9 * seconds_per_step(step) / static_cast<double>(body_count_);
     }

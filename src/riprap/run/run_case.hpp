@@ -47,7 +47,7 @@ void use_threads(int threads);
 /// Runs a case from the beginning, or continues it with `resume`.
 int run_case(const RunOptions& options);
 
-/// The same with a case that was read already, from a file or a text; `case_path` is not looked at.
+/// Runs a case that was read already, from a file or a text; `case_path` is not used.
 int run_loaded(scene::LoadedCase loaded, const RunOptions& options);
 
 /// Continues the run in a folder with the case stored there. With the same end the result has the same bits as a run

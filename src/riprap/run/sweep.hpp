@@ -52,7 +52,7 @@ int run_sweep(const SweepOptions& options);
 /// @returns the text of sweep.json: {"case", "keys", "runs": [{"name", "set", "status", "wall_seconds", "answers",
 /// "columns"}]}, of each probe column its last, least and largest value
 std::string sweep_json(const SweepOptions& options);
-/// The same as a table, a row per run.
+/// Returns sweep.json as a table, a row per run.
 std::string sweep_csv(const std::string& json);
 
 }  // namespace riprap::run

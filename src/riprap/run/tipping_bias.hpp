@@ -9,7 +9,7 @@
 
 namespace riprap::run {
 
-/// By how much a free body tips early because its foot is elastic (contact/elastic_foot.hpp).
+/// Angle by which a free body tips early because its foot is elastic (contact/elastic_foot.hpp).
 struct TippingBias {
     BodyId body;
     std::int64_t above{0};  ///< bodies that stand on it, directly or on others

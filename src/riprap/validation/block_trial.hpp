@@ -60,7 +60,7 @@ struct ImplicitTrial {
     const Vec3& velocity(std::int32_t block) const { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
 };
 
-/// The same by the explicit engine.
+/// Blocks moved by the explicit engine.
 struct ExplicitTrial {
     solid::affine::BlockSystem system;
     solid::explicit_dda::Settings settings{};

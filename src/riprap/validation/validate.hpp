@@ -33,7 +33,7 @@ std::filesystem::path case_folder(const ValidateOptions& options);
 int validate(const ValidateOptions& options, std::span<const ValidationCase> cases, std::ostream& out,
              std::ostream* progress);
 
-/// The same for all_cases() on the terminal.
+/// Runs all_cases() and reports on the terminal.
 int validate_main(const ValidateOptions& options);
 
 }  // namespace riprap::validation

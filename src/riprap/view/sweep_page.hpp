@@ -10,9 +10,9 @@ namespace riprap::view {
 /// the curves of all runs over time. One file, without network. @returns the page
 std::filesystem::path write_sweep_page(const std::filesystem::path& folder);
 
-/// The same beside the ensemble.json and bands.csv of an ensemble: drawn values and answers of all members in one
-/// table, and behind the curves of each column the band from the least to the largest member, with the mean. @returns
-/// the page
+/// Writes index.html beside the ensemble.json and bands.csv of an ensemble: drawn values and answers of all members in
+/// one table, and behind the curves of each column the band from the least to the largest member, with the mean.
+/// @returns the page
 std::filesystem::path write_ensemble_page(const std::filesystem::path& folder);
 
 }  // namespace riprap::view

@@ -42,7 +42,7 @@ Modes modes_of(const IrregularWave::Component& c, double depth, double gravity) 
     return modes;
 }
 
-/// The same waves written with exp(-i w t), as they enter a difference.
+/// Writes the waves with exp(-i w t), as they enter a difference.
 Modes conjugate(Modes modes) {
     modes.frequency = -modes.frequency;
     modes.stroke = std::conj(modes.stroke);

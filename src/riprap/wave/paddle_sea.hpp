@@ -35,8 +35,8 @@ std::vector<StrokeHarmonic> first_order_stroke(const IrregularWave& sea);
 ///                                                    + sum_jl -i K R_jl/(K^2 - K0^2)),
 ///     R_jl = -i a_j a_l (W (g^2 k_j k_l/(w_n w_m) - w_n w_m) + g^2 k_l^2/w_m - w_m^3).
 ///
-/// Its long differences are waves that would otherwise run free through a flume. Its limit in shallow water, for
-/// one frequency, is second_harmonic_stroke. A mean (W = 0) is left out.
+/// Without X_2 its long differences would run through a flume as free waves. The limit of X_2 in shallow water, for one
+/// frequency, is second_harmonic_stroke. A mean (W = 0) is left out.
 std::vector<StrokeHarmonic> second_order_stroke(const IrregularWave& sea, double gravity);
 
 /// The sum of harmonics in rows `step` apart from 0 to beyond `end`, growing from rest over `ramp` as

@@ -57,7 +57,7 @@ bool PairCache::update(const PartBounds& bounds, std::span<const Giant> giants, 
     if (!needs_rebuild(bounds, giants, settings)) {
         return false;
     }
-    // Its buffers are a tenth of the memory of a pile, and many steps pass before the next search.
+    // A grid kept for the next search, many steps later, would hold a tenth of the memory of a pile.
     MultilevelGrid().find_pairs(bounds, giants, settings.skin, settings.grid_factor, pairs_);
     link_parts_to_pairs(bounds.size());
     remember(bounds, giants, settings);

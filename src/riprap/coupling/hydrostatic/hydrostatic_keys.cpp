@@ -8,7 +8,7 @@ MethodKeys<HydrostaticSettings> HydrostaticSettings::keys() {
     using S = HydrostaticSettings;
     return {.help = "water at rest, its level given: buoyancy and uplift without waves",
             .keys = {key::number(&S::spacing, "spacing", dimension::length, key::positive(),
-                                 "Size of the panels that faces are cut into where joints are told apart.")
+                                 "Size of the panels into which faces are cut to find joints.")
                          .required(),
                      key::number(&S::rest_density, "density", dimension::density, key::positive(),
                                  "At rest, without pressure."),

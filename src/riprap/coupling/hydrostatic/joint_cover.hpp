@@ -16,8 +16,8 @@ bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& setting
                      const HydrostaticFluid::Panel& panel);
 
 /// Returns the share of the hydrostatic pressure that each panel feels [-]: 1 where it is open; where it lies on
-/// another body 0 without uplift, and with linear uplift 1 - d/L, d its distance from the water sideways and L that of
-/// the farthest covered panel of its body.
+/// another body 0 without uplift, and with linear uplift 1 - d/L, d the horizontal distance of the panel from the water
+/// and L the largest d of all covered panels of its body.
 std::vector<double> joint_shares(const FluidScene& scene, const HydrostaticSettings& settings,
                                  const body::Motion& motion, const std::vector<HydrostaticFluid::Panel>& panels);
 

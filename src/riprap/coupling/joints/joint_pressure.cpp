@@ -18,7 +18,7 @@ namespace {
 constexpr std::int64_t grain = 64;
 /// h |t| that uneven samples leave inside a joint, at most: at seams sums are off by 4 % of those at a plane wall.
 constexpr double uneven = 0.1;
-/// Whether some loose body meets water.
+/// Tells whether some loose body meets water.
 bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
     return parallel::any_of(near.size(), [&](std::int64_t i) {
         return water.weight[at(i)] > 0 && solids.is_loose[at(near.body(at(i)).value)] != 0;

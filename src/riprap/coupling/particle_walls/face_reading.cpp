@@ -51,7 +51,7 @@ class Solids {
             }
         }
     }
-    /// Whether a body, or this one alone where it is valid, contains x or lies within `margin` of it [m].
+    /// Tells whether a body, or this one alone where it is valid, contains x or lies within `margin` of it [m].
     bool contain(const Vec3& x, double margin, BodyId body = {}) const {
         for (const auto& [view, pose, owner] : parts_) {
             if ((!body.is_valid() || owner == body) && geometry::contains(view, to_body(pose, x), margin)) {
@@ -100,8 +100,8 @@ struct FacePlane {
 
     Vec3 above(const Vec3& d) const { return x + d + height * spacing * n; }
     Vec3 below(const Vec3& d) const { return x + d - height * spacing * n; }
-    /// Whether x + d, d along the plane, is on the open face of a body: that body just below it and none just above. On
-    /// an edge or in a corner itself it is.
+    /// Tells whether x + d, d along the plane, is on the open face of a body: that body just below it and none just
+    /// above. On an edge or in a corner itself it is.
     bool is_open(const Vec3& d, BodyId body) const {
         return !solids.contain(above(d), -slack * spacing) && solids.contain(below(d), slack * spacing, body);
     }

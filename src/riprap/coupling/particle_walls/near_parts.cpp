@@ -47,7 +47,7 @@ void NearParts::build_tree(std::span<const Vec3> particles) {
     }
 }
 
-/// Whether some face plane has the whole box in front of it, farther than the distance.
+/// Tells whether some face plane has the whole box in front of it, farther than the distance.
 bool NearParts::is_beyond_a_face(const PlacedPart& part, const Vec3& centre, const Vec3& half) const {
     for (std::int32_t j = 0; j < part.shape.face_count; ++j) {
         const Vec3 n = rotate(part.pose.orientation, part.shape.normal(j));

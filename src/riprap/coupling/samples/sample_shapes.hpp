@@ -34,7 +34,7 @@ struct SampleSettings {
 SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
                         const SampleSettings& settings);
 
-/// Whether a body never moves in a run.
+/// Tells whether a body never moves in a run.
 bool is_still(const body::BodySet& bodies, BodyId body);
 
 }  // namespace riprap::coupling

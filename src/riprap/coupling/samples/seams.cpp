@@ -48,7 +48,7 @@ Depth find_depth(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     return deepest;
 }
 
-/// The same of ground, given up beyond `reach` of its surface.
+/// Depth in ground, sought up to `reach` from its surface.
 Depth depth_in_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double reach) {
     const Vec3 in_body = to_body(pose, x);
     if (const auto near = ground.field.nearest(in_body, reach)) {

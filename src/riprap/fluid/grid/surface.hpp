@@ -31,7 +31,7 @@ void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, 
 /// which sets them no bound.
 void move_water(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
-/// The same by the compressive scheme.
+/// Moves the water by the compressive scheme.
 void move_water_compressive(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
 /// Closes the books of water: clips fractions to 0..1 and gives to mixed cells what is missing from water_volume [m^3].

@@ -37,7 +37,7 @@ struct Viscosity {
     }
 };
 
-/// The same from walls: sums[0..2] = k sum b (u_w - v_i) W.
+/// Viscosity from walls: sums[0..2] = k sum b (u_w - v_i) W.
 struct ViscosityFromWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 4;  ///< u_w, b times grip (0 on slippery walls, else 1)

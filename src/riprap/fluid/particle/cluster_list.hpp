@@ -57,7 +57,7 @@ class ClusterList {
     std::span<const Mention> mentions_in(std::int64_t candidate_block, std::int64_t first_patch,
                                          std::int64_t end_patch) const;
 
-    /// Whether any list names a block of candidates.
+    /// Tells whether any list names a block of candidates.
     bool is_mentioned(std::int64_t candidate_block) const {
         const auto block = static_cast<std::size_t>(candidate_block);
         return mention_start_[block] != mention_start_[block + 1];

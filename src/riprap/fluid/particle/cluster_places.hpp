@@ -26,7 +26,7 @@ class ClusterPlaces {
     static constexpr std::int64_t block_size = lane_count;
 
     void update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension);
-    /// Whether there was something to compare with.
+    /// Tells whether there was something to compare with.
     bool is_motion_known() const { return is_motion_known_; }
     /// Ways since remember(), one box per block.
     const std::vector<Motion>& motions() const { return motions_; }

@@ -7,7 +7,7 @@
 
 namespace riprap::fluid {
 
-/// The same sums as sweep(), one pair at a time in double: the oracle that fast sweeps are tested against.
+/// Computes the sums of sweep(), one pair at a time in double: the oracle that fast sweeps are tested against.
 template <int Dim, PairPhysics Pair>
 void sweep_plain_in(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
                     const SweepSide<Pair::candidate_fields>& candidates,

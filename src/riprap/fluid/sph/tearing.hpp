@@ -8,7 +8,7 @@ namespace riprap::fluid {
 /// c_0^2.
 inline constexpr double largest_stretch = 0.01;
 
-/// Whether nothing but a wall covers the particle and air is near enough to come between the two:
+/// Tells whether nothing but a wall covers the particle and air is near enough to come between them:
 ///
 ///     b_f > b    and    tr M/D < 0.95.
 ///

@@ -47,7 +47,7 @@ class PlanarTrial {
     double ledger_error() const;
     /// Sum of normal forces between two blocks [N].
     double force_between(std::int32_t first, std::int32_t second) const;
-    /// Whether they touch.
+    /// Tells whether they touch.
     bool do_touch(std::int32_t first, std::int32_t second) const;
     /// Outlines of all blocks as one curve.
     Curve drawing(std::string_view label) const;

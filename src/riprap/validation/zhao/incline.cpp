@@ -90,8 +90,8 @@ double swing_frequency(double stiffness) {
     return std::sqrt(1 / (1 / shear + 3 * height * height / (normal * length * length)) / mass);
 }
 
-/// By how much a block that slides back is ahead of theory after turning round: the spring, stretched against the
-/// motion up to mu N, helps it down until it is stretched to mu N the other way. In between the block swings about the
+/// Lead of a block that slides back over theory: at the turning point the spring is stretched to mu N against the
+/// motion and pushes the block down until it is stretched to mu N the other way. In between the block swings about the
 /// middle: x = x0 (1 - cos w t), x0 = up/w^2, over the way 2 mu g cos/w^2. Zero for a block that stays.
 struct TurningLead {
     double speed{0};     ///< [m/s]
