@@ -54,6 +54,14 @@ struct BothWays {
     }
 };
 
+/// Pair physics of few particles: field `mark`, which is never negative, is zero in most, and a pair adds nothing where
+/// it is zero in both or, with `needs_both_marks`, in one of them.
+template <class Pair>
+concept MarkedPairs = requires {
+    Pair::mark;
+    Pair::needs_both_marks;
+};
+
 /// One patch in a sweep, with everything that its inner loop needs.
 template <int Dim, class Pair, class Way>
 struct PatchSweep {
@@ -154,19 +162,32 @@ struct PatchSweep {
         const auto record_of = [&](std::int32_t entry) {
             return all_records + static_cast<std::size_t>(entry) * record;
         };
+        bool is_marked = true, skips_unmarked = false;
+        if constexpr (MarkedPairs<Pair>) {
+            is_marked = bits_below(Lanes(0), target.fields[Pair::mark]) != 0;
+            skips_unmarked = Pair::needs_both_marks || !is_marked;
+            if (Pair::needs_both_marks && !is_marked) {
+                return;
+            }
+        }
         Sums sum = sums_out;
-        std::size_t done = 0;
-        if (is_first_itself) {
+        std::size_t done = is_first_itself ? 1 : 0;
+        if (is_first_itself && is_marked) {
             const float* const four = record_of(near[0]);
             const Lanes apart = near[0] == partial ? target.apart + beyond : target.apart;
             act<OneWay<Pair>>(physics, target, four, separation(target, unit, four, apart), sum);
-            done = 1;
         }
         while (done < near.size()) {
             const std::size_t count = std::min(batch, near.size() - done);
             const std::int32_t* const entries = near.data() + done;
             std::size_t met_count = 0;
             for (std::size_t n = 0; n < count; ++n) {
+                if constexpr (MarkedPairs<Pair>) {
+                    const float* const marks = record_of(entries[n]) + (Dim + Pair::mark) * cluster_size;
+                    if (skips_unmarked && !(marks[0] + marks[1] + marks[2] + marks[3] > 0)) {
+                        continue;
+                    }
+                }
                 const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
                 // not the whole at once, which GCC copies by a slow string instruction
                 separations[met_count].d = s.d;

@@ -273,40 +273,64 @@ struct MpsViscosityOnWalls {
     }
 };
 
-/// Surface particles around and pairs about to collide, f = 1 in class F:
+/// Surface particles around, f = 1 in class F:
 ///
 ///     sums[0] = number in class F within 2.1 l_0,   sums[1..3] = sum f_j n_j W [Mellado2021, eq. 5.37]
-///     sums[4] = number nearer than the collision distance that approach
 struct MpsSurface {
-    static constexpr int target_fields = 7;     ///< v, f, f n
-    static constexpr int candidate_fields = 7;  ///< the same
+    static constexpr int target_fields = 4;     ///< f, f n
+    static constexpr int candidate_fields = 4;  ///< the same
+    static constexpr int mark = 0;              ///< pairs without class F add nothing, see particle/patch_sweep.hpp
+    static constexpr bool needs_both_marks = false;
     // Places of the sums.
-    static constexpr int at_adjacent = 0, at_normal = 1, at_collisions = 4;
-    static constexpr int sums = 5, back_sums = sums;
+    static constexpr int at_adjacent = 0, at_normal = 1;
+    static constexpr int sums = 4, back_sums = sums;
     MpsWeight weight;
     double adjacent;  ///< square of 2.1 l_0 [m^2]
-    double contact;   ///< square of the collision distance [m^2]
 
     template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real, Real* sum, Real* back) const {
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real*, Real r2, Real, Real* sum, Real* back) const {
         const Real w = weight.value(r2), reached = select(Real(0) < w, Real(1), Real(0));
         const Real is_adjacent = select(r2 < Real(adjacent), reached, Real(0));
-        Real opening(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            opening = opening + (a[axis] - b[axis]) * d[axis];
-            sum[at_normal + axis] = sum[at_normal + axis] + b[4 + axis] * w;
-            back[at_normal + axis] = back[at_normal + axis] + a[4 + axis] * w;
+            sum[at_normal + axis] = sum[at_normal + axis] + b[1 + axis] * w;
+            back[at_normal + axis] = back[at_normal + axis] + a[1 + axis] * w;
         }
-        sum[at_adjacent] = sum[at_adjacent] + b[3] * is_adjacent;
-        back[at_adjacent] = back[at_adjacent] + a[3] * is_adjacent;
-        const Real collides = select(r2 < Real(contact), select(opening < Real(0), reached, Real(0)), Real(0));
-        sum[at_collisions] = sum[at_collisions] + collides;
-        back[at_collisions] = back[at_collisions] + collides;
+        sum[at_adjacent] = sum[at_adjacent] + b[0] * is_adjacent;
+        back[at_adjacent] = back[at_adjacent] + a[0] * is_adjacent;
     }
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
                               Real* sum) const {
         one_way<MpsSurface, Dim>(*this, target, candidate, d, r2, r, sum);
+    }
+};
+
+/// Pairs about to collide, of which one particle or both may, s > 0:
+///
+///     sums[0] = number nearer than the collision distance that approach
+struct MpsApproach {
+    static constexpr int target_fields = 4;     ///< v, s
+    static constexpr int candidate_fields = 4;  ///< the same
+    static constexpr int mark = 3;
+    static constexpr bool needs_both_marks = false;
+    static constexpr int sums = 1, back_sums = sums;
+    double contact;  ///< square of the collision distance [m^2]
+
+    template <int Dim, class Real>
+    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real, Real* sum, Real* back) const {
+        Real opening(0);
+        for (int axis = 0; axis < Dim; ++axis) {
+            opening = opening + (a[axis] - b[axis]) * d[axis];
+        }
+        const Real may = select(Real(0) < a[3] + b[3], Real(1), Real(0));
+        const Real one = select(r2 < Real(contact), select(opening < Real(0), may, Real(0)), Real(0));
+        sum[0] = sum[0] + one;
+        back[0] = back[0] + one;
+    }
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
+                              Real* sum) const {
+        one_way<MpsApproach, Dim>(*this, target, candidate, d, r2, r, sum);
     }
 };
 
@@ -318,6 +342,8 @@ struct MpsSurface {
 struct MpsCollision {
     static constexpr int target_fields = 4;     ///< v, s
     static constexpr int candidate_fields = 4;  ///< the same
+    static constexpr int mark = 3;
+    static constexpr bool needs_both_marks = true;
     static constexpr int sums = 3, back_sums = sums;
     double contact;  ///< square of the collision distance [m^2]
     double tiny;     ///< small against it, for a particle that meets itself [m^2]

@@ -62,16 +62,12 @@ void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsSc
         s.surface.normal[i] = is_surface ? s.continuity.normal[i] : Vec3{};
     });
     clear(s.surface.adjacent, count);
-    clear(s.surface.approaching, count);
     clear(s.surface.inner_normal, count);
-    const double l = settings.spacing;
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto n = [&](int axis) { return component(s.surface.normal, axis); };
     const auto inner = [&](int axis) { return sink_component(s.surface.inner_normal, axis); };
-    add_pair_sums_within(
-        settings, MpsSurface{settings.weight(), square(2.1 * l), square(settings.collision_distance * l)},
-        {state.position, {v(0), v(1), v(2), field(s.surface.is_surface), n(0), n(1), n(2)}},
-        {sink(s.surface.adjacent), inner(0), inner(1), inner(2), sink(s.surface.approaching)}, s.lists.fluid_fluid);
+    add_pair_sums_within(settings, MpsSurface{settings.weight(), square(2.1 * settings.spacing)},
+                         {state.position, {field(s.surface.is_surface), n(0), n(1), n(2)}},
+                         {sink(s.surface.adjacent), inner(0), inner(1), inner(2)}, s.lists.fluid_fluid);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         if (s.surface.classes[i] == SurfaceClass::internal && s.surface.adjacent[i] > 0.5) {
@@ -82,15 +78,25 @@ void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsSc
 
 bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
     const auto count = state.position.size();
+    const double l = settings.spacing, contact = square(settings.collision_distance * l);
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
     s.collisions.share.resize(count);
     const double size = 0.5 * (1 + settings.collision_ratio);
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        const bool may = s.surface.classes[i] == SurfaceClass::surface || s.surface.classes[i] == SurfaceClass::near;
+        s.collisions.share[i] = may ? size : 0;
+    });
+    clear(s.surface.approaching, count);
+    add_pair_sums_within(settings, MpsApproach{contact},
+                         {state.position, {v(0), v(1), v(2), field(s.collisions.share)}}, {sink(s.surface.approaching)},
+                         s.lists.fluid_fluid);
     const double most = parallel::reduce(
         state.owned(), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            const bool may =
-                s.surface.classes[i] == SurfaceClass::surface || s.surface.classes[i] == SurfaceClass::near;
-            s.collisions.share[i] = may && s.surface.approaching[i] > 0.5 ? size / s.surface.approaching[i] : 0;
+            const double approaching = s.surface.approaching[i];
+            s.collisions.share[i] = approaching > 0.5 ? s.collisions.share[i] / approaching : 0;
             return s.collisions.share[i];
         },
         [](double a, double b) { return std::max(a, b); });
@@ -98,10 +104,8 @@ bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, 
         return false;
     }
     clear(s.collisions.change, count);
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto c = [&](int axis) { return sink_component(s.collisions.change, axis); };
-    const double l = settings.spacing;
-    add_pair_sums_within(settings, MpsCollision{square(settings.collision_distance * l), 1e-8 * l * l},
+    add_pair_sums_within(settings, MpsCollision{contact, 1e-8 * l * l},
                          {state.position, {v(0), v(1), v(2), field(s.collisions.share)}}, {c(0), c(1), c(2)},
                          s.lists.fluid_fluid);
     return true;

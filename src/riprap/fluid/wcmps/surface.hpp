@@ -7,7 +7,7 @@
 
 namespace riprap::fluid::wcmps {
 
-/// Class of every particle, normals of class B and numbers of approaching pairs.
+/// Class of every particle and normals of class B.
 void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& scratch);
 
 /// Changes of velocity that make pairs of classes F and B that approach below the collision distance part

@@ -50,10 +50,11 @@ struct WcmpsForces {
 /// Surface as the last forces show it: read by collisions and shifting.
 struct WcmpsSurface {
     std::vector<SurfaceClass> classes;
-    std::vector<double> is_surface;             ///< 1 in class F
-    std::vector<Vec3> normal;                   ///< n in class F, else 0
-    std::vector<double> adjacent, approaching;  ///< sums of MpsSurface
-    std::vector<Vec3> inner_normal;             ///< its sum f_j n_j W
+    std::vector<double> is_surface;   ///< 1 in class F
+    std::vector<Vec3> normal;         ///< n in class F, else 0
+    std::vector<double> adjacent;     ///< sum of MpsSurface
+    std::vector<Vec3> inner_normal;   ///< its sum f_j n_j W
+    std::vector<double> approaching;  ///< sum of MpsApproach
 
     std::size_t bytes() const { return bytes_of(classes, is_surface, normal, adjacent, approaching, inner_normal); }
 };
