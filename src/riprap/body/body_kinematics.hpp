@@ -17,7 +17,7 @@ struct BodyKinematics {
 
 /// Fills `kinematics` for all bodies at the poses of `state`, which are those of `time` (driven bodies included).
 void update_kinematics(const BodySet& bodies, const BodyState& state, double time, BodyKinematics& kinematics);
-/// The same of one body, of kinematics with room for it.
+/// Fills `kinematics`, which has room for all bodies, for one body.
 void update_kinematics_of(const BodySet& bodies, const BodyState& state, std::int64_t index, double time,
                           BodyKinematics& kinematics);
 

@@ -6,14 +6,14 @@
 
 namespace riprap::body {
 
-/// Whether a body is ground: it does not follow forces, and each of its parts has one face that carries a field, as
-/// the cells under a surface have (geometry/ground_cells.hpp). Its surface is then the union of these faces.
+/// Tells whether a body is ground: it does not follow forces, and each of its parts has one face that carries a field,
+/// as the cells under a surface have (geometry/ground_cells.hpp). Its surface is then the union of these faces.
 bool is_ground(const BodySet& bodies, const geometry::ShapeSet& shapes, BodyId body);
 
 /// The surface of ground, in the frame of the body.
 geometry::TriangleMesh ground_mesh(const BodySet& bodies, const geometry::ShapeSet& shapes, BodyId body);
 
-/// The same as a field to be asked about places, in the frame of the body.
+/// The surface of ground as a field of nearest triangles, in the frame of the body.
 geometry::TriangleField ground_field(const BodySet& bodies, const geometry::ShapeSet& shapes, BodyId body);
 
 /// The ground of a scene.

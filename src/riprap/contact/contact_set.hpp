@@ -84,20 +84,21 @@ constexpr std::uint64_t feature_key(std::uint32_t of_a, std::uint32_t of_b) {
     return static_cast<std::uint64_t>(of_a) << 32 | of_b;
 }
 
-/// Full account of one contact in one step, for gathering, ledger and output: Scratch. Rows as in ContactHistory.
+/// Forces, energies and losses of one contact in one step, for sums, ledger and output: Scratch. Rows are ordered as in
+/// ContactHistory.
 struct ContactRow {
     PartPair parts;
     Vec3 point;                   ///< where the force acts [m]
     Vec3 force;                   ///< total on A: normal + damping + shear; B gets the opposite [N]
-    Vec3 moment;                  ///< couple on A besides (point - centre) x force [N m]
+    Vec3 moment;                  ///< couple on A in addition to (point - centre) x force [N m]
     double elastic_energy;        ///< stored in the overlap [J]
     double friction_loss;         ///< dissipated by sliding in this step [J]
     Vec3T<float> dashpot;         ///< part of `force` that dashpots add; for the ledger alone [N]
-    Vec3T<float> dashpot_couple;  ///< part of `moment` that they add [N m]
-    float dashpot_power;          ///< of both before the kick; what they take is negative [W]
+    Vec3T<float> dashpot_couple;  ///< part of `moment` that dashpots add [N m]
+    float dashpot_power;          ///< of force and couple of the dashpots before the kick, < 0 where they dissipate [W]
     float omega_squared_a;        ///< share in the highest omega^2 of A's body, see stability.hpp [1/s^2]
     float omega_squared_b;
-    float damping_a;  ///< the same of the dashpots [1/s]
+    float damping_a;  ///< share in the highest damping rate of A's body [1/s]
     float damping_b;
     float normal_force;  ///< size of the normal force, damping included [N]
     float shear_force;   ///< size of the tangential force [N]
@@ -107,7 +108,7 @@ struct ContactRow {
     std::uint8_t is_sliding;
 };
 
-/// The contacts of a step in the order of their keys, wherever each is kept.
+/// View of the contacts of a step in the order of their keys.
 class ContactRows {
  public:
     class Iterator {

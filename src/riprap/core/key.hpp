@@ -69,7 +69,7 @@ struct BoundKey {
     std::function<KeyValue(const S&)> get;
     std::function<void(S&, const KeyValue&)> set;
 
-    /// The same key without a default: a case has to give it.
+    /// Makes the key one without a default: a case has to give it.
     BoundKey required() && {
         row.is_required = true;
         return std::move(*this);

@@ -93,7 +93,7 @@ RIPRAP_HD constexpr Vec3T<T> max(const Vec3T<T>& a, const Vec3T<T>& b) {
 }
 inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// The same in single precision, for what is kept and not computed with.
+/// Rounds to single precision, for values that are kept and not computed with.
 RIPRAP_HD constexpr Vec3T<float> narrow(const Vec3& a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }

@@ -102,7 +102,7 @@ struct Wide {
     Part part[part_count];
 
     Wide() = default;  ///< of no value, as a number; Wide{} is zero
-    /// The same number in all lanes.
+    /// One number in all lanes.
     template <class Number>
     requires std::is_arithmetic_v<Number>
     explicit Wide(Number a) : Wide(each([&](std::size_t) { return static_cast<T>(a) - Part{}; })) {}

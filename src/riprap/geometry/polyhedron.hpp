@@ -55,7 +55,7 @@ Plane face_plane(std::span<const Vec3> vertices, std::span<const std::int32_t> l
 /// Largest extent of the bounding box [m]: the length that geometric tolerances are scaled by.
 double length_scale(std::span<const Vec3> vertices);
 
-/// The same shape placed at `pose`.
+/// Places a shape at `pose`.
 Polyhedron moved(const Polyhedron& polyhedron, const Pose& pose);
 
 }  // namespace riprap::geometry

@@ -28,7 +28,7 @@ class ShapeSet {
     ShapeId add_convex(const Polyhedron& polyhedron, bool planar = false, Vec3* centroid = nullptr);
 
     /// Adds the half-space { x : normal . x <= offset }; no volume, no vertices; only for fixed or moving bodies.
-    /// Its plane is face 0 of the view, vertex_count 0, inscribed_radius and circumradius infinity, fdem_weight 0.
+    /// The plane is face 0 of the view, vertex_count 0, inscribed_radius and circumradius infinity, fdem_weight 0.
     /// @param normal  any length but zero; offset is in units of it, so the plane is that of the inequality [m]
     ShapeId add_half_space(const Vec3& normal, double offset);
 

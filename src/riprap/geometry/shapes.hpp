@@ -30,7 +30,7 @@ Polyhedron icosahedron(double edge);
 /// Ball about the origin as 320 triangles, an icosahedron divided twice, with the volume of the ball: its corners lie
 /// 1.2 % outside of it. @param radius  of the ball [m]
 Polyhedron sphere(double radius);
-/// Whether a shape is one of sphere(), about whatever centre.
+/// Tells whether a shape is one of sphere(), about whatever centre.
 bool is_sphere(const Polyhedron& shape);
 
 /// Tetrahedron on four points in any order. Refused when they are not finite or lie in one plane.

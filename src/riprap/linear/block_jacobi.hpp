@@ -17,7 +17,7 @@ class BlockJacobi {
  public:
     /// Takes the values of A as they are now.
     SetUp set_up(const BlockCsr<B>& a);
-    /// The same where only the rows flagged have changed since the last time.
+    /// Takes the values of the flagged rows, the only ones that have changed since the last call.
     SetUp update(const BlockCsr<B>& a, std::span<const std::uint8_t> is_changed);
     void apply(std::span<const double> r, std::span<double> z) const;
     std::size_t bytes() const { return bytes_of(inverse_); }

@@ -34,7 +34,7 @@ struct CellBox {
     std::int64_t index(int i, int j, int k) const {
         return (i + pad[0]) + stride[1] * (j + pad[1]) + stride[2] * (k + pad[2]);
     }
-    /// Whether a flat index is that of a cell, not of a ghost.
+    /// Tells whether a flat index is that of a cell, not of a ghost.
     bool has_cell(std::int64_t cell) const {
         for (std::size_t a = static_cast<std::size_t>(axes); a-- > 0;) {
             const std::int64_t p = cell / stride[a] - pad[a];

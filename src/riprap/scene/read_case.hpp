@@ -60,7 +60,7 @@ struct LoadedCase {
 /// be read.
 LoadedCase read_case(const std::string& path, std::span<const std::string> overrides = {});
 
-/// The same from a text. `name` is used in messages; relative paths start at `folder`.
+/// Reads a case from a text. `name` is used in messages; relative paths start at `folder`.
 LoadedCase read_case_text(std::string_view text, const std::string& name, const std::string& folder,
                           std::span<const std::string> overrides = {});
 

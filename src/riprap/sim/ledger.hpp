@@ -45,10 +45,9 @@ struct Ledger {
     /// The scale of residual [J]: the largest of
     ///   - the ranges, highest minus lowest value since the first kick, of kinetic, of kinetic + potential -
     ///     gravity_change - released, of shear, driven and external;
-    ///   - what was lost so far, all together;
-    ///   - what is stored in contacts and blocks as it is (it is not measured in every step, so its range is not
-    ///   known).
-    /// It does not depend on where the origin lies and, but for the last term, never shrinks.
+    ///   - the sum of all losses so far;
+    ///   - the energy stored in contacts and blocks (not measured in every step, so its range is not known).
+    /// The scale does not depend on the origin and, but for the last term, never shrinks.
     double turnover{0};
     Vec3 momentum{};           ///< of free bodies [kg m/s]
     Vec3 impulse{};            ///< of gravity, supports, damping, external loads, releases since the start [N s]

@@ -41,13 +41,13 @@ concept SolidMethod = std::default_initializable<typename M::Settings> &&
     { M::contacts(scene, settings, fields, scratch) } -> std::same_as<std::vector<contact::ShownContact>>;
 };
 
-/// A way in which a fluid moves, with the coupling that it needs. Beside the verbs below it may have two more:
+/// A way in which a fluid moves, with the coupling that it needs. Two more functions are optional:
 /// `start()`, called once on a fresh State, and
 ///
 ///     bool correct(bodies, kinematics, is_sought, residual, guess);
 ///
-/// which improves the accelerations of bodies that the last load was found with, given what its loads accelerate them
-/// by beyond that; false where it has nothing better.
+/// which improves the accelerations of bodies with which the last load was computed, from their `residual`: the
+/// accelerations by that load less these; false where the method has no improvement.
 template <class M>
 concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
                                coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,

@@ -31,7 +31,7 @@ TimeStepBound time_step_bound(const Model& model);  ///< of a State with nothing
 /// there is a fluid whose step it then is [s]. @throws CaseError for a time_step above the bound, unless forced.
 double largest_time_step(const Model& model, const TimeStepBound& bound);
 
-/// The same with water: what it allows from this State, whose step the solids cut into steps of their own.
+/// Returns the step that the fluid allows from this State, which the solids cut into steps of their own.
 TimeStepBound step_bound(const Model& model, State& state);
 
 /// Returns the reason why a step that the case fixes cannot be taken from this State: it is longer than the water

@@ -11,7 +11,7 @@ namespace riprap::solid {
 /// Moves every body by `dt` along its present velocities: free bodies x += v dt and an exact free rotation,
 /// driven bodies to their prescribed pose at `end_time`, fixed bodies not at all.
 void drift(const body::BodySet& bodies, body::BodyState& state, double end_time, double dt);
-/// The same of one body.
+/// Moves one body as drift() does.
 void drift_one(const body::BodySet& bodies, body::BodyState& state, std::int64_t index, double end_time, double dt);
 
 /// Works, losses and impulses of a kick, summed over bodies in fixed blocks. "At the kick" means with the velocity

@@ -39,7 +39,7 @@ constexpr bool answers(std::span<const PairOfKinds> pairs, BodyKind a, BodyKind 
 
 /// The physics of contact of a solid method: one line registers a physics. Each is a struct that says between which
 /// `kinds` of bodies it acts and which properties of materials it `reads`, and has the verbs that the step of the
-/// method calls for all of them. A method without such a list meets faces with faces, and says itself what it reads.
+/// method calls for all of them. A method without such a list meets faces with faces, and has `reads` itself.
 template <class... Physics>
 struct PairPhysics {
     static constexpr std::array<PairOfKinds, sizeof...(Physics)> kinds{Physics::kinds...};
@@ -92,7 +92,7 @@ std::vector<PhysicsReads> reads_of(const typename Solid::Settings& settings) {
     return all;
 }
 
-/// Returns the uses of all physics, one a property.
+/// Returns the uses of all physics, one entry per property.
 std::vector<material::PropertyUse> joined(std::span<const PhysicsReads> physics);
 
 /// A property that a material does not give, though a physics of the scene needs it for a body of that material.
@@ -106,7 +106,7 @@ std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::sp
 /// Returns the kind of every body: spheres where the case lists them, else faces.
 std::vector<BodyKind> kinds_by_lists(const SolidScene& scene);
 
-/// Returns what a method says of itself, `kinds_of(scene, settings)`, else kinds_by_lists.
+/// Returns `kinds_of(scene, settings)` of the method where it has that function, else kinds_by_lists.
 template <class Solid>
 std::vector<BodyKind> kinds_of(const SolidScene& scene, const typename Solid::Settings& settings) {
     if constexpr (requires { Solid::kinds_of(scene, settings); }) {

@@ -64,7 +64,7 @@ struct WaveReport {
 
 /// Waves between up-crossings of every gauge, the peak of its spectrum, what goes through gauges of flow; where a
 /// period is known its harmonic, and, over two gauges or more that lie apart along the waves, incident and reflected
-/// wave (docs/theory/waves.md, analysis of records). What keeps a wave from being taken apart is said in the report.
+/// wave (docs/theory/waves.md, analysis of records). The report says why a wave was not taken apart.
 /// @throws BadRequest  for a gauge that the run does not have, a stretch without rows, a number that cannot be meant
 /// @throws FileError   where the tables of the run are not those of its case
 WaveReport analyse_waves(const RecordedRun& run, const WaveRequest& request);

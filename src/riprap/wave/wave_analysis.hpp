@@ -49,7 +49,7 @@ struct Separation {
     double incident;    ///< amplitude [m]
     double reflected;   ///< amplitude [m]
     double reflection;  ///< reflected / incident [-]
-    double misfit;      ///< root mean square of what the two leave of the gauges' amplitudes / incident [-]; 0 for two
+    double misfit;      ///< root mean square of the gauges' amplitudes less both trains / incident [-]; 0 for two
 };
 
 /// Splits a wave of one frequency into parts that run towards +x and -x by least squares over two or more gauges

@@ -41,7 +41,7 @@ class PairCache {
         const auto p = static_cast<std::size_t>(part);
         return std::span(incident_).subspan(incident_begin_[p], incident_begin_[p + 1] - incident_begin_[p]);
     }
-    /// The same for parts [first, last), as one list: part by part. A body's parts are neighbours.
+    /// Numbers of the pairs of parts [first, last), as one list: part by part. A body's parts are neighbours.
     std::span<const std::int32_t> pairs_of(std::int32_t first, std::int32_t last) const {
         const std::size_t begin = incident_begin_[static_cast<std::size_t>(first)];
         return std::span(incident_).subspan(begin, incident_begin_[static_cast<std::size_t>(last)] - begin);

@@ -17,8 +17,8 @@ namespace riprap::contact {
 ///
 ///     f_s <- R f_s - K_s [v - (v.n) n] dt,   |f_s| <= f_n mu + c S_c,
 ///
-/// R turns the old normal into the new one and spins by (omega_A + omega_B).n dt / 2 about it; the length of f_s is
-/// kept by R. K_s = (k_s/k_n) K_n, or the literal shear_stiffness. A spring dies with its contact. The normal force
+/// R turns the old normal into the new one and spins by (omega_A + omega_B).n dt / 2 about the normal; R keeps the
+/// length of f_s. K_s = (k_s/k_n) K_n, or the literal shear_stiffness. A spring dies with its contact. The normal force
 /// is the elastic one plus a dashpot, never tensile:
 ///
 ///     f_n = max(0, |F| + 2 xi sqrt(m_e K_n) v.n),   n from A to B.
@@ -26,11 +26,11 @@ namespace riprap::contact {
 /// A contact that sticks is damped along its tangential spring by the same ratio, -2 xi sqrt(m_t K_s) [v - (v.n) n], as
 /// far as spring and dashpot together stay within the limit; one that slides has friction for that.
 ///
-/// Where torsion is on, the patch holds more than its resultant: the spring acts at an anchor that goes with the mean
-/// motion of both bodies while the contact sticks, not at the point of action, which follows the pressure. About the
-/// point of action that is a couple (anchor - point) x f_s; it and torsion share one limit, and sliding draws the
-/// anchor to the point by the share of f_s that it takes off. Without it a load would turn a block about n whenever the
-/// pressure moves sideways, which feeds vibrations from the load.
+/// Where torsion is on, the spring acts at an anchor that follows the mean motion of both bodies while the contact
+/// sticks, and not at the point of action, which follows the pressure. The anchor adds the couple (anchor - point) x
+/// f_s about the point of action, which shares one limit with torsion; sliding draws the anchor to the point by the
+/// same share by which it reduces f_s. Without the anchor a load would turn a block about n whenever the pressure moves
+/// sideways, and so feed energy into vibrations.
 ///
 /// Torsion (optional): a spring K_s S_c/(2 pi) against relative spin about n, limited by mu times the spin moment of
 /// the pressure. It has a dashpot of the same ratio, -2 xi sqrt(J_e K_t) (omega_A - omega_B).n, within the same limit.

@@ -68,9 +68,9 @@ struct TanhFriction {
                                 c.friction.in_motion, T(speed), c.dt);
     }
 
-    /// For polyhedra mu |F_n| tanh(|v|/v_0), and never more than what takes half of the sliding speed in a step: a
-    /// limit that does not grow with stiffness times step, which is far below friction where blocks are stiff. Nothing
-    /// is stored: the force is a dashpot in the ledger too.
+    /// For polyhedra mu |F_n| tanh(|v|/v_0), and never more than the force that takes half of the sliding speed in a
+    /// step; unlike k_t |v| dt this limit does not depend on the stiffness. Nothing is stored: the ledger counts the
+    /// force as a dashpot.
     LinearContact respond(const NormalContact& normal, const material::PairProperties& pair,
                           const ContactKinematics& kinematics, const ShearState* before, ShearState& after,
                           ContactRow& row) const;

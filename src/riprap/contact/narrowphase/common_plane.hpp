@@ -68,7 +68,7 @@ CommonPlane common_plane_search(const PlacedHull& a, const PlacedHull& b);
 /// @param reach  bodies farther apart than this are no contact: returns the first plane found that shows it [m]
 CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach);
 
-/// The same with a direction as memory: the normal of the last step, zero where there was none.
+/// Finds the common plane with a direction as memory: the normal of the last step, zero where there was none.
 CommonPlane common_plane_near(const PlacedHull& a, const PlacedHull& b, const Vec3& before, double reach);
 
 /// Direction of a stored feature at the present places; zero where it has none (edges that became parallel, `link`).

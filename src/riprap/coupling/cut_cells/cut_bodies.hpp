@@ -32,7 +32,7 @@ struct GridBody {
     }
 };
 
-/// A triangle of a body's surface: inside one cell, or on a side of it, in the cell that the surface looks into.
+/// A triangle of a body's surface: inside one cell, or on a side of it, in the cell on the outer side of the surface.
 struct CutFacet {
     std::int32_t body;
     std::int64_t cell;
@@ -50,7 +50,7 @@ struct MeshFace {
     std::array<int, 3> place;
 };
 
-/// A closed cell that water is asked for, and where it is taken from: the mean of its sources.
+/// A closed cell whose facets need the state of the water: the mean of its sources.
 struct JointCell {
     std::int64_t cell;
     std::vector<std::int64_t> sources;  ///< open cells, or -1 - number of earlier entries
@@ -62,7 +62,7 @@ struct CutBodies {
     std::vector<CutFacet> facets;                      ///< body by body, in the order of cells
     std::array<std::vector<std::int32_t>, 3> nearest;  ///< body at each face, -1 far from any
     std::vector<MeshFace> near_faces;                  ///< those that have one
-    std::vector<JointCell> joints;  ///< closed cells that facets look into and their neighbours, nearest to water first
+    std::vector<JointCell> joints;  ///< closed cells with facets and their neighbours, nearest to water first
 };
 
 /// Cuts bodies out of the cells of a mesh. Volumes and areas are those of the clipped polyhedra, exact; a sphere is cut
@@ -72,8 +72,8 @@ struct CutBodies {
 ///     d(theta V)/dt = - sum over facets of u_body . area
 ///
 /// is exact for rigid motion. A plane flow takes bodies as deep as the mesh. Shares below 1e-9 of a face are closed,
-/// and so are gaps between two bodies that leave less than a twentieth of a cell: joints, whose facets look into closed
-/// cells. Facets that lie on a side of a cell look into the cell beyond.
+/// and so are gaps between two bodies that leave less than a twentieth of a cell: joints, whose facets lie in closed
+/// cells. Facets on a side of a cell belong to the cell beyond.
 CutBodies cut_bodies(const fluid::grid::Mesh& mesh, const std::vector<GridBody>& bodies);
 
 class Cutter;

@@ -76,7 +76,7 @@ void Cutter::close_joints() {
     }
 }
 
-/// Closed cells that facets look into get their water from the nearest open cells, through closed cells beside them.
+/// Finds the water for closed cells with facets: from the nearest open cells, through closed cells beside them.
 void Cutter::find_joints() {
     const CellBox& box = mesh_->box;
     const auto for_neighbours = [&](std::int64_t cell, const auto& f) {

@@ -23,9 +23,9 @@ namespace riprap::coupling {
 
 /// Pressure of still water between faces that lie on each other.
 enum class Uplift : std::uint8_t {
-    full,    ///< that of the level, as if the joint were open
-    linear,  ///< from that of the level at the wet end of the joint down to none at its other end
-    none,    ///< none: the joint is watertight
+    full,    ///< the pressure of the level, as if the joint were open
+    linear,  ///< the pressure of the level at the wet end of the joint, falling to zero at its other end
+    none,    ///< no pressure: the joint is watertight
 };
 
 /// Water that stands still, its level given: Settings of HydrostaticFluid.
@@ -33,11 +33,11 @@ struct HydrostaticSettings {
     static constexpr std::string_view method_name = "hydrostatic";
     static MethodKeys<HydrostaticSettings> keys();
 
-    double spacing{0};          ///< size of the panels that faces are cut into where joints are told apart [m]
+    double spacing{0};          ///< size of the panels into which faces are cut to find joints [m]
     double rest_density{1000};  ///< rho [kg/m^3]
     Uplift uplift{Uplift::full};
 
-    /// Where water is: a region says how far it reaches sideways and, where no levels are given, how high.
+    /// Extent of the water: a region gives its sides and, where no levels are given, its level.
     struct Basin {
         Vec3 low{}, high{};  ///< corners of its box [m]
         double level{0};     ///< along `up` [m]
@@ -57,10 +57,10 @@ struct HydrostaticSettings {
 ///
 ///     p = rho |g| (level - up . x) where positive,
 ///
-/// integrated exactly over each face, or over each of its panels where joints are told apart: force -n int p dA, torque
-/// -(int p r dA) x n, pull -sym(n (int p r dA)^T), r from the centre of mass. So a body under water loses the weight of
-/// its volume of water to round-off, and one that floats finds its draft. It has no inertia: no added mass, no waves,
-/// no damping; what it does to the bodies is booked as work from outside.
+/// integrated exactly over each face, or over each of its panels where joints are sought: force -n int p dA, torque
+/// -(int p r dA) x n, pull -sym(n (int p r dA)^T), r from the centre of mass. So a body under water is lighter
+/// by the weight of its volume of water, to round-off, and a floating body finds its draft. It has no inertia: no added
+/// mass, no waves, no damping; its work on bodies is booked as external.
 class HydrostaticFluid {
  public:
     using Settings = HydrostaticSettings;

@@ -44,7 +44,7 @@ struct JointLink {
     double slope;  ///< (dW/dr)/r there; 0 = not in reach
 };
 
-/// Between faces that look at each other.
+/// Between opposite faces.
 struct JointGap {
     Vec3 across;   ///< n_ij, unit
     double width;  ///< negative where they overlap [m]
@@ -62,15 +62,15 @@ class JointKernel {
     JointLink link(const Vec3& apart, double square) const {
         return {apart, square < square_of_support_ ? kernel_.slope_over_r(std::sqrt(square)) : 0};
     }
-    /// Whether the faces of two samples look at each other.
+    /// Tells whether the faces of two samples face each other.
     static bool are_facing(const JointMember& i, const JointMember& j) { return dot(i.normal, j.normal) < -0.5; }
-    /// Nothing where faces do not look at each other or are too far apart to share a joint.
+    /// Nothing where faces do not face each other or are too far apart to share a joint.
     std::optional<JointGap> gap(const JointMember& i, const JointMember& j, const JointLink& link) const {
         return are_facing(i, j) ? gap_of_facing(i, j, link) : std::nullopt;
     }
     /// The link with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
     JointLink closed(const JointLink& link, const JointGap& gap) const;
-    /// The same with faces brought together whole.
+    /// The link with such faces brought together until they touch.
     JointLink touching(const JointLink& link, const JointGap& gap) const;
 
  private:
@@ -98,9 +98,10 @@ class JointPairs {
 
     /// Ascending by sample; some are there for the skin only.
     const std::vector<JointMember>& members() const { return members_; }
-    /// Whether member i is of a loose body or meets one. Others have no part in joints but shut off what these see.
+    /// Tells whether member i is of a loose body or meets one. Others have no part in joints but shut off what these
+    /// see.
     bool is_at_joint(std::size_t i) const { return is_at_joint_[i] != 0; }
-    /// Whether is(j) holds for any member j of other solids that member i may meet.
+    /// Tells whether is(j) holds for any member j of other solids that member i may meet.
     template <class F>
     bool may_meet(std::size_t i, const F& is) const {
         for (const std::int32_t pair : pairs_of(i)) {
@@ -116,7 +117,7 @@ class JointPairs {
     void for_each_met(std::size_t i, const F& f) const {
         visit<false>(i, [&](std::size_t j, const Vec3& apart, double square) { f(j, apart, square); });
     }
-    /// The same, but only for those within the support of each other or with faces that look at each other: half of
+    /// The same, but only for those within the support of each other or with opposite faces: half of
     /// them. No other pair is part of a joint.
     template <class F>
     void for_each_joined(std::size_t i, const F& f) const {

@@ -18,7 +18,7 @@ namespace riprap::coupling {
 ///     f_i = -V_i sum_j V_j (p_i + p_j) (grad W(d) + (u_i + u_j)/2 (grad W(d + s n_ij) - grad W(d))),  d = x_i - x_j,
 ///
 /// i and j of different solids, at least one of them loose: what water in place of j would do, opposite for both sides.
-/// The second term brings faces that look at each other, n_i . n_j < -1/2, together along
+/// The second term brings opposite faces, n_i . n_j < -1/2, together along
 /// n_ij = (n_i - n_j)/|n_i - n_j|, s being the gap between them up to dp, from there on 2 dp less the gap and at last
 /// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
 /// found in the joint leaves to do: 1 - (1 - u_room) max(1, p_water/p) with the share u_room of the room that it leaves

@@ -24,7 +24,7 @@ constexpr double mouth = 0.25;
 struct Surroundings {
     Vec3 slope;                                           ///< G_others [1/m]
     Vec3 of_gap{};                                        ///< what water between faces adds when it fills that [1/m]
-    double gap{std::numeric_limits<double>::infinity()};  ///< to the nearest face that looks at it [m]
+    double gap{std::numeric_limits<double>::infinity()};  ///< to the nearest opposite face [m]
 };
 
 /// @param others  see JointWater

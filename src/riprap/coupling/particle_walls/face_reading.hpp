@@ -43,13 +43,13 @@ struct LoadedFaces {
 /// no face of their own; they count for the place in front of the body that covers their foot. A gauge reads 0 where it
 /// is dry or covered.
 ///
-/// Within two spacings of an edge that stands out into the water it reads up to a third too little.
+/// Within two spacings of a convex edge a gauge reads up to a third too little.
 ///
-/// It is the force of the last step, not a mean since the last reading. Viscous forces and water in joints, which no
-/// particle stands for, are not in it. Bodies thinner than `reach` feel the water of their other side too.
+/// The reading is the force of the last step, not a mean since the last reading. Viscous forces and water in joints,
+/// which no particle stands for, are not in it. Bodies thinner than `reach` feel the water of their other side too.
 double read_face(const FaceGauge& gauge, const LoadedFaces& loaded);
 
-/// Whether water can be at the gauge: nothing that is wet lies on it.
+/// Tells whether water can be at the gauge: nothing that is wet lies on it.
 bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded);
 
 }  // namespace riprap::coupling

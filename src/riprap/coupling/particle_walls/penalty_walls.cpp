@@ -91,7 +91,7 @@ std::optional<Touch> touch_ground(const body::Ground& ground, const Pose& pose, 
     return deepest;
 }
 
-/// Between faces that look at each other neither pushes beyond the middle.
+/// Between opposite faces neither pushes beyond the middle.
 void meet_in_the_middle(std::vector<Touch>& touches) {
     constexpr double looking = -0.5;
     for (Touch& one : touches) {

@@ -32,12 +32,13 @@ struct PenaltySettings {
 /// c_0 >= 10 sqrt(g H).
 PenaltySettings penalty_settings(const fluid::ParticleSettings& settings);
 
-/// A guard behind boundary particles: what squeezes a particle harder than they hold, a block that closes on a wall
-/// say, must not press it through a face. r_0 = dp/5, where particles under pressure do not come (they stand at about
-/// dp/2), k_s = rho_0 c_0^2 dp^(dim-2)/2, so that a particle at speed v is stopped within 1.4 dp v/c_0, and zeta = 0.5.
-/// One push leaves it no faster away from the face than v_r = 0.05 c_0: what slips out of a gap that closes is not
-/// thrown. Its oscillation at one face stays stable at steps up to 1.7 dp/c_0; the acoustic limit is 1.2 dp/c_0 by
-/// default. Where several parts push one particle, at the seam of a union say, the bound falls.
+/// A guard behind boundary particles: keeps a particle that is squeezed harder than they can hold, by a block that
+/// closes on a wall say, from passing through a face. r_0 = dp/5, where particles under pressure do not come (they
+/// stand at about dp/2), k_s = rho_0 c_0^2 dp^(dim-2)/2, so that a particle at speed v is stopped within 1.4 dp v/c_0,
+/// and zeta = 0.5. One push leaves a particle no faster away from the face than v_r = 0.05 c_0, so particles that slip
+/// out of a closing gap are not thrown. The oscillation of a particle at one face stays stable at steps up to 1.7
+/// dp/c_0; the acoustic limit is 1.2 dp/c_0 by default. Where several parts push one particle, at the seam of a union
+/// say, the bound falls.
 /// @param dt  of the step [s]
 PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double dt);
 
@@ -45,7 +46,7 @@ PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double d
 ///
 ///     F = max(0, k_s d - k_d min(0, (v - v_s) . n)) n,   d = r_0 - distance > 0,
 ///
-/// r_0 no more than (distance_a + distance_b)/2 between two parts a and b that look at each other, n_a . n_b < -1/2, so
+/// r_0 no more than (distance_a + distance_b)/2 between two parts a and b that face each other, n_a . n_b < -1/2, so
 /// that a particle between them is kept in the middle and holds neither up;
 /// n the outward normal of the nearest point of the part (outside: from there to the particle; inside: of the nearest
 /// face), v_s the velocity of the solid there. The solid takes -F at the place of the particle, so both momenta change

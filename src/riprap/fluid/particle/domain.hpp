@@ -16,10 +16,10 @@ struct Domain {
     std::array<bool, 3> is_periodic{};  ///< per axis
     int dimension{3};                   ///< 2 or 3
 
-    /// Whether x lies between low and high, both included; what is not finite does not.
+    /// Tells whether x lies between low and high, both included; what is not finite does not.
     bool holds(const Vec3& x) const { return is_between(x, false); }
 
-    /// Whether a particle may be at x: the same, but along periodic axes every place has its image in the box.
+    /// Tells whether a particle may be at x: the same, but along periodic axes every place has its image in the box.
     bool admits(const Vec3& x) const { return is_between(x, true); }
 
  private:

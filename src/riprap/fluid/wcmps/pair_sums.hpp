@@ -71,7 +71,7 @@ struct NumberContinuity {
 };
 
 /// The same of walls; no diffusion into them: sums[0..5] are sums 0, 2, 3 and 4 to 6 above, times b, the first also
-/// times 1 + m: where m = 1, a wall particle moves as the mirror image of the fluid particle that looks at it.
+/// times 1 + m: where m = 1, a wall particle moves as the mirror image of the neighbouring fluid particle.
 struct NumberContinuityAtWalls {
     static constexpr int target_fields = 3;     ///< v
     static constexpr int candidate_fields = 5;  ///< v, b, m

@@ -71,7 +71,7 @@ std::string excerpt(const Value& value);
 /// the same bits. `parse_toml(write_toml(v))` equals v but for places.
 std::string write_toml(const Value& table);
 
-/// The same as JSON, indented by two blanks.
+/// Writes a table as JSON, indented by two blanks.
 std::string write_json(const Value& value);
 
 /// Shortest decimal text that reads back to the same double, always with '.', 'e', "inf" or "nan" in it.

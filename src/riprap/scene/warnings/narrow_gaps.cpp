@@ -63,7 +63,7 @@ bool has_face_against(const Placed& part, const Vec3& normal) {
     return false;
 }
 
-/// The width of the gap between faces that look at each other; nothing where there is none.
+/// Width of the gap between opposite faces; nothing where there is none.
 std::optional<double> gap_between(const Placed& a, const Placed& b) {
     const Separation of_a = before_faces(a, b), of_b = before_faces(b, a);
     const bool is_a = of_a.distance >= of_b.distance;

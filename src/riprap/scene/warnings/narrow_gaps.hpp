@@ -17,7 +17,7 @@ struct NarrowGaps {
     BodyId a, b;                     ///< of the first pair
 };
 
-/// Faces a quarter of a spacing to two apart that look at each other, of bodies that water wets, one of which at least
+/// Faces a quarter of a spacing to two apart that face each other, of bodies that water wets, one of which at least
 /// is free or will be released. The case has water.
 NarrowGaps find_narrow_gaps(const sim::Model& model, const sim::State& state);
 

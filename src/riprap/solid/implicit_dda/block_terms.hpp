@@ -60,7 +60,7 @@ inline void add_arms(const Vec3& arm_a, const Vec3& arm_b, ArmMoments& moments) 
     }
 }
 
-/// The same sum as add_springs before it is brought to the unknowns: rows and columns count 3 a + i, a = 0 the
+/// Adds the sum of add_springs in other unknowns: rows and columns count 3 a + i, a = 0 the
 /// translation i, a = 1, 2, 3 the entry (i, a) of the displacement gradient. T is linear in (1, r), so that points of
 /// one stiffness, as those of a face are, cost 16 multiplications each; bring_to_unknowns() follows once, when all
 /// contacts of a block are in.

@@ -15,7 +15,7 @@ struct ContactSprings {
     double tension{0};           ///< tensile strength times A_c while intact [N]
 };
 
-/// A contact point during the iteration.
+/// A contact point during the open-close iteration.
 struct ContactTrial {
     ContactMode mode{ContactMode::open};
     bool is_intact{false};
@@ -23,7 +23,7 @@ struct ContactTrial {
     double gap{0};           ///< d_n of the last solution [m]
     Vec3 slip{};             ///< elastic slip plus the motion of the step, in the plane [m]
     Vec3 step_slip{};        ///< motion of the step alone, a against b, in the plane [m]
-    double friction{0};      ///< F_f that acts while sliding [N]
+    double friction{0};      ///< F_f, the friction while sliding [N]
     Vec3 direction{};        ///< l of sliding, a against b [-]
     double across{0};        ///< stiffness F_f/|t| with which friction turns with the slip [N/m]
     bool has_locked{false};  ///< went from sliding to lock in this step; if it slides again, it goes on sliding
@@ -33,8 +33,8 @@ struct ContactTrial {
 struct OpenCloseRule {
     double close_tolerance{0};   ///< an open contact closes below minus this gap [m]
     double open_tolerance{0};    ///< a closed one opens above this gap [m]
-    double slide_tolerance{-1};  ///< >= 0: sliding locks when the slip of the step is below it, as the source has it
-                                 ///< [m]; < 0: when the slip turns back
+    double slide_tolerance{-1};  ///< >= 0: sliding locks when the slip of the step is below the tolerance, as in the
+                                 ///< source [m]; < 0: when the slip turns back
 };
 
 /// Strength k_n |d_n| tan phi + C at a trial [N].
@@ -47,10 +47,10 @@ double strength(const ContactSprings& springs, const ContactTrial& trial);
 ///     lock  -> open           where d_n > 0 (tension T/k_n while intact);  -> slide where k_s |t| passes the strength
 ///
 /// t is the elastic slip at the start of the step plus the motion of the step: the elastic-plastic spring of Coulomb's
-/// law. Sets what slides: friction F_f, its direction l = t/|t|, and the stiffness F_f/|t| across l in the plane, the
-/// derivative of F_f t/|t|; with F_f l alone the direction would turn without end where blocks are soft. Differs from
-/// the source, which locks by the slip of the step. A contact that slides again after it has locked in the same step
-/// goes on sliding: at the limit both answers are near.
+/// law. A contact that slides gets the friction F_f, its direction l = t/|t|, and the stiffness F_f/|t| across l in the
+/// plane, the derivative of F_f t/|t|; without that stiffness the direction would not converge where blocks are soft.
+/// Differs from the source, which locks by the slip of the step. A contact that slides again after it has locked in the
+/// same step stays sliding: at the limit both modes give nearly the same force.
 /// @returns true when springs came or went
 bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, ContactTrial& trial);
 

@@ -97,7 +97,7 @@ void drop_contacts(State& state, const IsDropped& is_dropped) {
 
 /// Offset from the centroid of a point with the offset X in the reference shape: R U X [m].
 Vec2 offset_of(const State& state, std::int32_t block, const Vec2& local);
-/// Its place [m].
+/// Place of a point with the offset X in the reference shape [m].
 Vec2 place_of(const State& state, std::int32_t block, const Vec2& local);
 Unknowns rates_of(const State& state, std::int32_t block);
 /// Velocity of such a point [m/s].

@@ -32,7 +32,7 @@ class RecordedWater {
     std::vector<std::uint8_t> is_open_;
 };
 
-/// Adds to the loads of a trial what the water does to the sides of a block: pressure at the midpoints of segments of
+/// Adds the loads of the water on the sides of a block to those of a trial: pressure at the midpoints of segments of
 /// half a metre, its points of application [Ding2021, eq. 3.26].
 void press_block(PlanarTrial& trial, std::int32_t block, const RecordedWater& water, double time);
 
