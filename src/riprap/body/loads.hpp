@@ -43,7 +43,7 @@ struct Loads {
     }
 };
 
-/// Loads that somebody else holds; empty = none.
+/// View of loads held elsewhere; empty = none.
 struct LoadView {
     std::span<const Vec3> force, torque;
     std::span<const Sym3> pull;

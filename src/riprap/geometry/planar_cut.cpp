@@ -14,7 +14,7 @@ namespace riprap::geometry {
 
 namespace {
 
-/// Points, those nearer than `snap` being one.
+/// Points, merged where they are nearer than `snap`.
 class PointSet {
  public:
     explicit PointSet(double snap) : snap_(snap) {}
@@ -126,7 +126,7 @@ std::vector<Piece> split(std::span<const PlanarJoint> joints, double snap, Point
     return pieces;
 }
 
-/// Takes pieces with a free end away until none is left. @returns their number
+/// Removes pieces with a free end until none is left. @returns their number
 std::int32_t remove_dead_ends(std::vector<Piece>& pieces, std::size_t point_count) {
     std::vector<std::int32_t> degree(point_count, 0);
     for (const Piece& piece : pieces) {
@@ -207,7 +207,7 @@ std::vector<std::int32_t> nets_of(const std::vector<Piece>& pieces, std::size_t 
     return net;
 }
 
-/// Takes away the blocks of nets that lie inside a block of another net. @returns the number of such nets
+/// Removes the blocks of nets inside a block of another net. @returns the number of such nets
 std::int32_t remove_loose_loops(std::vector<Face>& faces, const std::vector<Vec2>& points) {
     std::vector<std::int32_t> loose;
     for (const Face& face : faces) {
@@ -225,7 +225,7 @@ std::int32_t remove_loose_loops(std::vector<Face>& faces, const std::vector<Vec2
     return static_cast<std::int32_t>(loose.size());
 }
 
-/// The walk that begins with `start`, corners at which it goes straight on dropped.
+/// The walk that begins with `start`, without corners at which it goes straight on.
 Face walk_round(const Walks& walks, const std::vector<Piece>& pieces, const std::vector<Vec2>& points,
                 std::int32_t start, std::vector<std::uint8_t>& is_walked) {
     Polygon corners;

@@ -14,18 +14,18 @@ namespace riprap::wave {
 /// 8 pi^2/3: H L^2 / d^3 from which on the crests of second-order waves are double [-].
 inline constexpr double second_order_limit = 8 * std::numbers::pi * std::numbers::pi / 3;
 
-/// One frequency of the way of a piston: x = Re(amplitude exp(i omega t)).
+/// One frequency of the stroke of a piston: x = Re(amplitude exp(i omega t)).
 struct StrokeHarmonic {
     std::complex<double> amplitude;  ///< [m]
     double angular_frequency;        ///< > 0 [rad/s]
 };
 
-/// The way of a piston that makes a sea by linear theory [Dean1991, ch. 6]: X_n = a_n/(i c_n), c_n =
+/// Stroke of a piston that makes a sea by linear theory [Dean1991, ch. 6]: X_n = a_n/(i c_n), c_n =
 /// height_over_stroke.
 std::vector<StrokeHarmonic> first_order_stroke(const IrregularWave& sea);
 
-/// Second-order part of the motion of a piston, so that no free waves of the sums and differences of the frequencies
-/// leave it: the bound ones go with the sea by themselves. The potential to second order of all pairs of progressive
+/// Second-order part of the stroke, which suppresses free waves at the sums and differences of the frequencies; bound
+/// waves go with the sea by themselves. The potential to second order of all pairs of progressive
 /// and evanescent modes is projected on the progressive mode of the pair's frequency, as in [Schaffer1996]. With W =
 /// w_n +- w_m, W^2 = g K0 tanh K0 d, modes k_j of w_n and k_l of w_m (imaginary ones evanescent; for a difference those
 /// of w_m are -k_l* and -w_m), K = k_j + k_l and amplitudes a_j = i X c_j, c_j = 4 sinh^2 k_j d/(2 k_j d + sinh 2 k_j

@@ -9,12 +9,12 @@ namespace riprap::fluid::grid {
 
 namespace {
 
-/// A cell that a step flushes by more than this share of its volume hands on its contents of the end of the step [-].
+/// A cell of which a step replaces more than this share of the volume lets out the mixture of the end of the step [-].
 constexpr double most_flushed = 0.5;
 /// Sweeps over such cells; each carries water through one more of them in a row [-].
 constexpr int flush_sweeps = 4;
 
-/// Arrays of the transport, in the memory of what find_masses fills anew after it.
+/// Arrays of the transport, in memory that find_masses fills again after it.
 struct Buffers {
     std::vector<double>& water;         ///< in cells, between two directions [m^3]
     std::vector<double>& end_fraction;  ///< of slivers beside solids, at the end of the step [-]
@@ -36,8 +36,7 @@ bool is_sliver(const CellBox& box, const GridScratch& s, std::int64_t c, double 
     return capacity < 0.999 * volume && capacity < outflow(box, s, c) / most_flushed;
 }
 
-/// Water fraction of what leaves a cell through a face in the step: of the slab of the cell next to the face that the
-/// step sweeps.
+/// Water fraction of the fluid that leaves a cell through a face: of the slab next to the face that the step sweeps.
 double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, int a, std::int64_t face, int place,
                double dt) {
     const double u = s.start.carrier[at(a)][at(face)];
@@ -56,7 +55,7 @@ double donated(const Mesh& mesh, const GridState& state, const GridScratch& s, i
                  : slab_fraction(s.moved.plane[at(donor)], a, -0.5, -0.5 + swept);
 }
 
-/// Fractions at the end of the step of slivers, which the step flushes: (alpha C + inflow of water)/(C + inflow).
+/// Fractions of slivers at the end of the step, which replaces their content: (alpha C + inflow of water)/(C + inflow).
 void flush_slivers(const GridSettings& settings, const GridState& state, GridScratch& s) {
     const CellBox& box = settings.mesh.box;
     const Buffers buffers = buffers_of(s);
@@ -105,7 +104,7 @@ void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
     }
 }
 
-/// Books what crosses the sides.
+/// Books water that crosses the sides.
 double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
     double sum = 0;
     const CellBox& box = settings.mesh.box;

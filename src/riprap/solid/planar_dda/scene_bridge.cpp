@@ -44,7 +44,7 @@ void add_materials(const SolidScene& scene, const affine::Elasticity& elasticity
     }
 }
 
-/// Pose of a body at the start, as far as that decides the outline of a half-space: those do not fall.
+/// Pose of a body at the start, which places the outline of a half-space: half-spaces do not fall.
 Pose pose_of_half_space(const SolidScene& scene, const body::BodyState& bodies, std::int32_t b) {
     return scene.bodies.drive[at(b)] == body::Drive::driven ? driven_state(scene.bodies, BodyId{b}, 0).pose
                                                             : Pose{bodies.position[at(b)], bodies.orientation[at(b)]};
@@ -103,7 +103,7 @@ void add_body(const SolidScene& scene, const body::BodyState& bodies, const Disc
     }
 }
 
-/// Fixed points and bolts of the scene. What they are tied to is given in the frames of the bodies.
+/// Fixed points and bolts of the scene, whose ends are given in the frames of the bodies.
 void add_supports(const SolidScene& scene, double contact_stiffness, SceneBlocks& blocks) {
     const auto local = [&blocks](BodyId body, const Vec3& point) {
         return Vec2{point.x, point.y} - blocks.offset[at(body.value)];
