@@ -64,7 +64,7 @@ damping_ratio        = 0.2
 
 [fluid]
 spacing = 0.02                             # [m], of the particles: half of it takes about eight times as long
-domain  = {{ low = [0.0, -0.1], high = [2.0, 1.0] }}
+domain  = {{ low = [0.0, -0.1], high = [2.0, 2.0] }}   # high enough for what splashes up
 
 [[fluid.region]]                           # a column of water that falls
 box = {{ low = [0.0, 0.0], high = [0.5, 0.5] }}

@@ -77,6 +77,20 @@ TEST_F(Help, ANewCaseChecksWithoutAWord) {
     }
 }
 
+TEST_F(Help, ANewCaseRunsUntilItsWaterHasHitTheWall) {
+    for (const std::string kind : {"dry", "wet"}) {
+        std::vector<std::string> words{"new", (folder.path() / kind).string()};
+        if (kind == "wet") {
+            words.emplace_back("--water");
+        }
+        ASSERT_EQ(run_program(folder.path(), words).code, 0);
+        const std::string end = kind == "wet" ? "1.2" : "2";  // what splashes highest is back before
+        const Ending run = run_program(folder.path(), {"run", (folder.path() / kind).string(), "--end", end, "--out",
+                                                       (folder.path() / (kind + "_run")).string()});
+        EXPECT_EQ(run.code, 0) << run.err << run.out;
+    }
+}
+
 TEST_F(Help, EveryExitCodeIsOnThePageWithTheSameWords) {
     const std::string codes = section(help({"--help"}), "Exit codes:");
     std::istringstream lines(codes.substr(codes.find('\n') + 1));
