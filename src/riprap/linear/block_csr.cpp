@@ -18,8 +18,8 @@ inline constexpr std::size_t lanes = B % 4 == 0   ? 4
 template <int B>
 inline constexpr std::size_t bytes_of_block = BlockCsr<B>::block_numbers * sizeof(double);
 
-/// sum_j A_ij x_j over one row. Large blocks are asked for two ahead: processors by themselves fetch ahead of a stream
-/// to the end of a page only.
+/// sum_j A_ij x_j over one row. Processors with AVX-512 are asked for large blocks two ahead, as they fetch ahead of a
+/// stream to the end of a page only; those with AVX2 alone are slower if asked.
 template <int B>
 void multiply_row(const double* value, const std::int32_t* column, std::int64_t count, const double* x, double* y) {
     if constexpr (lanes < B >> 1) {
@@ -28,7 +28,7 @@ void multiply_row(const double* value, const std::int32_t* column, std::int64_t 
         Lanes sum[parts]{};
         for (std::int64_t k = 0; k < count; ++k) {
             const double* const v = x + std::int64_t{column[k]} * B;
-            if constexpr (B == 12) {
+            if constexpr (B == 12 && vector_bytes == 64) {
                 for (std::size_t line = 0; line < bytes_of_block<B>; line += 64) {
                     __builtin_prefetch(reinterpret_cast<const char*>(value) + 2 * bytes_of_block<B> + line);
                 }
