@@ -14,23 +14,18 @@
 namespace riprap::bench {
 
 namespace {
-double seconds_on_the_wall() {
-    static const Timer timer;
-    return timer.seconds();
-}
-
 Timing timing_of(std::vector<double> values) {
     std::ranges::sort(values);
     return {values[values.size() / 2], values.front(), values.back(), static_cast<int>(values.size())};
 }
 }  // namespace
 
-double now() {
-    if (parallel::thread_count() == 1) {
-        return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    }
-    return seconds_on_the_wall();
+double now(Clock clock) {
+    static const Timer timer;
+    return clock == Clock::wall ? timer.seconds() : static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
+
+double now() { return now(parallel::thread_count() == 1 ? Clock::processor : Clock::wall); }
 
 Timing time_calls(const std::function<void()>& call, const Repeat& repeat) {
     call();
@@ -44,11 +39,12 @@ Timing time_calls(const std::function<void()>& call, const Repeat& repeat) {
     return timing_of(std::move(times));
 }
 
-Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count) {
-    const auto time = [](const std::function<void()>& call) {
-        const double before = seconds_on_the_wall();
+Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count,
+                     Clock clock) {
+    const auto time = [clock](const std::function<void()>& call) {
+        const double before = now(clock);
         call();
-        return seconds_on_the_wall() - before;
+        return now(clock) - before;
     };
     first();
     second();

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
 namespace riprap::bench {
 
-/// Returns a time [s]: with one thread the processor time of this process, which other programs on the machine hardly
-/// disturb; with more the wall-clock time.
+/// Time on the wall, or that of the processor, which other programs on the machine hardly disturb but which adds up
+/// over threads.
+enum class Clock : std::uint8_t { wall, processor };
+double now(Clock clock);
+
+/// Returns a time [s]: with one thread the processor time of this process, with more that on the wall.
 double now();
 
 /// Repeated measurements of one thing: times [s], or ratios of them [-].
@@ -25,10 +30,11 @@ struct Repeat {
 /// Times `call` over and over. The first call, which grows buffers, is not counted.
 Timing time_calls(const std::function<void()>& call, const Repeat& repeat = {});
 
-/// Returns the speed of `second` over that of `first` [-]. Both are called in turn, timed on the wall; the ratios are
-/// those of neighbouring calls: a load on the machine that outlasts two calls slows both. The first call
-/// of each, which grows buffers, is not counted.
-Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count = 9);
+/// Returns the speed of `second` over that of `first` [-]. Both are called in turn; the ratios are those of
+/// neighbouring calls: a load on the machine that outlasts two calls slows both. The first call of each, which grows
+/// buffers, is not counted.
+Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count = 9,
+                     Clock clock = Clock::wall);
 
 /// Writes "median of 7, spread -1 % +4 %".
 std::string spread(const Timing& timing);

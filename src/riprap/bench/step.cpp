@@ -84,7 +84,7 @@ Timing time_steps(Run& run) {
 Timing times_as_long(Run& longer, Run& shorter) {
     const ThreadScope scope(1);
     return compare_calls([&] { longer.steps_in_a_row(batch); }, [&] { shorter.steps_in_a_row(batch); },
-                         pairs_of_batches);
+                         pairs_of_batches, Clock::processor);
 }
 
 void add_ratio(const std::string& name, const Timing& ratio, const std::string& what, std::vector<Result>& results) {
@@ -97,9 +97,9 @@ void measure_steps(const Setting& setting, const std::string& name, const StepSc
     for (const int threads : setting.thread_counts) {
         const ThreadScope scope(threads);
         Run run(scene);
-        const double before = now();
+        const double before = now(Clock::wall);  // as stages are timed
         const Timing timing = time_steps(run);
-        const double seconds = now() - before;
+        const double seconds = now(Clock::wall) - before;
         results.push_back({name, threads, 1e9 * timing.median / run.particles(), "ns/particle-step",
                            fmt::format("{:.2f} ms a step; {:.0f} particles, {:.0f} free blocks, {} steps of the solids "
                                        "and {} passes a step; {}; {}",
@@ -134,7 +134,7 @@ void add_ratio_to_pass(const std::string& name, std::vector<Result>& results) {
                                          pass();
                                      }
                                  },
-                                 pairs_of_batches);
+                                 pairs_of_batches, Clock::processor);
     const double per_particle = static_cast<double>(column.size()) / run.particles();
     for (double* value : {&ratio.median, &ratio.low, &ratio.high}) {
         *value *= per_particle;
