@@ -18,46 +18,8 @@ constexpr std::int64_t grain = 64;
 constexpr double most_turn = 0.15;
 /// Share of a spacing that two samples may come nearer before pairs are looked for again.
 constexpr double skin = 0.5;
-/// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
-constexpr double most_gap = 2;
-/// Spacings beyond the support from which samples of faces brought together still meet.
-constexpr double farther = 1.5;
 
 }  // namespace
-
-JointKernel::JointKernel(const fluid::ParticleSettings& settings)
-    : kernel_(settings.smoothing_length(), settings.domain.dimension),
-      square_of_support_(settings.support_radius() * settings.support_radius()),
-      farthest_(reach(settings)),
-      spacing_(settings.spacing) {}
-
-double JointKernel::reach(const fluid::ParticleSettings& settings) {
-    return settings.support_radius() + farther * settings.spacing;
-}
-
-std::optional<JointGap> JointKernel::gap_of_facing(const JointMember& i, const JointMember& j,
-                                                   const JointLink& link) const {
-    if (norm_squared(link.apart) > farthest_ * farthest_) {
-        return std::nullopt;
-    }
-    const Vec3 across = i.normal - j.normal, n = across / norm(across);
-    const double width = -dot(link.apart, n) - (i.depth + j.depth);
-    return width < most_gap * spacing_ ? std::optional(JointGap{n, width}) : std::nullopt;
-}
-
-JointLink JointKernel::nearer(const JointLink& link, const Vec3& shift) const {
-    const Vec3 apart = link.apart + shift;
-    return {apart, kernel_.slope_over_r(norm(apart))};
-}
-
-JointLink JointKernel::closed(const JointLink& link, const JointGap& gap) const {
-    const double shift = std::clamp(std::min(gap.width, most_gap * spacing_ - gap.width), 0.0, spacing_);
-    return shift > 0 ? nearer(link, shift * gap.across) : link;
-}
-
-JointLink JointKernel::touching(const JointLink& link, const JointGap& gap) const {
-    return gap.width > 0 ? nearer(link, gap.width * gap.across) : link;
-}
 
 double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_driven) {
     // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
@@ -114,64 +76,82 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
         }
     });
     members_.clear();
+    fours_.assign((is_member.size() + four_size - 1) / four_size, {});
     for (std::size_t i = 0; i < is_member.size(); ++i) {
         if (is_member[i] != 0) {
             const auto body = at(near.body(i).value);
             const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body(i).value;
-            members_.push_back({static_cast<std::int32_t>(i),
-                                solid,
-                                solids.is_loose[body] != 0,
-                                near.volume(i),
-                                near.depth(i),
-                                {},
-                                {}});
+            const JointMember member{static_cast<std::int32_t>(i), solid, solids.is_loose[body] != 0};
+            SampleFour& four = fours_[i / four_size];
+            const std::size_t lane = i % four_size;
+            four.member[lane] = static_cast<std::int32_t>(members_.size());
+            four.partner[lane] = partner_of(member);
+            four.volume.set(static_cast<std::int64_t>(lane), near.volume(i));
+            four.depth.set(static_cast<std::int64_t>(lane), near.depth(i));
+            members_.push_back(member);
         }
     }
     paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());
 }
 
-void JointPairs::place_members(const SampleView& near, const body::Motion& motion,
+void JointPairs::place_samples(const SampleView& near, const body::Motion& motion,
                                const fluid::BoundaryParticles& walls) {
-    parallel::for_each(static_cast<std::int64_t>(members_.size()), [&](std::int64_t i) {
-        JointMember& member = members_[at(i)];
-        const auto sample = at(member.sample);
-        member.place = walls.position[sample];
-        member.normal = rotate(motion.pose[at(near.body(sample).value)].orientation, near.normal(sample));
+    parallel::for_each(static_cast<std::int64_t>(fours_.size()), [&](std::int64_t number) {
+        SampleFour& four = fours_[at(number)];
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            if (four.member[lane] >= 0) {
+                const std::size_t sample = at(number) * four_size + lane;
+                four.place.set(lane, walls.position[sample]);
+                four.normal.set(lane,
+                                rotate(motion.pose[at(near.body(sample).value)].orientation, near.normal(sample)));
+            }
+        }
     });
 }
 
 void JointPairs::find_pairs(const fluid::ParticleSettings& settings) {
     std::vector<Vec3> places;
-    for (const JointMember& member : members_) {
-        places.push_back(member.place);
+    places.reserve(members_.size());
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        places.push_back(self(i).place);
     }
     fluid::CellGrid grid;
     const double most = reach(settings, false);
     grid.build(places, settings.domain, most);
     const double near = settings.support_radius() + skin * settings.spacing;
     constexpr double facing = -0.5 + 2 * most_turn;  // what may come to -1/2 while pairs are kept
-    std::vector<std::vector<std::int32_t>> met(members_.size());
+    std::vector<std::vector<std::uint32_t>> met(members_.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
         const JointMember& member = members_[at(i)];
-        std::vector<std::int32_t>& mine = met[at(i)];
-        grid.for_each_near(member.place, [&](std::int64_t j) {
+        const JointSelf self = this->self(at(i));
+        std::vector<std::uint32_t>& mine = met[at(i)];
+        grid.for_each_near(self.place, [&](std::int64_t j) {
             const JointMember& other = members_[at(j)];
-            const double apart = other.solid == member.solid ? most : norm(nearest_(member.place - other.place));
+            const double apart = other.solid == member.solid ? most : norm(nearest_(self.place - places[at(j)]));
             if (apart < most) {
-                const bool may_join = apart < near || dot(member.normal, other.normal) < facing;
-                mine.push_back(static_cast<std::int32_t>(2 * j + (may_join ? 1 : 0)));
+                const bool may_join = apart < near || dot(self.normal, this->self(at(j)).normal) < facing;
+                mine.push_back(entry_of(at(other.sample), may_join));
             }
         });
-        std::sort(mine.begin(), mine.end());
+        std::ranges::sort(mine);
+        std::size_t kept = 0;
+        for (const std::uint32_t entry : mine) {
+            if (kept > 0 && four_of(mine[kept - 1]) == four_of(entry)) {
+                mine[kept - 1] |= entry;
+            } else {
+                mine[kept++] = entry;
+            }
+        }
+        mine.resize(kept);
     });
-    pair_begin_.assign(1, 0);
-    for (const std::vector<std::int32_t>& mine : met) {
-        pair_begin_.push_back(pair_begin_.back() + static_cast<std::int64_t>(mine.size()));
+    begin_.assign(1, 0);
+    begin_.reserve(met.size() + 1);
+    for (const std::vector<std::uint32_t>& mine : met) {
+        begin_.push_back(begin_.back() + static_cast<std::int64_t>(mine.size()));
     }
-    pairs_.resize(at(pair_begin_.back()));
-    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
-        std::ranges::copy(met[at(i)], pairs_.begin() + pair_begin_[at(i)]);
-    });
+    entries_.resize(at(begin_.back()));
+    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain,
+                              [&](std::int64_t i) { std::ranges::copy(met[at(i)], entries_.begin() + begin_[at(i)]); });
 }
 
 void JointPairs::find_who_is_at_joints() {
@@ -179,8 +159,12 @@ void JointPairs::find_who_is_at_joints() {
     parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
         bool is_at_joint = members_[at(i)].is_loose;
         if (!is_at_joint) {
-            for_each_met(
-                at(i), [&](std::size_t j, const Vec3&, double) { is_at_joint = is_at_joint || members_[j].is_loose; });
+            for_each_met(at(i), [&](std::size_t four, const JointFour& near) {
+                for (std::uint32_t left = bits_of(near.is_there); left != 0; left &= left - 1) {
+                    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+                    is_at_joint = is_at_joint || fours_[four].partner[lane] != still_solid;
+                }
+            });
         }
         is_at_joint_[at(i)] = is_at_joint ? 1 : 0;
     });
@@ -190,13 +174,14 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
                         const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings) {
     const double reach = JointKernel::reach(settings);
     nearest_ = fluid::NearestImage(settings.domain);
+    is_periodic_ = std::ranges::find(settings.domain.is_periodic, true) != settings.domain.is_periodic.end();
     square_of_reach_ = reach * reach;
     square_of_support_ = settings.support_radius() * settings.support_radius();
     const bool is_kept = is_up_to_date(near, solids, motion, walls, settings.spacing);
     if (!is_kept) {
         find_members(near, solids, walls, settings);
     }
-    place_members(near, motion, walls);
+    place_samples(near, motion, walls);
     if (!is_kept) {
         find_pairs(settings);
         posed_at_ = motion.pose;
@@ -205,7 +190,7 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
 }
 
 std::size_t JointPairs::bytes() const {
-    return bytes_of(members_, is_at_joint_, pair_begin_, pairs_, paired_at_, posed_at_);
+    return bytes_of(members_, fours_, is_at_joint_, begin_, entries_, paired_at_, posed_at_);
 }
 
 }  // namespace riprap::coupling

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joints/joint_water.hpp"
+#include "riprap/body/motion.hpp"
+#include "riprap/coupling/samples/sample_set.hpp"
+#include "riprap/fluid/particle/boundary_particles.hpp"
+#include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::coupling {
+
+struct JointSolids;
 
 /// Pressure of the water in joints: between faces so close that no particle of water comes between them, a block on the
 /// floor or on another block, water stands all the same and presses them apart. Without it a block that lies on
@@ -36,6 +43,11 @@ namespace riprap::coupling {
 /// water of an upright joint takes nothing from it. p_r is the mean of what walls feel about r.
 class JointPressure {
  public:
+    JointPressure();
+    ~JointPressure();
+    JointPressure(JointPressure&&) noexcept;
+    JointPressure& operator=(JointPressure&&) noexcept;
+
     /// Forces on the samples `near` where `walls` are.
     /// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
     /// @param water    at each of `walls`, beginning with those of `near`
@@ -46,40 +58,13 @@ class JointPressure {
               const fluid::ParticleSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
 
     /// Call where `near` is no longer the same.
-    void forget() { pairs_.forget(); }
+    void forget();
 
     std::size_t bytes() const;
 
  private:
-    /// A member as part of the joint with one of those.
-    struct Side {
-        std::int32_t member, other;
-        std::int32_t joint;
-        double pressure;
-    };
-    /// A piece of the rim of a joint.
-    struct RimPiece {
-        Vec3 place;
-        double wet, dry;  ///< s V c and s V e (1 - c)
-        double pressure;  ///< of the water there [Pa]
-    };
-
-    void list_sides();
-    /// The piece of a rim that a member is; nothing where it is none.
-    RimPiece rim_piece(const SampleView& near, std::size_t member, const fluid::ParticleSettings& settings,
-                       const Vec3& gravity) const;
-    void find_rims(const SampleView& near, const fluid::ParticleSettings& settings, const Vec3& gravity);
-    /// Mean of what walls feel about a member, carried to it as in water at rest [Pa].
-    double felt_about(std::size_t member, const fluid::ParticleSettings& settings, const Vec3& gravity) const;
-    double pressure_of(std::size_t member, std::int32_t other) const;
-    Vec3 force_on(std::size_t member, const JointKernel& kernel, const fluid::WaterAtWalls& water) const;
-
-    JointPairs pairs_;
-    std::vector<JointWater> found_;         ///< of each member
-    std::vector<std::int32_t> side_begin_;  ///< of each member in sides_, one more at the end
-    std::vector<Side> sides_;
-    std::vector<RimPiece> pieces_;             ///< of each side
-    std::vector<std::vector<RimPiece>> rims_;  ///< of each joint
+    struct Work;
+    std::unique_ptr<Work> work_;
 };
 
 }  // namespace riprap::coupling

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
@@ -22,37 +21,44 @@ constexpr double mouth = 0.25;
 
 /// Solids about a member.
 struct Surroundings {
-    Vec3 slope;                                           ///< G_others [1/m]
-    Vec3 of_gap{};                                        ///< what water between faces adds when it fills that [1/m]
-    double gap{std::numeric_limits<double>::infinity()};  ///< to the nearest opposite face [m]
+    Vec3 slope;   ///< G_others [1/m]
+    Vec3 of_gap;  ///< what water between faces adds when it fills that [1/m]
+    double gap;   ///< to the nearest face that looks at it; infinite: none [m]
 };
 
 /// @param others  see JointWater
-Surroundings look_around(const JointPairs& pairs, std::size_t index, const JointKernel& kernel,
+Surroundings look_around(const JointPairs& pairs, std::size_t index, const JointSelf& self, const JointKernel& kernel,
                          std::vector<std::int32_t>& others) {
-    const std::vector<JointMember>& members = pairs.members();
-    const JointMember& member = members[index];
-    Surroundings found;
+    const bool is_loose = pairs.members()[index].is_loose;
+    const Four zero(0);
+    Four3 slope, of_gap;
+    Four gap(std::numeric_limits<double>::infinity());
     others.clear();
-    pairs.for_each_joined(index, [&](std::size_t j, const Vec3& apart, double square) {
-        const JointMember& other = members[j];
-        const JointLink link = kernel.link(apart, square);
-        const Vec3 slope = link.slope * link.apart;
-        found.slope += other.volume * slope;
-        bool is_near = link.slope != 0;
-        if (const std::optional<JointGap> gap = kernel.gap(member, other, link)) {
-            const JointLink touching = kernel.touching(link, *gap);
-            found.of_gap += other.volume * (touching.slope * touching.apart - slope);
-            found.gap = touching.slope != 0 ? std::min(found.gap, std::max(0.0, gap->width)) : found.gap;
-            is_near = is_near || kernel.closed(link, *gap).slope != 0;
+    pairs.for_each_joined(index, self, [&](std::size_t number, const JointFour& near) {
+        const SampleFour& other = pairs.fours()[number];
+        const JointLinks link = kernel.link(near);
+        const Four share = select(near.is_there, other.volume * link.slope, zero);
+        slope = slope + share * link.apart;
+        FourMask is_near = near.is_there & (link.slope < zero);
+        const JointGaps gaps = kernel.gaps(self, other, near);
+        if (bits_of(gaps.are_there) != 0) {
+            const JointLinks touching = kernel.touching(near, gaps), closed = kernel.closed(near, gaps);
+            const Four3 change = (other.volume * touching.slope) * touching.apart - share * link.apart;
+            of_gap = of_gap + Four3(select(gaps.are_there, change.x, zero), select(gaps.are_there, change.y, zero),
+                                    select(gaps.are_there, change.z, zero));
+            gap = select(gaps.are_there & (touching.slope < zero), min(gap, max(gaps.width, zero)), gap);
+            is_near = is_near | (gaps.are_there & (closed.slope < zero));
         }
-        const bool is_joint = is_near && (member.is_loose || other.is_loose);
-        const bool is_last = !others.empty() && others.back() == partner_of(other);  // members come solid by solid
-        if (is_joint && !is_last && std::find(others.begin(), others.end(), partner_of(other)) == others.end()) {
-            others.push_back(partner_of(other));
+        for (std::uint32_t left = bits_of(is_near); left != 0; left &= left - 1) {
+            const std::int32_t partner = other.partner[static_cast<std::size_t>(__builtin_ctz(left))];
+            const bool is_joint = is_loose || partner != still_solid;
+            const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
+            if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
+                others.push_back(partner);
+            }
         }
     });
-    return found;
+    return {sum_of(slope), sum_of(of_gap), std::min({gap[0], gap[1], gap[2], gap[3]})};
 }
 
 /// Share of the open surroundings that particles fill. @param open of solids, @param water the same sum over the water
@@ -91,13 +97,15 @@ void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span
             pairs.is_at_joint(at(index)) && (is_partner_wet(at(index)) || pairs.may_meet(at(index), is_partner_wet));
         if (!at_member.may_be_there) {
             at_member.weight = 0;
+            at_member.dry_share = 1;
             at_member.others.clear();
             return;
         }
-        const Surroundings around = look_around(pairs, at(index), kernel, at_member.others);
+        const JointSelf self = pairs.self(at(index));
+        const Surroundings around = look_around(pairs, at(index), self, kernel, at_member.others);
         const auto sample = at(member.sample);
         const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
-        const Vec3 &own = slopes[near.number(sample)], &n = member.normal, &of_water = water.slope[sample];
+        const Vec3 &own = slopes[near.number(sample)], &n = self.normal, &of_water = water.slope[sample];
         const Vec3 open = (member.solid == still_solid ? own : rotate(turn, own)) + around.slope;
         at_member.rim = open - dot(open, n) * n;
         at_member.covered = covered(at_member.rim, of_water);
@@ -111,7 +119,8 @@ void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span
         const double crowding = (std::clamp(share, well_filled, most_felt) - 1) * std::max(0.0, 1 - ragged);
         const double trust = 1 - at_member.dry_share * std::min(1.0, around.gap / (mouth * settings.spacing));
         at_member.felt = (1 + trust * crowding) * water.pressure[sample];
-        at_member.weight = is_first ? member.volume * dot(open, open) * std::min(1.0, share / well_filled) : 0;
+        at_member.weight =
+            is_first ? pairs.volume(at(index)) * dot(open, open) * std::min(1.0, share / well_filled) : 0;
     });
 }
 

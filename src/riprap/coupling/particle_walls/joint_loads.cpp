@@ -6,6 +6,7 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
+#include "riprap/coupling/joints/joint_pairs.hpp"
 #include "riprap/coupling/joints/solid_slopes.hpp"
 #include "riprap/coupling/particle_walls/particle_scratch.hpp"
 

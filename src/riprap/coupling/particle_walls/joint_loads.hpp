@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "riprap/body/loads.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
 #include "riprap/coupling/joints/joint_pressure.hpp"
 #include "riprap/coupling/particle_walls/particle_fluid.hpp"
