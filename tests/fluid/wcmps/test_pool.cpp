@@ -3,6 +3,7 @@
 
 #include "fluid/sph/water.hpp"
 #include "fluid/wcmps/pool.hpp"
+#include "riprap/fluid/wcmps/wcmps_scratch.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -187,6 +188,7 @@ Lifts lifts_of_submerged_box(long side) {
     double seconds = 0;
     while (pool.time < 1.1 && pool.report.problem.empty()) {
         pool.step();
+        pool.scratch.data().lists.place({by_area.support_radius(), by_area.domain}, pool.state.position, also.position);
         load_walls(by_area, pool.state, also, pool.gravity, pool.scratch);
         for (std::size_t w = first; w < pool.walls.position.size(); ++w) {
             lifts.pair_sum += pool.last_dt * pool.walls.pressure_force[w];

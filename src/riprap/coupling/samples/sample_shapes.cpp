@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <ranges>
+#include <type_traits>
+#include <utility>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
@@ -220,11 +222,14 @@ void sort_by_place(const SampleSettings& settings, SampleSet& samples) {
         }
     }
     const auto permute = [&order](auto& field) {
-        auto old = field;
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            field[i] = old[order[i]];
+        std::remove_reference_t<decltype(field)> sorted;
+        sorted.reserve(order.size());  // no more: what the seams took, and what growing took, is given back
+        for (const std::uint32_t i : order) {
+            sorted.push_back(field[i]);
         }
+        field = std::move(sorted);
     };
+    samples.body.shrink_to_fit();
     permute(samples.anchor);
     permute(samples.normal);
     permute(samples.depth);

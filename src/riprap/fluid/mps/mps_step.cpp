@@ -28,6 +28,7 @@ Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
 /// Reactions of the conservative pressure forces, of viscosity and of collisions on walls, and the pressure there.
 void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity, MpsScratchData& s) {
     const auto count = walls.position.size();
+    s.lists.place({settings.support_radius(), settings.domain}, s.around.predicted, s.around.predicted_walls);
     mps::clear(s.at_walls.slope, count);
     mps::clear(s.at_walls.push, count);
     mps::clear(s.at_walls.spread, count);

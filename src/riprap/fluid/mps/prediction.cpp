@@ -93,6 +93,7 @@ void add_collisions(ParticleState& state, const MpsScratchData& s) {
 void predict(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
              double dt, MpsScratchData& s) {
     const auto count = state.position.size();
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     s.prediction.start_velocity = state.velocity;
     s.water.pressure.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {

@@ -90,6 +90,8 @@ Box box_of(std::span<const Vec3> points) {
     return is_finite(box.low) && is_finite(box.high) ? box : around(box_of_any);
 }
 
+Box box_of(std::span<const Vec3> one, std::span<const Vec3> other) { return join(box_of(one), box_of(other)); }
+
 void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
     check_periods(domain, reach);
     reach_ = reach;

@@ -134,5 +134,7 @@ struct Box {
     Vec3 low, high;
 };
 Box box_of(std::span<const Vec3> points);
+/// The smallest box around all finite points of both.
+Box box_of(std::span<const Vec3> one, std::span<const Vec3> other);
 
 }  // namespace riprap::fluid

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/list_search.hpp"
@@ -27,6 +29,47 @@ Motion join_all(const std::vector<Motion>& motions) {
 
 }  // namespace
 
+ClusterList::ClusterList(std::shared_ptr<PlacedParticles> targets, std::shared_ptr<PlacedParticles> candidates)
+    : targets_(std::move(targets)), candidates_(std::move(candidates)), places_itself_(targets_ == nullptr) {
+    if (places_itself_) {
+        targets_ = std::make_shared<PlacedParticles>();
+        candidates_ = std::make_shared<PlacedParticles>();
+    }
+}
+
+void ClusterList::Since::remember(const ClusterPlaces& places) {
+    known_since = places.known_since();
+    checked = places.updates();
+    then = places.travels();
+}
+
+bool ClusterList::Since::update(const ClusterPlaces& places) {
+    if (known_since != places.known_since()) {
+        return false;
+    }
+    checked = places.updates();
+    motions.resize(then.size());
+    for (std::size_t block = 0; block < then.size(); ++block) {
+        motions[block] = motion_between(then[block], places.travels()[block]);
+    }
+    return true;
+}
+
+/// Places both sets, or makes sure that they were placed where they are.
+void ClusterList::place(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates) {
+    if (places_itself_) {
+        const riprap::fluid::Box box = is_same_ ? box_of(targets) : box_of(targets, candidates);
+        const FixedPoint fixed(reach, max(box.high - box.low, Vec3{}));
+        targets_->place(targets, fixed, reach.domain.dimension);
+        if (!is_same_) {
+            candidates_->place(candidates, fixed, reach.domain.dimension);
+        }
+        return;
+    }
+    RIPRAP_ASSERT(this->targets().is_at(targets) && this->candidates().is_at(candidates),
+                  "particles are swept elsewhere than they were placed");
+}
+
 void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates,
                          bool is_each_once) {
     check_periods(reach.domain, reach.support_radius);
@@ -34,19 +77,14 @@ void ClusterList::update(const SweepReach& reach, std::span<const Vec3> targets,
     const bool is_alike = is_complete_ && is_same_ == is_same && is_each_once_ == is_each_once;
     is_same_ = is_same;
     is_each_once_ = is_each_once;
-    riprap::fluid::Box box = box_of(targets);
-    if (!is_same_) {
-        const riprap::fluid::Box other = box_of(candidates);
-        box = {min(box.low, other.low), max(box.high, other.high)};
-    }
-    fixed_ = FixedPoint(reach, max(box.high - box.low, Vec3{}));
-    const int dimension = reach.domain.dimension;
-    targets_.update(targets, fixed_, dimension);
-    if (!is_same_) {
-        candidates_.update(candidates, fixed_, dimension);
-    }
+    place(reach, targets, candidates);
     ++sweeps_;
-    const bool is_known = is_alike && targets_.is_motion_known() && this->candidates().is_motion_known();
+    if (is_alike && since_targets_.is_checked(this->targets()) &&
+        (is_same_ || since_candidates_.is_checked(this->candidates()))) {
+        return;
+    }
+    const bool is_known = is_alike && since_targets_.update(this->targets()) &&
+                          (is_same_ || since_candidates_.update(this->candidates()));
     const double in_lists = is_known ? closer_in_lists() : 0, anywhere = is_known ? closer_anywhere() : 0;
     if (is_known && in_lists <= skin_ && anywhere <= (1 + watched_skins) * skin_) {
         return;
@@ -61,16 +99,16 @@ float ClusterList::closer_in_lists() const {
                                                        .watched[static_cast<std::size_t>(block % Patch::size)];
         Motion around = no_motion();
         for (const std::int32_t other : watched) {
-            around = join(around, candidates().motions()[static_cast<std::size_t>(other)]);
+            around = join(around, candidate_motions()[static_cast<std::size_t>(other)]);
         }
-        return watched.empty() ? 0.0F : approach(targets_.motions()[static_cast<std::size_t>(block)], around);
+        return watched.empty() ? 0.0F : approach(since_targets_.motions[static_cast<std::size_t>(block)], around);
     };
     return parallel::reduce(
-        targets_.block_count(), 0.0F, closer, [](float a, float b) { return std::max(a, b); }, 64);
+        targets().block_count(), 0.0F, closer, [](float a, float b) { return std::max(a, b); }, 64);
 }
 
 float ClusterList::closer_anywhere() const {
-    return approach(join_all(targets_.motions()), join_all(candidates().motions()));
+    return approach(join_all(since_targets_.motions), join_all(candidate_motions()));
 }
 
 /// @param closer  by which particles came closer since the last build [m]; negative: not known
@@ -85,22 +123,21 @@ void ClusterList::choose_skin(double support_radius, double closer) {
 }
 
 void ClusterList::build(const SweepReach& reach, std::span<const Vec3> targets, std::span<const Vec3> candidates) {
-    candidate_boxes_.build(candidates, reach.domain);
-    if (!is_same_) {
-        target_boxes_.build(targets, reach.domain);
-    }
-    const double fixed_slack = 4 * std::max({fixed_.quantum().x, fixed_.quantum().y, fixed_.quantum().z});
+    const BoxTree& target_boxes = targets_->boxes(targets, reach.domain);
+    const BoxTree& candidate_boxes = placed_candidates().boxes(candidates, reach.domain);
+    const Vec3 quantum = fixed().quantum();
+    const double fixed_slack = 4 * std::max({quantum.x, quantum.y, quantum.z});
     const auto distance = static_cast<float>((reach.support_radius + skin_) * (1 + 1e-5) + fixed_slack);
-    const ListSearch::Question question{targets_,
+    const ListSearch::Question question{this->targets(),
                                         this->candidates(),
-                                        is_same_ ? candidate_boxes_ : target_boxes_,
-                                        candidate_boxes_,
-                                        fixed_,
+                                        target_boxes,
+                                        candidate_boxes,
+                                        fixed(),
                                         reach.domain.dimension,
                                         is_each_once_,
                                         distance,
                                         static_cast<float>(watched_skins * skin_)};
-    const std::int64_t block_count = targets_.block_count();
+    const std::int64_t block_count = this->targets().block_count();
     patches_.resize(static_cast<std::size_t>((block_count + Patch::size - 1) / Patch::size));
     parallel::for_ranges(static_cast<std::int64_t>(patches_.size()), 1, [&](std::int64_t begin, std::int64_t end) {
         ListSearch search(question);
@@ -110,9 +147,9 @@ void ClusterList::build(const SweepReach& reach, std::span<const Vec3> targets, 
         }
     });
     collect_mentions();
-    targets_.remember();
+    since_targets_.remember(this->targets());
     if (!is_same_) {
-        candidates_.remember();
+        since_candidates_.remember(this->candidates());
     }
     is_complete_ = true;
     sweeps_ = 0;
@@ -158,10 +195,15 @@ std::int64_t ClusterList::cluster_pairs() const {
 }
 
 std::size_t ClusterList::bytes() const {
-    std::size_t bytes = targets_.bytes() + candidates_.bytes() + target_boxes_.bytes() + candidate_boxes_.bytes() +
-                        bytes_of(patches_, mention_start_, mentions_);
+    std::size_t bytes = bytes_of(mention_start_, mentions_) + bytes_of(patches_);
+    if (places_itself_) {
+        bytes += targets_->bytes() + candidates_->bytes();
+    }
+    for (const Since* since : {&since_targets_, &since_candidates_}) {
+        bytes += bytes_of(since->then, since->motions);
+    }
     for (const Patch& patch : patches_) {
-        bytes += bytes_of(patch.blocks, patch.entries, patch.start, patch.watched);
+        bytes += patch.bytes();
     }
     return bytes;
 }

@@ -57,6 +57,15 @@ float approach(Motion a, Motion b) {
     return std::sqrt(square);
 }
 
+Motion motion_between(const Travel& then, const Travel& now) {
+    Motion motion{};
+    for (int axis = 0; axis < 3; ++axis) {
+        motion[axis] = static_cast<float>(now.low[axis] - then.low[axis]);
+        motion[axis + 4] = static_cast<float>(then.high[axis] - now.high[axis]);
+    }
+    return motion;
+}
+
 template <int Dim>
 Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t block, bool is_comparable) {
     constexpr std::int64_t stride = std::int64_t{Dim} * cluster_size;
@@ -78,10 +87,10 @@ Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t b
             }
             here = four_places(four.data());
         }
-        std::memcpy(&places_[static_cast<std::size_t>(c * stride)], here.data(), stride * sizeof(std::int32_t));
+        std::int32_t* const places = &places_[static_cast<std::size_t>(c * stride)];
         if (is_comparable) {
             std::array<IntFour, Dim> then;
-            std::memcpy(then.data(), &remembered_[static_cast<std::size_t>(c * stride)], sizeof then);
+            std::memcpy(then.data(), places, sizeof then);
             for (std::size_t axis = 0; axis < Dim; ++axis) {
                 const FloatFour way =
                     difference(here[axis], then[axis]) * static_cast<float>(fixed_.quantum()[static_cast<int>(axis)]);
@@ -89,6 +98,7 @@ Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t b
                 high[axis] = way > high[axis] ? way : high[axis];
             }
         }
+        std::memcpy(places, here.data(), stride * sizeof(std::int32_t));
     }
     Motion motion{};
     for (int axis = 0; axis < Dim; ++axis) {
@@ -100,24 +110,40 @@ Motion ClusterPlaces::place_block(std::span<const Vec3> position, std::int64_t b
 }
 
 void ClusterPlaces::update(std::span<const Vec3> position, const FixedPoint& fixed, int dimension) {
+    const bool is_comparable = updates_ > 0 && size_ == static_cast<std::int64_t>(position.size()) &&
+                               stride_ == std::int64_t{dimension} * cluster_size && fixed_ == fixed;
+    ++updates_;
     size_ = static_cast<std::int64_t>(position.size());
     fixed_ = fixed;
-    stride_ = static_cast<std::int64_t>(dimension) * cluster_size;
+    stride_ = std::int64_t{dimension} * cluster_size;
     places_.resize(static_cast<std::size_t>(cluster_count() * stride_));
-    is_motion_known_ = remembered_.size() == places_.size() && remembered_fixed_ == fixed_;
-    const std::int64_t blocks = (cluster_count() + block_size - 1) / block_size;
-    motions_.resize(static_cast<std::size_t>(blocks));
-    parallel::for_each_uneven(blocks, 16, [&](std::int64_t b) {
-        motions_[static_cast<std::size_t>(b)] = dimension == 2 ? place_block<2>(position, b, is_motion_known_)
-                                                               : place_block<3>(position, b, is_motion_known_);
+    if (!is_comparable) {
+        known_since_ = updates_;
+        travels_.assign(static_cast<std::size_t>(block_count()), {});
+    }
+    parallel::for_each_uneven(block_count(), 16, [&](std::int64_t b) {
+        const Motion step =
+            dimension == 2 ? place_block<2>(position, b, is_comparable) : place_block<3>(position, b, is_comparable);
+        Travel& travel = travels_[static_cast<std::size_t>(b)];
+        for (int axis = 0; is_comparable && axis < dimension; ++axis) {
+            travel.low[axis] += static_cast<double>(step[axis]);
+            travel.high[axis] -= static_cast<double>(step[axis + 4]);
+        }
     });
 }
 
-void ClusterPlaces::remember() {
-    remembered_ = places_;
-    remembered_fixed_ = fixed_;
+bool ClusterPlaces::is_at(std::span<const Vec3> position) const {
+    const std::int64_t dimension = stride_ / cluster_size;
+    bool is_there = size_ == static_cast<std::int64_t>(position.size());
+    for (const std::int64_t i : {std::int64_t{0}, size_ / 2, size_ - 1}) {
+        for (std::int64_t axis = 0; is_there && size_ > 0 && axis < dimension; ++axis) {
+            is_there = cluster(i / cluster_size)[axis * cluster_size + i % cluster_size] ==
+                       fixed_(position[static_cast<std::size_t>(i)], static_cast<int>(axis));
+        }
+    }
+    return is_there;
 }
 
-std::size_t ClusterPlaces::bytes() const { return bytes_of(motions_, places_, remembered_); }
+std::size_t ClusterPlaces::bytes() const { return bytes_of(travels_, places_); }
 
 }  // namespace riprap::fluid

@@ -21,29 +21,52 @@ template <std::size_t SumCount>
 void clear_fresh(const std::array<FieldSink, SumCount>& sums, std::int64_t first, std::int64_t end) {
     for (const FieldSink& sum : sums) {
         for (std::int64_t i = first; sum.is_fresh && i < end; ++i) {
-            sum[i] = 0;
+            sum.set(i, 0);
         }
     }
 }
 
-/// Fields as floats: [cluster][field][member], zero where the last cluster is not full; of the candidates that some
-/// list names, the others are left as they are.
-template <std::size_t FieldCount>
-void pack_fields(const std::array<FieldView, FieldCount>& fields, const ClusterList& list, std::vector<float>& packed) {
-    const std::int64_t size = list.candidates().size(), clusters = list.candidates().cluster_count();
-    packed.resize(static_cast<std::size_t>(clusters * cluster_size) * FieldCount);
-    parallel::for_each_uneven(list.candidates().block_count(), 16, [&](std::int64_t block) {
-        if (!list.is_mentioned(block)) {
-            return;
+/// Lists the blocks of candidates that some patches name, and numbers them in that order.
+inline void number_blocks(const ClusterList& list, std::int64_t first_patch, std::int64_t end_patch,
+                          PackedFields& packed) {
+    for (const std::int32_t block : packed.blocks) {
+        packed.place[static_cast<std::size_t>(block)] = -1;
+    }
+    packed.blocks.clear();
+    packed.place.resize(static_cast<std::size_t>(list.candidates().block_count()), -1);
+    for (std::int64_t p = first_patch; p < end_patch; ++p) {
+        for (const std::int32_t block : list.patches()[static_cast<std::size_t>(p)].blocks) {
+            std::int32_t& place = packed.place[static_cast<std::size_t>(block)];
+            if (place < 0) {
+                place = static_cast<std::int32_t>(packed.blocks.size());
+                packed.blocks.push_back(block);
+            }
         }
+    }
+}
+
+/// Packs fields as floats: [cluster][field][member], zero where the last cluster is not full; of the candidates that
+/// some patches name.
+template <std::size_t FieldCount>
+void pack_fields(const std::array<FieldView, FieldCount>& fields, const ClusterList& list, std::int64_t first_patch,
+                 std::int64_t end_patch, PackedFields& packed) {
+    constexpr std::size_t block_record = FieldCount * cluster_size * BoxTree::branches;
+    number_blocks(list, first_patch, end_patch, packed);
+    const std::int64_t size = list.candidates().size(), clusters = list.candidates().cluster_count();
+    packed.fields.resize(packed.blocks.size() * block_record);
+    parallel::for_each_uneven(static_cast<std::int64_t>(packed.blocks.size()), 16, [&](std::int64_t place) {
+        const std::int64_t block = packed.blocks[static_cast<std::size_t>(place)];
         const std::int64_t first = block * BoxTree::branches, end = std::min(clusters, first + BoxTree::branches);
+        float* four = packed.fields.data() + static_cast<std::size_t>(place) * block_record;
         for (std::int64_t c = first; c < end; ++c) {
-            float* four = packed.data() + static_cast<std::size_t>(c) * FieldCount * cluster_size;
             const std::int64_t members = std::min<std::int64_t>(cluster_size, size - c * cluster_size);
             for (std::size_t k = 0; k < FieldCount; ++k, four += cluster_size) {
-                const double* number = fields[k].data + c * cluster_size * fields[k].stride;
-                for (std::int64_t member = 0; member < cluster_size; ++member, number += fields[k].stride) {
-                    four[member] = member < members ? static_cast<float>(*number) : 0.0F;
+                if (members == cluster_size) {
+                    fields[k].copy_four(c * cluster_size, four);
+                    continue;
+                }
+                for (std::int64_t member = 0; member < cluster_size; ++member) {
+                    four[member] = member < members ? static_cast<float>(fields[k][c * cluster_size + member]) : 0.0F;
                 }
             }
         }
@@ -91,8 +114,8 @@ struct ClusterSweep {
         }
         const std::int64_t first = list.first_cluster(p), end = list.first_cluster(p + 1);
         for (std::int64_t t = first; t < end; ++t) {
-            std::span<const std::int32_t> near = patch.near(t - first);
-            if (!near.empty()) {
+            const NearClusters near = patch.near(t - first);
+            if (near.size() > 0) {
                 sweep_cluster(t, t - first, near, work);
             } else if (!is_each_once) {
                 clear_fresh(sums, t * cluster_size, std::min(list.targets().size(), (t + 1) * cluster_size));
@@ -101,8 +124,7 @@ struct ClusterSweep {
         scratch.buffers->records.give(std::move(records));
     }
 
-    void sweep_cluster(std::int64_t t, std::int64_t local, std::span<const std::int32_t> near,
-                       const Patches& work) const {
+    void sweep_cluster(std::int64_t t, std::int64_t local, const NearClusters& near, const Patches& work) const {
         const ClusterList& list = scratch.list;
         const std::int64_t count = std::min<std::int64_t>(cluster_size, list.targets().size() - t * cluster_size);
         const typename Patches::Target target =
@@ -112,7 +134,7 @@ struct ClusterSweep {
         for (auto& part : sum) {
             part.fill(LanePart(0));
         }
-        work.add(target, near, is_each_once && near.front() == local, sum);
+        work.add(target, near, is_each_once && near[0] == local, sum);
         if (is_each_once) {
             for (std::size_t k = 0; k < sum_count; ++k) {
                 add_to(work.back + static_cast<std::size_t>(local) * Patches::back_record + k * cluster_size,
@@ -123,8 +145,8 @@ struct ClusterSweep {
         for (std::size_t k = 0; k < sum_count; ++k) {
             const Wide<float, 4> total = Patches::sum_of(sum, k);
             for (int member = 0; member < count; ++member) {
-                double& sum_there = sums[k][t * cluster_size + member];
-                sum_there = (sums[k].is_fresh ? 0 : sum_there) + static_cast<double>(total[member]);
+                const std::int64_t i = t * cluster_size + member;
+                sums[k].set(i, (sums[k].is_fresh ? 0 : sums[k].get(i)) + static_cast<double>(total[member]));
             }
         }
     }
@@ -159,9 +181,13 @@ struct ClusterSweep {
         }
         for (std::size_t k = 0; k < target_fields; ++k) {
             std::array<float, cluster_size> four;
-            for (std::int64_t member = 0; member < cluster_size; ++member) {
-                four[static_cast<std::size_t>(member)] =
-                    static_cast<float>(targets[k][t * cluster_size + std::min(member, count - 1)]);
+            if (count == cluster_size) {
+                targets[k].copy_four(t * cluster_size, four.data());
+            } else {
+                for (std::int64_t member = 0; member < cluster_size; ++member) {
+                    four[static_cast<std::size_t>(member)] =
+                        static_cast<float>(targets[k][t * cluster_size + std::min(member, count - 1)]);
+                }
             }
             target.fields[k] = targets_in_lanes(four.data());
         }
@@ -176,12 +202,19 @@ struct ClusterSweep {
         for (const std::int32_t block : patch.blocks) {
             const std::int64_t first = std::int64_t{block} * BoxTree::branches;
             const std::int64_t end = std::min(places.cluster_count(), first + BoxTree::branches);
+            const float* fields = nullptr;
+            if constexpr (candidate_fields > 0) {
+                const PackedFields& packed = scratch.buffers->packed;
+                fields =
+                    packed.fields.data() + static_cast<std::size_t>(packed.place[static_cast<std::size_t>(block)]) *
+                                               candidate_fields * cluster_size * BoxTree::branches;
+            }
             for (std::int64_t c = first; c < end; ++c, out += Patches::record) {
                 std::memcpy(out, places.cluster(c), Dim * cluster_size * sizeof(float));
-                std::memcpy(
-                    out + Dim * cluster_size,
-                    scratch.buffers->fields.data() + static_cast<std::size_t>(c) * candidate_fields * cluster_size,
-                    candidate_fields * cluster_size * sizeof(float));
+                if constexpr (candidate_fields > 0) {
+                    std::memcpy(out + Dim * cluster_size, fields, candidate_fields * cluster_size * sizeof(float));
+                    fields += candidate_fields * cluster_size;
+                }
             }
         }
     }

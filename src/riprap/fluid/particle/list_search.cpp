@@ -43,16 +43,17 @@ ListSearch::ListSearch(const Question& question)
 }
 
 void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch& patch) {
-    patch.entries.clear();
+    entries_.clear();
     patch.start.assign(1, 0);
+    patch.start.reserve(static_cast<std::size_t>(block_count * BoxTree::branches + 1));
     patch.watched.resize(static_cast<std::size_t>(block_count));
     for (std::int64_t b = first_block; b < first_block + block_count; ++b) {
         find_around(b);
         patch.watched[static_cast<std::size_t>(b - first_block)].assign(blocks_.begin(), blocks_.end());
         const std::int64_t end = std::min((b + 1) * BoxTree::branches, question_.targets.cluster_count());
         for (std::int64_t target = b * BoxTree::branches; target < end; ++target) {
-            find(target, patch.entries);
-            patch.start.push_back(static_cast<std::int32_t>(patch.entries.size()));
+            find(target, entries_);
+            patch.start.push_back(static_cast<std::int32_t>(entries_.size()));
         }
     }
     patch.blocks.clear();
@@ -126,7 +127,7 @@ void ListSearch::find(std::int64_t target, std::vector<std::int32_t>& found) {
 
 /// Lists the blocks that the entries name and makes entries places in that list.
 void ListSearch::number_blocks(Patch& patch) {
-    for (const std::int32_t cluster : patch.entries) {
+    for (const std::int32_t cluster : entries_) {
         const std::int32_t block = cluster / BoxTree::branches;
         if (place_of_block_[static_cast<std::size_t>(block)] < 0) {
             place_of_block_[static_cast<std::size_t>(block)] = 0;
@@ -137,10 +138,11 @@ void ListSearch::number_blocks(Patch& patch) {
     for (std::size_t place = 0; place < patch.blocks.size(); ++place) {
         place_of_block_[static_cast<std::size_t>(patch.blocks[place])] = static_cast<std::int32_t>(place);
     }
-    for (std::int32_t& entry : patch.entries) {
+    for (std::int32_t& entry : entries_) {
         entry = place_of_block_[static_cast<std::size_t>(entry / BoxTree::branches)] * BoxTree::branches +
                 entry % BoxTree::branches;
     }
+    patch.entries.assign(entries_);
     for (const std::int32_t block : patch.blocks) {
         place_of_block_[static_cast<std::size_t>(block)] = -1;
     }

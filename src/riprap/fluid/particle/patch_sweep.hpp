@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "riprap/fluid/particle/cluster_list.hpp"
 #include "riprap/fluid/particle/lanes.hpp"
 
 namespace riprap::fluid::detail {
@@ -98,18 +99,23 @@ struct PatchSweep {
         Lanes r2, r;
     };
 
-    Separation separation(const Target& target, const std::array<Lanes, Dim>& unit, const float* four,
-                          Lanes apart) const {
-        Separation s;
-        s.r2 = apart;
+    /// Writes vector by vector: GCC copies a Separation as a whole by a call of memcpy.
+    [[gnu::always_inline]] void separate(const Target& target, const std::array<Lanes, Dim>& unit, const float* four,
+                                         const Lanes& apart, Separation& out) const {
+        std::array<IntLanes, Dim> there;
         for (std::size_t axis = 0; axis < Dim; ++axis) {
-            const IntLanes there =
-                candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
-            s.d[axis] = difference(target.place[axis], there) * unit[axis];
-            s.r2 += s.d[axis] * s.d[axis];
+            there[axis] = candidates_in_lanes(reinterpret_cast<const std::int32_t*>(four) + axis * cluster_size);
         }
-        s.r = distance(s.r2);
-        return s;
+        for (std::size_t k = 0; k < Lanes::part_count; ++k) {
+            LanePart r2 = part_of(apart, k);
+            for (std::size_t axis = 0; axis < Dim; ++axis) {
+                const LanePart d = part_of(difference(target.place[axis], there[axis]) * unit[axis], k);
+                r2 += d * d;
+                out.d[axis].part[k] = d.part[0];
+            }
+            out.r2.part[k] = r2.part[0];
+            out.r.part[k] = distance(r2).part[0];
+        }
     }
 
     template <class ThisWay>
@@ -148,13 +154,13 @@ struct PatchSweep {
     /// @param is_first_itself  the first candidates are the targets, of which every pair is there both ways
     [[gnu::flatten]]  // GCC leaves parts of the pair physics as calls, and their sums go through memory
     void
-    add(const Target& target, std::span<const std::int32_t> near, bool is_first_itself, Sums& sums_out) const {
+    add(const Target& target, const NearClusters& near, bool is_first_itself, Sums& sums_out) const {
         // Distances come first, for many clusters at once, and are kept: pairs of clusters that do not meet, which the
         // skin brings along, then cost a third, and two short chains of dependent instructions overlap better with
         // those of the next pairs than one long one does.
         constexpr std::size_t batch = 64;
         std::array<Separation, batch> separations;
-        std::array<std::int32_t, batch> met;
+        std::array<std::int32_t, batch> entries, met;
         const Pair physics = pair;
         const std::array<Lanes, Dim> unit = quantum;
         const float* const all_records = records;
@@ -175,29 +181,22 @@ struct PatchSweep {
         if (is_first_itself && is_marked) {
             const float* const four = record_of(near[0]);
             const Lanes apart = near[0] == partial ? target.apart + beyond : target.apart;
-            act<OneWay<Pair>>(physics, target, four, separation(target, unit, four, apart), sum);
+            separate(target, unit, four, apart, separations[0]);
+            act<OneWay<Pair>>(physics, target, four, separations[0], sum);
+            done = 1;
         }
         while (done < near.size()) {
             const std::size_t count = std::min(batch, near.size() - done);
-            const std::int32_t* const entries = near.data() + done;
+            near.copy(done, count, entries.data());
             std::size_t met_count = 0;
             for (std::size_t n = 0; n < count; ++n) {
-                if constexpr (MarkedPairs<Pair>) {
-                    const float* const marks = record_of(entries[n]) + (Dim + Pair::mark) * cluster_size;
-                    if (skips_unmarked && !(marks[0] + marks[1] + marks[2] + marks[3] > 0)) {
-                        continue;
-                    }
-                }
-                const Separation s = separation(target, unit, record_of(entries[n]), target.apart);
-                // not the whole at once, which GCC copies by a slow string instruction
-                separations[met_count].d = s.d;
-                separations[met_count].r2 = s.r2;
-                separations[met_count].r = s.r;
+                Separation& s = separations[met_count];
+                separate(target, unit, record_of(entries[n]), target.apart, s);
                 met[met_count] = entries[n];
                 met_count += bits_below(s.r2, Lanes(reach_squared)) != 0 ? 1 : 0;
             }
             if (met_count > 0 && met[met_count - 1] == partial) [[unlikely]] {
-                separations[met_count - 1] = separation(target, unit, record_of(partial), target.apart + beyond);
+                separate(target, unit, record_of(partial), target.apart + beyond, separations[met_count - 1]);
             }
             for (std::size_t n = 0; n < met_count; ++n) {
                 const auto other = act<Way>(physics, target, record_of(met[n]), separations[n], sum);

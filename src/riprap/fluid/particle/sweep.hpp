@@ -21,24 +21,55 @@
 
 namespace riprap::fluid {
 
-/// One number per particle, every `stride`-th of an array. Fast sweeps round it to float: what enters a difference,
-/// such as density, is better given as the departure from its value at rest.
+/// One number per particle, every `stride`-th of an array of either kind. Fast sweeps round it to float: what enters a
+/// difference, such as density, is better given as the departure from its value at rest.
 struct FieldView {
     const double* data{nullptr};
     std::int64_t stride{1};
-    double operator[](std::int64_t i) const { return data[i * stride]; }
+    const float* narrow{nullptr};  ///< the numbers, where they are floats
+    // One for each particle by which they are multiplied, of the same kind; nullptr: 1.
+    const double* factor{nullptr};
+    const float* narrow_factor{nullptr};
+
+    double operator[](std::int64_t i) const {
+        const double number = narrow != nullptr ? static_cast<double>(narrow[i * stride]) : data[i * stride];
+        return narrow_factor != nullptr ? static_cast<double>(narrow_factor[i] * narrow[i * stride])
+               : factor != nullptr      ? factor[i] * number
+                                        : number;
+    }
+    /// Writes them for four particles that follow each other, as floats.
+    void copy_four(std::int64_t first, float* four) const {
+        for (std::int64_t member = 0; member < 4; ++member) {
+            const std::int64_t i = first + member;
+            four[member] = narrow != nullptr ? narrow[i * stride] : static_cast<float>((*this)[i]);
+        }
+        for (std::int64_t member = 0; narrow_factor != nullptr && member < 4; ++member) {
+            four[member] *= narrow_factor[first + member];
+        }
+    }
 };
 inline FieldView field(std::span<const double> values) { return {values.data(), 1}; }
 inline FieldView component(std::span<const Vec3> values, int axis) {
     return {values.empty() ? nullptr : &values[0].x + axis, 3};
 }
 
-/// Where one sum per particle is added.
+/// Where one sum per particle is added: doubles, or floats that are rounded each time something was added.
 struct FieldSink {
     double* data{nullptr};
     std::int64_t stride{1};
     bool is_fresh{false};  ///< the sum takes the place of what is there, whatever that is, as if it were zero
-    double& operator[](std::int64_t i) const { return data[i * stride]; }
+    float* narrow{nullptr};
+
+    double get(std::int64_t i) const {
+        return narrow != nullptr ? static_cast<double>(narrow[i * stride]) : data[i * stride];
+    }
+    void set(std::int64_t i, double sum) const {
+        if (narrow != nullptr) {
+            narrow[i * stride] = static_cast<float>(sum);
+        } else {
+            data[i * stride] = sum;
+        }
+    }
 };
 inline FieldSink sink(std::span<double> values) { return {values.data(), 1}; }
 inline FieldSink sink_component(std::span<Vec3> values, int axis) {
@@ -67,6 +98,7 @@ struct SweepReach {
 };
 
 struct SweepScratchData;
+class PlacedParticles;
 
 /// Which particles are near which: Scratch. One for each pair of sets of particles (fluid with fluid, fluid with walls,
 /// walls with fluid), the same one for all sweeps over that pair. Losing it costs time and changes no bit.
@@ -79,6 +111,9 @@ class SweepScratch {
     /// One for another pair of sets, whose sweeps never run at the same time as those of `other`: what both need only
     /// while they run is there once.
     static SweepScratch sharing_buffers(SweepScratch& other);
+    /// One between sets whose places SweepLists keeps, with those buffers.
+    SweepScratch(const std::shared_ptr<PlacedParticles>& targets, const std::shared_ptr<PlacedParticles>& candidates,
+                 SweepScratch* buffers);
     SweepScratchData& data() { return *data_; }
     std::size_t bytes() const;
 

@@ -23,17 +23,17 @@ namespace detail {
 /// `count` sums from `first` on, filled up with zeros.
 inline DoubleFour four_of(const FieldSink& sums, std::int64_t first, std::int64_t count) {
     if (count == cluster_size) {
-        return DoubleFour{sums[first], sums[first + 1], sums[first + 2], sums[first + 3]};
+        return DoubleFour{sums.get(first), sums.get(first + 1), sums.get(first + 2), sums.get(first + 3)};
     }
     DoubleFour four{};
     for (std::int64_t member = 0; member < count; ++member) {
-        four[member] = sums[first + member];
+        four[member] = sums.get(first + member);
     }
     return four;
 }
 
 /// Adds what patches from `first_patch` up to `end_patch` have done to candidates to their sums, one patch after the
-/// other: which of them come at a time changes no bit.
+/// other. Sums that are kept as floats are rounded once for every call that adds to them.
 template <std::size_t SumCount>
 void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, std::int64_t end_patch,
                     const std::array<FieldSink, SumCount>& sums) {
@@ -70,42 +70,52 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
             }
             for (std::size_t k = 0; k < SumCount; ++k) {
                 for (int member = 0; member < count; ++member) {
-                    sums[k][c * cluster_size + member] = total[k][member];
+                    sums[k].set(c * cluster_size + member, total[k][member]);
                 }
             }
         }
     });
 }
 
-/// Number of patches that are swept before their sums at candidates are added up: even shares of all, with enough for
-/// every thread that none waits long for another. Their buffers, some 0.3 MB each, are then a small part of what
-/// millions of particles take.
+/// Number of patches that are swept before their sums at candidates are added up: even shares of all, so few that their
+/// buffers, some 0.3 MB each, are a small part of what millions of particles take. It decides bits of sums that are
+/// kept as floats, so it depends on nothing but the patches.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
-    const std::int64_t most = std::max(128, 32 * parallel::thread_count());
+    constexpr std::int64_t most = 32;
     const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);
     return (patches + rounds - 1) / rounds;
 }
 
-/// Lists and fields as they are now, and the sweep over them.
-template <int Dim, class Way, class Pair>
-ClusterSweep<Dim, Pair, Way> prepare_sweep(const Pair& pair, const SweepReach& reach,
-                                           const SweepSide<Pair::target_fields>& targets,
-                                           const SweepSide<Pair::candidate_fields>& candidates,
-                                           const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums,
-                                           bool is_each_once, SweepScratchData& scratch) {
+/// Brings lists up to date and sweeps all patches, some at a time; `add(first, end)` is called after each round.
+template <int Dim, class Way, class Pair, class Add>
+void sweep_in_rounds(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
+                     const SweepSide<Pair::candidate_fields>& candidates,
+                     const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, bool is_each_once,
+                     SweepScratchData& scratch, const Add& add) {
     scratch.list.update(reach, targets.position, candidates.position, is_each_once);
-    pack_fields(candidates.fields, scratch.list, scratch.buffers->fields);
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
-    return {pair, targets.fields, sums, scratch, is_each_once, far};
+    ClusterSweep<Dim, Pair, Way> sweep{pair, targets.fields, sums, scratch, is_each_once, far};
+    const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
+    const std::int64_t step = patches_at_a_time(patches);
+    if constexpr (Way::back_sums > 0) {
+        auto& sums_there = scratch.buffers->patch_sums;
+        sums_there.resize(std::max(sums_there.size(), static_cast<std::size_t>(step)));
+    }
+    for (std::int64_t first = 0; first < patches; first += step) {
+        const std::int64_t end = std::min(patches, first + step);
+        sweep.first_patch = first;
+        pack_fields(candidates.fields, scratch.list, first, end, scratch.buffers->packed);
+        parallel::for_each_uneven(end - first, 1, [&](std::int64_t p) { sweep.sweep_patch(first + p); });
+        add(first, end);
+    }
 }
 
 template <int Dim, class Pair>
 void sweep_one_way(const Pair& pair, const SweepReach& reach, const SweepSide<Pair::target_fields>& targets,
                    const SweepSide<Pair::candidate_fields>& candidates,
                    const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums, SweepScratchData& scratch) {
-    const auto sweep = prepare_sweep<Dim, OneWay<Pair>>(pair, reach, targets, candidates, sums, false, scratch);
-    parallel::for_each_uneven(static_cast<std::int64_t>(scratch.list.patches().size()), 1,
-                              [&](std::int64_t p) { sweep.sweep_patch(p); });
+    sweep_in_rounds<Dim, OneWay<Pair>>(pair, reach, targets, candidates, sums, false, scratch,
+                                       [](std::int64_t, std::int64_t) {});
 }
 
 template <int Dim, class Pair>
@@ -114,17 +124,9 @@ void sweep_both_ways(const Pair& pair, const SweepReach& reach, const SweepSide<
                      const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>& sums_a,
                      const std::array<FieldSink, static_cast<std::size_t>(Pair::back_sums)>& sums_b, bool is_each_once,
                      SweepScratchData& scratch) {
-    auto sweep = prepare_sweep<Dim, BothWays<Pair>>(pair, reach, a, b, sums_a, is_each_once, scratch);
-    const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
-    const std::int64_t step = patches_at_a_time(patches);
-    auto& buffers = scratch.buffers->patch_sums;
-    buffers.resize(std::max(buffers.size(), static_cast<std::size_t>(step)));
-    for (std::int64_t first = 0; first < patches; first += step) {
-        const std::int64_t end = std::min(patches, first + step);
-        sweep.first_patch = first;
-        parallel::for_each_uneven(end - first, 1, [&](std::int64_t p) { sweep.sweep_patch(first + p); });
-        add_patch_sums(scratch, first, end, sums_b);
-    }
+    sweep_in_rounds<Dim, BothWays<Pair>>(
+        pair, reach, a, b, sums_a, is_each_once, scratch,
+        [&](std::int64_t first, std::int64_t end) { add_patch_sums(scratch, first, end, sums_b); });
 }
 
 }  // namespace detail

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+#include <span>
+
 #include "riprap/fluid/particle/sweep.hpp"
 
 namespace riprap::fluid {
 
-/// Lists of neighbours and buffers of the sums over them, between fluid and walls: a cache, kept from step to step.
-struct SweepLists {
-    SweepScratch fluid_fluid;
-    SweepScratch fluid_walls{SweepScratch::sharing_buffers(fluid_fluid)};
-    SweepScratch walls_fluid{SweepScratch::sharing_buffers(fluid_fluid)};
+class PlacedParticles;
 
-    std::size_t bytes() const { return fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes(); }
+/// Lists of neighbours and buffers of the sums over them, between fluid and walls: a cache, kept from step to step.
+/// Where each set of particles is, and boxes around them, are there once.
+class SweepLists {
+ public:
+    SweepLists();
+    ~SweepLists();
+    SweepLists(SweepLists&&) noexcept;
+    SweepLists& operator=(SweepLists&&) noexcept;
+
+    /// Tells the sweeps that follow where the particles are: to be called after every move of either set.
+    void place(const SweepReach& reach, std::span<const Vec3> fluid, std::span<const Vec3> walls);
+    std::size_t bytes() const;
+
+ private:
+    std::shared_ptr<PlacedParticles> fluid_, walls_;
+
+ public:
+    SweepScratch fluid_fluid, fluid_walls, walls_fluid;
 };
 
 }  // namespace riprap::fluid

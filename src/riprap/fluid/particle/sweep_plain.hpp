@@ -40,7 +40,7 @@ void sweep_plain_in(const Pair& pair, const SweepReach& reach, const SweepSide<P
             }
         });
         for (std::size_t k = 0; k < sums.size(); ++k) {
-            sums[k][i] = sums[k].is_fresh ? sum[k] : sums[k][i] + sum[k];
+            sums[k].set(i, sums[k].is_fresh ? sum[k] : sums[k].get(i) + sum[k]);
         }
     };
     parallel::for_each_uneven(static_cast<std::int64_t>(targets.position.size()), 256, add_one);

@@ -2,6 +2,8 @@
 #include "riprap/fluid/particle/sweep_scratch.hpp"
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep_lists.hpp"
 
 namespace riprap::fluid {
 
@@ -17,10 +19,42 @@ SweepScratch SweepScratch::sharing_buffers(SweepScratch& other) {
     return scratch;
 }
 
+SweepScratch::SweepScratch(const std::shared_ptr<PlacedParticles>& targets,
+                           const std::shared_ptr<PlacedParticles>& candidates, SweepScratch* buffers)
+    : data_(std::make_unique<SweepScratchData>(ClusterList(targets, candidates))) {
+    if (buffers != nullptr) {
+        data_->buffers = buffers->data_->buffers;
+        data_->owns_buffers = false;
+    }
+}
+
+SweepLists::SweepLists()
+    : fluid_(std::make_shared<PlacedParticles>()),
+      walls_(std::make_shared<PlacedParticles>()),
+      fluid_fluid(fluid_, fluid_, nullptr),
+      fluid_walls(fluid_, walls_, &fluid_fluid),
+      walls_fluid(walls_, fluid_, &fluid_fluid) {}
+SweepLists::~SweepLists() = default;
+SweepLists::SweepLists(SweepLists&&) noexcept = default;
+SweepLists& SweepLists::operator=(SweepLists&&) noexcept = default;
+
+void SweepLists::place(const SweepReach& reach, std::span<const Vec3> fluid, std::span<const Vec3> walls) {
+    const Box box = box_of(fluid, walls);
+    const FixedPoint fixed(reach, max(box.high - box.low, Vec3{}));
+    fluid_->place(fluid, fixed, reach.domain.dimension);
+    walls_->place(walls, fixed, reach.domain.dimension);
+}
+
+std::size_t SweepLists::bytes() const {
+    return fluid_->bytes() + walls_->bytes() + fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
+}
+
 std::size_t SweepScratch::bytes() const {
     const SweepBuffers& buffers = *data_->buffers;
-    const std::size_t own =
-        data_->owns_buffers ? bytes_of(buffers.fields, buffers.patch_sums) + buffers.records.bytes() : 0;
+    const std::size_t own = data_->owns_buffers ? bytes_of(buffers.packed.fields, buffers.packed.blocks,
+                                                           buffers.packed.place, buffers.patch_sums) +
+                                                      buffers.records.bytes()
+                                                : 0;
     return data_->list.bytes() + own;
 }
 

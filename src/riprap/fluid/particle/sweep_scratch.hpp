@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "riprap/fluid/particle/cluster_list.hpp"
@@ -23,14 +24,23 @@ class BufferPool {
     std::vector<std::unique_ptr<Buffer>> free_;
 };
 
+/// Fields of the candidates that some patches name.
+struct PackedFields {
+    std::vector<float> fields;         ///< [place of the block][cluster][field][member]
+    std::vector<std::int32_t> blocks;  ///< in the order of their places
+    std::vector<std::int32_t> place;   ///< of every block of candidates, or -1
+};
+
 /// Buffers that a sweep needs only while it runs: sweeps that follow each other may share them.
 struct SweepBuffers {
-    std::vector<float> fields;                   ///< of the candidates: [cluster][field][member]
+    PackedFields packed;
     std::vector<std::vector<float>> patch_sums;  ///< of some patches' candidates: [place][sum][member]
     BufferPool records;
 };
 
 struct SweepScratchData {
+    SweepScratchData() = default;
+    explicit SweepScratchData(ClusterList lists) : list(std::move(lists)) {}
     ClusterList list;
     std::shared_ptr<SweepBuffers> buffers{std::make_shared<SweepBuffers>()};
     bool owns_buffers{true};  ///< and counts their bytes

@@ -46,7 +46,7 @@ struct Continuity {
         back[at_diffusion] = back[at_diffusion] + slope_a * uneven;
         sum[at_strain_rate] = sum[at_strain_rate] - slope_b * strain;
         back[at_strain_rate] = back[at_strain_rate] - slope_a * strain;
-        symmetric_product<Dim>(d, d, moment);
+        symmetric_square<Dim>(d, moment);
         symmetric_product<Dim>(d, v, change);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
             sum[at_moments + k] = sum[at_moments + k] - slope_b * moment[k];
@@ -87,7 +87,7 @@ struct ContinuityAtWalls {
             v[axis] = target[axis] - candidate[axis];
         }
         const Real slope = candidate[3] * kernel.slope_over_r(r);
-        symmetric_product<Dim>(d, d, moment);
+        symmetric_square<Dim>(d, moment);
         symmetric_product<Dim>(d, v, change);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
             sum[at_moments + k] = sum[at_moments + k] - slope * moment[k];

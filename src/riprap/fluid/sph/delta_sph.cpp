@@ -44,10 +44,11 @@ Shifting shift_particles(const SphSettings& settings, ParticleState& state, cons
     }
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const Vec3 shift = shift_of_particle(settings, sums.concentration_gradient[i], forces.surface_direction[i],
+        const Vec3 gradient = sums.concentration_gradient.vector(i);
+        const Vec3 shift = shift_of_particle(settings, gradient, forces.pushes.vector(i, ForceSums::at_surface),
                                              water.bareness[i], strain_rate(settings, sums.strain[i]), dt);
         state.position[i] += shift;
-        state.dilution[i] = dilution_by_shift(shift, sums.concentration_gradient[i], water.correction_share[i]);
+        state.dilution[i] = dilution_by_shift(shift, gradient, water.correction_share[i]);
         return Shifting{settings.particle_mass * dot(gravity, shift), norm_squared(shift)};
     };
     return parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
@@ -71,39 +72,37 @@ double trace(int dimension, const Symmetric& tensor) {
 
 /// Notes from the water alone, before walls are added: tr M, and how much of a particle is inside it, away from
 /// surfaces and walls, with neighbours evenly all around.
-void look_around(int dimension, double h, ContinuitySums& sums) {
-    sums.trace_alone.resize(sums.moments.size());
-    sums.even_inside.resize(sums.moments.size());
-    parallel::for_each(static_cast<std::int64_t>(sums.moments.size()), [&](std::int64_t entry) {
+void look_around(int dimension, double h, const ContinuitySums& sums, WaterFields& water) {
+    parallel::for_each(static_cast<std::int64_t>(water.correction.size()), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const double moments = trace(dimension, sums.moments[i]);
-        sums.trace_alone[i] = moments;
-        sums.even_inside[i] =
-            interior_share(moments / dimension) * even_share(h * norm(sums.concentration_gradient[i]));
+        const double moments = trace(dimension, water.correction.all(i));
+        const double lopsidedness = h * norm(sums.concentration_gradient.vector(i));
+        water.correction_share.set(i, moments);
+        water.damped_share.set(i, interior_share(moments / dimension) * even_share(lopsidedness));
     });
 }
 
 /// Finds the sums of Continuity and ContinuityAtWalls.
 void sum_continuity(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                    const Vec3& gravity, const WaterFields& water, SweepLists& lists, ContinuitySums& sums) {
-    sums.diffusion.resize(state.density.size());
-    sums.strain.resize(state.density.size());
-    sums.moments.resize(state.density.size());
-    sums.rates.resize(state.density.size());
-    sums.concentration_gradient.resize(state.density.size());
+                    const Vec3& gravity, WaterFields& water, SweepLists& lists, ContinuitySums& sums) {
+    const auto count = state.density.size();
+    sums.diffusion.resize(count, settings.is_plain);
+    sums.strain.resize(count, settings.is_plain);
+    sums.rates.resize(count, settings.is_plain);
+    sums.concentration_gradient.resize(count, settings.is_plain);
     const WendlandC2 kernel = kernel_of(settings);
     const Vec3 weight = settings.rest_density * gravity;
     const double h = settings.smoothing_length();
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto m = [&](std::size_t k) { return sink_tensor(sums.moments, k); };
-    const auto g = [&](std::size_t k) { return sink_tensor(sums.rates, k); };
-    const auto c = [&](int axis) { return sink_component(sums.concentration_gradient, axis); };
+    const auto m = [&](std::size_t k) { return water.correction.sink(k); };
+    const auto g = [&](std::size_t k) { return sums.rates.sink(k); };
+    const auto c = [&](std::size_t axis) { return sums.concentration_gradient.sink(axis); };
     add_pair_sums_within(settings, Continuity{kernel, {weight.x, weight.y, weight.z}, 1e-4 * h * h},
-                         {state.position, {v(0), v(1), v(2), field(water.pressure), field(water.volume)}},
-                         fresh<17>({sink(sums.diffusion), sink(sums.strain), m(0), m(1), m(2), m(3), m(4), m(5), g(0),
+                         {state.position, {v(0), v(1), v(2), water.pressure.view(), water.volume.view()}},
+                         fresh<17>({sums.diffusion.sink(), sums.strain.sink(), m(0), m(1), m(2), m(3), m(4), m(5), g(0),
                                     g(1), g(2), g(3), g(4), g(5), c(0), c(1), c(2)}),
                          lists.fluid_fluid);
-    look_around(settings.domain.dimension, h, sums);
+    look_around(settings.domain.dimension, h, sums, water);
     add_pair_sums(settings, ContinuityAtWalls{kernel}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
@@ -112,20 +111,24 @@ void sum_continuity(const SphSettings& settings, const ParticleState& state, con
                   lists.fluid_walls);
 }
 
-void make_room_for_density(std::size_t particles, WaterFields& water) {
-    water.bareness.resize(particles);
-    water.correction.resize(particles);
-    water.correction_share.resize(particles);
-    water.damped_share.resize(particles);
-    water.compression_rate.resize(particles);
+void make_room_for_density(const SphSettings& settings, std::size_t particles, WaterFields& water) {
+    water.correction.resize(particles, settings.is_plain);
+    for (Numbers<1>* numbers :
+         {&water.bareness, &water.correction_share, &water.damped_share, &water.compression_rate}) {
+        numbers->resize(particles, settings.is_plain);
+    }
 }
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
     WaterFields& water = s.water;
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, water);
+    make_room_for_density(settings, state.density.size(), water);
+    if (s.continuity.rates.size() == 0) {
+        s.exchange_memory();
+    }
     sum_continuity(settings, state, walls, gravity, water, s.lists, s.continuity);
-    make_room_for_density(state.density.size(), water);
     const ContinuitySums& sums = s.continuity;
     const int dimension = settings.domain.dimension;
     const double h = settings.smoothing_length();
@@ -133,24 +136,27 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
     const double diffusivity = 2 * settings.density_diffusion * h / (settings.sound_speed * settings.rest_density);
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const double divergence = trace(dimension, sums.moments[i]), alone = sums.trace_alone[i];
-        water.bareness[i] = bareness_of_particle(dimension, divergence);
+        const Symmetric moments = water.correction.all(i);
+        const double divergence = trace(dimension, moments), alone = water.correction_share[i];
+        const double bareness = bareness_of_particle(dimension, divergence);
         const bool leaves_wall =
-            may_leave_walls(water.bareness[i], bareness_of_particle(dimension, alone), divergence / dimension);
-        const GradientCorrection correction = correction_of(settings, sums.moments[i]);
+            may_leave_walls(bareness, bareness_of_particle(dimension, alone), divergence / dimension);
+        const GradientCorrection correction = correction_of(settings, moments);
         const double caught = caught_share(alone / dimension, divergence / dimension);
         for (std::size_t k = 0; k < correction.tensor.size(); ++k) {
-            water.correction[i][k] = (1 - caught) * correction.tensor[k];
+            water.correction.set(i, k, (1 - caught) * correction.tensor[k]);
         }
-        water.correction_share[i] = correction.share;
-        water.damped_share[i] = sums.even_inside[i] * correction.share;
+        water.bareness.set(i, bareness);
+        water.correction_share.set(i, correction.share);
+        water.damped_share.set(i, water.damped_share[i] * correction.share);
         const double before = state.density[i];
         const double diluted = density_after_shift(before, state.dilution[i], settings.rest_density);
         const double spread = dt * diluted * diffusivity * sums.diffusion[i];
-        water.compression_rate[i] = contract(dimension, water.correction[i], sums.rates[i]);
-        const double flown = diluted + dt * diluted * water.compression_rate[i] + spread;
+        const double compression_rate = contract(dimension, water.correction.all(i), sums.rates.all(i));
+        water.compression_rate.set(i, compression_rate);
+        const double flown = diluted + dt * diluted * compression_rate + spread;
         const double torn =
-            density_by_tearing(water.bareness[i], leaves_wall, flown, settings.rest_density) +
+            density_by_tearing(bareness, leaves_wall, flown, settings.rest_density) +
             density_by_escape(caught, flown, settings.rest_density, settings.sound_speed * dt / settings.spacing);
         const double after = flown + torn;
         const double mean = 0.5 * (before + after);
@@ -167,35 +173,33 @@ void update_density(const SphSettings& settings, ParticleState& state, const Bou
 }
 
 /// Finds the fields that the sums of forces read, from densities and the sums of Continuity: volume, the pressure with
-/// damping, its tensor p B and its heat, and the viscosity.
+/// damping and its heat, and the viscosity.
 void prepare_forces(const SphSettings& settings, const ParticleState& state, const ContinuitySums& sums,
                     WaterFields& water, ForceSums& forces) {
     const auto count = state.density.size();
-    water.pressure.resize(count);
-    water.volume.resize(count);
-    water.dynamic_viscosity.resize(count);
-    water.pressure_tensor.resize(count);
+    water.pressure.resize(count, settings.is_plain);
+    water.volume.resize(count, settings.is_plain);
+    water.dynamic_viscosity.resize(count, settings.is_plain);
     const PressureLaw pressure_at(settings);
     const double resistance = resistance_of_damping(settings);
     settings.viscosity.visit([&](const auto& law) {
         parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            water.dynamic_viscosity[i] =
-                settings.rest_density * law.kinematic(settings, strain_rate(settings, sums.strain[i]));
-            water.volume[i] = settings.particle_mass / state.density[i];
+            const double kinematic = law.kinematic(settings, strain_rate(settings, sums.strain[i]));
+            water.dynamic_viscosity.set(i, settings.rest_density * kinematic);
+            water.volume.set(i, settings.particle_mass / state.density[i]);
             const double damping = resistance * water.damped_share[i] * water.compression_rate[i];
-            forces.wall_heat[i] = damping * water.compression_rate[i];
-            water.pressure[i] = pressure_at(state.density[i]) + damping;
-            for (std::size_t k = 0; k < water.correction[i].size(); ++k) {
-                water.pressure_tensor[i][k] = water.pressure[i] * water.correction[i][k];
-            }
+            forces.wall_heat.set(i, damping * water.compression_rate[i]);
+            water.pressure.set(i, pressure_at(state.density[i]) + damping);
         });
     });
 }
 
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
-    make_room_for_forces(state.position.size(), s.forces);
+    s.exchange_memory();
+    make_room_for_forces(settings, state.position.size(), s.forces);
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     prepare_forces(settings, state, s.continuity, s.water, s.forces);
     sum_at_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });

@@ -15,19 +15,16 @@ namespace riprap::fluid {
 /// Finds pressure and volume of every particle from its density.
 void find_pressure(const SphSettings& settings, const ParticleState& state, WaterFields& water);
 
-/// Finds p B of every particle.
-void find_pressure_tensors(WaterFields& water);
-
 /// Makes room for the sums of Momentum and MomentumFromWalls.
-void make_room_for_forces(std::size_t particles, ForceSums& forces);
+void make_room_for_forces(const SphSettings& settings, std::size_t particles, ForceSums& forces);
 
 /// Returns the fields of fluid particles that both sides of a sum of forces read.
 inline SweepSide<5 + symmetric_numbers> force_targets(const ParticleState& state, const WaterFields& water) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto b = [&](std::size_t k) { return tensor_component(water.correction, k); };
+    const auto b = [&](std::size_t k) { return water.correction.view(k); };
     return {
         state.position,
-        {v(0), v(1), v(2), field(water.pressure), field(water.dynamic_viscosity), b(0), b(1), b(2), b(3), b(4), b(5)}};
+        {v(0), v(1), v(2), water.pressure.view(), water.dynamic_viscosity.view(), b(0), b(1), b(2), b(3), b(4), b(5)}};
 }
 
 /// Finds the sums of Momentum: fluid on fluid.
@@ -35,17 +32,16 @@ template <class Kernel, class Law>
 void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const ParticleState& state, const Law& law,
                       SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto p = [&](std::size_t k) { return tensor_component(s.water.pressure_tensor, k); };
+    const auto p = [&](std::size_t k) { return s.water.correction.times(k, s.water.pressure); };
     const SweepSide<6 + symmetric_numbers> fluid_with_surface{
         state.position,
-        {v(0), v(1), v(2), field(s.water.volume), field(s.water.dynamic_viscosity), field(s.water.bareness), p(0), p(1),
+        {v(0), v(1), v(2), s.water.volume.view(), s.water.dynamic_viscosity.view(), s.water.bareness.view(), p(0), p(1),
          p(2), p(3), p(4), p(5)}};
-    std::vector<Vec3>&f = s.forces.force, &n = s.forces.surface_direction;
-    add_pair_sums_within(
-        settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
-        fresh<7>({sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.forces.heat),
-                  sink_component(n, 0), sink_component(n, 1), sink_component(n, 2)}),
-        s.lists.fluid_fluid);
+    const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
+    add_pair_sums_within(settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
+                         fresh<7>({f(0), f(1), f(2), s.forces.heat.sink(), f(ForceSums::at_surface),
+                                   f(ForceSums::at_surface + 1), f(ForceSums::at_surface + 2)}),
+                         s.lists.fluid_fluid);
 }
 
 /// Adds the sums of MomentumFromWalls: what walls do to the fluid.
@@ -56,13 +52,11 @@ void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, co
     const SweepSide<9> wall{walls.position,
                             {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.walls.grip),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
-    std::vector<Vec3>& f = s.forces.force;
-    const std::array<FieldSink, 4> hold =
-        fresh<4>({sink_component(s.forces.wall_hold, 0), sink_component(s.forces.wall_hold, 1),
-                  sink_component(s.forces.wall_hold, 2), sink(s.forces.wall_hold_power)});
+    const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
+    const std::array<FieldSink, 4> hold = fresh<4>({s.forces.wall_hold.sink(0), s.forces.wall_hold.sink(1),
+                                                    s.forces.wall_hold.sink(2), s.forces.wall_hold_power.sink()});
     add_pair_sums(settings, MomentumFromWalls<Kernel, Law>{kernel, law}, force_targets(state, s.water), wall,
-                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.forces.wall_heat), hold[0],
-                   hold[1], hold[2], hold[3]},
+                  {f(0), f(1), f(2), s.forces.wall_heat.sink(), hold[0], hold[1], hold[2], hold[3]},
                   s.lists.fluid_walls);
 }
 
@@ -72,7 +66,7 @@ template <class Kernel>
 void sum_at_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
                   const BoundaryParticles& walls, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto b = [&](std::size_t k) { return tensor_component(s.water.correction, k); };
+    const auto b = [&](std::size_t k) { return s.water.correction.view(k); };
     const auto count = walls.position.size();
     s.at_walls.weight.resize(count);
     s.at_walls.pressure.resize(count);
@@ -84,7 +78,7 @@ void sum_at_walls(const SphSettings& settings, const Kernel& kernel, const Parti
     add_pair_sums(
         settings, WaterOnWalls<Kernel>{{mean}, {kernel}}, {walls.position, {}},
         {state.position,
-         {v(0), v(1), v(2), field(s.water.pressure), field(state.density), field(s.water.volume), b(0), b(1), b(2),
+         {v(0), v(1), v(2), s.water.pressure.view(), field(state.density), s.water.volume.view(), b(0), b(1), b(2),
           b(3), b(4), b(5)}},
         fresh<14>({sink(s.at_walls.weight), sink(s.at_walls.pressure), x(s.at_walls.moment, 0), x(s.at_walls.moment, 1),
                    x(s.at_walls.moment, 2), x(s.at_walls.velocity, 0), x(s.at_walls.velocity, 1),
@@ -106,7 +100,7 @@ void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, con
     if (std::find(walls.is_slippery.begin(), walls.is_slippery.end(), 0) != walls.is_slippery.end()) {
         add_pair_sums(settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
                       {walls.position, {u(0), u(1), u(2), field(s.walls.grip)}},
-                      {state.position, {v(0), v(1), v(2), field(s.water.volume), field(s.water.dynamic_viscosity)}},
+                      {state.position, {v(0), v(1), v(2), s.water.volume.view(), s.water.dynamic_viscosity.view()}},
                       {sink_component(t, 0), sink_component(t, 1), sink_component(t, 2)}, s.lists.walls_fluid);
     }
     parallel::for_each(walls.size(), [&](std::int64_t entry) {

@@ -63,15 +63,14 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
 }  // namespace
 
 void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          std::span<const double> volume, const ForceSums& found, std::span<const Vec3> extra_force,
-          FluidReport& report) {
+          const Numbers<1>& volume, const ForceSums& found, std::span<const Vec3> extra_force, FluidReport& report) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
         const double v = volume[i];
-        const Vec3 acceleration = (v * found.force[i] + extra) / m + gravity;
+        const Vec3 acceleration = (v * found.pushes.vector(i, ForceSums::at_force) + extra) / m + gravity;
         const Vec3 before = state.velocity[i], after = before + dt * acceleration;
         state.velocity[i] = after;
         Sums sums;
@@ -79,7 +78,7 @@ void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gr
         sums.potential = -m * dot(downward, state.position[i]);
         sums.internal = m * internal_energy_of(settings, state.density[i]);
         sums.heat = v * (0.5 * found.heat[i] + found.wall_heat[i]);
-        sums.exchange = 0.5 * dot(v * found.wall_hold[i], before + after) - v * found.wall_hold_power[i];
+        sums.exchange = 0.5 * dot(v * found.wall_hold.vector(i), before + after) - v * found.wall_hold_power[i];
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
         sums.acceleration_squared = norm_squared(acceleration);

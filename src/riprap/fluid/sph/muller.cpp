@@ -27,15 +27,15 @@ double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
 void sum_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, SphScratchData& s) {
     const DensitySum pair{Poly6Kernel(settings.support_radius(), settings.domain.dimension)};
     const double scale = 1 / lattice_excess(settings, pair.kernel);
-    s.water.mass.assign(state.position.size(), scale * settings.particle_mass);
+    s.water.mass.fill(state.position.size(), settings.is_plain, {scale * settings.particle_mass});
     s.walls.mass.resize(walls.position.size());
     for (std::size_t w = 0; w < s.walls.mass.size(); ++w) {
         s.walls.mass[w] = scale * settings.rest_density * walls.volume[w];
     }
     make_zero(state.density, state.position.size());
-    add_pair_sums_within(settings, pair, {state.position, {field(s.water.mass)}}, {sink(state.density)},
+    add_pair_sums_within(settings, pair, {state.position, {s.water.mass.view()}}, {sink(state.density)},
                          s.lists.fluid_fluid);
-    add_pair_sums(settings, pair, {state.position, {field(s.water.mass)}}, {walls.position, {field(s.walls.mass)}},
+    add_pair_sums(settings, pair, {state.position, {s.water.mass.view()}}, {walls.position, {field(s.walls.mass)}},
                   {sink(state.density)}, s.lists.fluid_walls);
 }
 
@@ -49,15 +49,16 @@ void with_viscosity(const SphSettings& settings, const Work& work) {
 
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     sum_density(settings, state, walls, s);
     find_pressure(settings, state, s.water);
     const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
-    s.water.dynamic_viscosity.assign(state.position.size(), settings.rest_density * nu);
-    make_zero(s.water.bareness, state.position.size());
-    s.water.correction.assign(state.position.size(), unit_tensor);  // gradients are left as they are
-    find_pressure_tensors(s.water);
-    make_room_for_forces(state.position.size(), s.forces);
-    make_zero(s.forces.wall_heat, state.position.size());
+    const auto count = state.position.size();
+    s.water.dynamic_viscosity.fill(count, settings.is_plain, {settings.rest_density * nu});
+    s.water.bareness.fill(count, settings.is_plain, {0});
+    s.water.correction.fill(count, settings.is_plain, unit_tensor);  // gradients are left as they are
+    make_room_for_forces(settings, count, s.forces);
+    s.forces.wall_heat.fill(count, settings.is_plain, {0});
     sum_at_walls(settings, spiky(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
 }

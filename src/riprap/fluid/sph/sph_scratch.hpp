@@ -4,66 +4,66 @@
 // Buffers of SPH, one entry per particle, grouped by the stage that writes them. Each group is made anew in every step;
 // only the lists of neighbours are kept for speed.
 
-#include <array>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/vec3.hpp"
+#include "riprap/fluid/particle/numbers.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 
 namespace riprap::fluid {
 
-/// Sums of Continuity and ContinuityAtWalls: read by the update of density, the gradient and the strain also later.
+/// Sums of Continuity and ContinuityAtWalls: read by the update of density, the last two also later.
 struct ContinuitySums {
-    std::vector<double> diffusion, strain;
-    std::vector<Symmetric> moments;            ///< M [-]
-    std::vector<Symmetric> rates;              ///< G [1/s]
-    std::vector<Vec3> concentration_gradient;  ///< [1/m]
-    // Of the water alone, without walls:
-    std::vector<double> trace_alone;  ///< tr M [-]
-    std::vector<double> even_inside;  ///< share of a particle inside the water, neighbours evenly all around [-]
+    Numbers<1> diffusion;
+    Numbers<6> rates;  ///< G [1/s]
+    Numbers<1> strain;
+    Numbers<3> concentration_gradient;  ///< [1/m]
 
     std::size_t bytes() const {
-        return bytes_of(diffusion, strain, moments, rates, concentration_gradient, trace_alone, even_inside);
+        return diffusion.bytes() + rates.bytes() + strain.bytes() + concentration_gradient.bytes();
     }
 };
 
 /// Fields of the water that one stage hands on to the next.
 struct WaterFields {
     // From the state equation, for the sums at hand: the forces see a pressure with the damping of sound in it.
-    std::vector<double> pressure, volume;  ///< [Pa], [m^3]
-    // From the update of density.
-    std::vector<Symmetric> correction;     ///< B [-]
-    std::vector<double> correction_share;  ///< share of it [-]
-    std::vector<double> bareness;          ///< 1 at the surface, 0 inside the water [-]
-    std::vector<double> compression_rate;  ///< -div v [1/s]
-    std::vector<double> damped_share;      ///< s_i of Sound (docs/theory/sph.md, 5) [-]
+    Numbers<1> pressure, volume;  ///< [Pa], [m^3]
+    // From the update of density, which finds sums in their places: M, tr M of the water alone and the share of a
+    // particle inside the water alone with neighbours evenly all around.
+    Numbers<6> correction;        ///< B [-]
+    Numbers<1> correction_share;  ///< share of it [-]
+    Numbers<1> damped_share;      ///< s_i of Sound (docs/theory/sph.md, 5) [-]
+    Numbers<1> bareness;          ///< 1 at the surface, 0 inside the water [-]
+    Numbers<1> compression_rate;  ///< -div v [1/s]
     // For the sums of forces.
-    std::vector<double> dynamic_viscosity;                 ///< molecular and of eddies [Pa s]
-    std::vector<Symmetric> pressure_tensor;                ///< p B [Pa]
-    std::vector<std::array<double, 9>> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
-    std::vector<double> mass;                              ///< as it enters a sum of density [kg]
+    Numbers<1> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
+    Numbers<9> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
+    Numbers<1> mass;               ///< as it enters a sum of density [kg]
 
     std::size_t bytes() const {
-        return bytes_of(pressure, volume, correction, correction_share, bareness, compression_rate, damped_share,
-                        dynamic_viscosity, pressure_tensor, transposed_stress, mass);
+        return pressure.bytes() + volume.bytes() + correction.bytes() + correction_share.bytes() +
+               damped_share.bytes() + bareness.bytes() + compression_rate.bytes() + dynamic_viscosity.bytes() +
+               transposed_stress.bytes() + mass.bytes();
     }
 };
 
 /// Sums of Momentum and MomentumFromWalls, per volume of the particle: read by the kick.
 struct ForceSums {
-    std::vector<Vec3> force;
-    std::vector<Vec3> surface_direction;
-    std::vector<double> heat;             ///< of viscosity, pair by pair; each pair is met twice
-    std::vector<double> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound
-    std::vector<Vec3> wall_hold;          ///< part of the force that is due to p_w, and
-    std::vector<double> wall_hold_power;  ///< its power on the walls, both with a minus
+    // Places in `pushes`.
+    static constexpr std::size_t at_force = 0, at_surface = 3;
+
+    Numbers<6> pushes;           ///< force, and where the surface is
+    Numbers<1> heat;             ///< of viscosity, pair by pair; each pair is met twice
+    Numbers<1> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound
+    Numbers<3> wall_hold;        ///< part of the force that is due to p_w, and
+    Numbers<1> wall_hold_power;  ///< its power on the walls, both with a minus
 
     std::size_t bytes() const {
-        return bytes_of(force, surface_direction, heat, wall_heat, wall_hold, wall_hold_power);
+        return pushes.bytes() + heat.bytes() + wall_heat.bytes() + wall_hold.bytes() + wall_hold_power.bytes();
     }
 };
 
@@ -94,18 +94,15 @@ struct SphScratchData {
     WallFields walls;
     SweepLists lists;
 
+    /// Hands memory that the update of density no longer reads to the sums of forces, or takes it back.
+    void exchange_memory() {
+        continuity.rates.swap(forces.pushes);
+        continuity.diffusion.swap(forces.heat);
+    }
     std::size_t bytes() const {
         return continuity.bytes() + water.bytes() + forces.bytes() + at_walls.bytes() + walls.bytes() + lists.bytes();
     }
 };
-
-/// Returns a view of one number of a symmetric tensor per particle.
-inline FieldView tensor_component(const std::vector<Symmetric>& tensors, std::size_t k) {
-    return {tensors.empty() ? nullptr : tensors[0].data() + k, symmetric_numbers};
-}
-inline FieldSink sink_tensor(std::vector<Symmetric>& tensors, std::size_t k) {
-    return {tensors.empty() ? nullptr : tensors[0].data() + k, symmetric_numbers};
-}
 
 /// Makes `count` zeros of it.
 template <class T>

@@ -28,6 +28,19 @@ RIPRAP_HD void symmetric_product(const Real* a, const Real* b, Real* out) {
     }
 }
 
+/// out = a a^T
+template <int Dim, class Real>
+RIPRAP_HD void symmetric_square(const Real* a, Real* out) {
+    out[0] = a[0] * a[0];
+    out[1] = a[1] * a[1];
+    out[2] = a[0] * a[1];
+    if constexpr (Dim == 3) {
+        out[3] = a[2] * a[2];
+        out[4] = a[0] * a[2];
+        out[5] = a[1] * a[2];
+    }
+}
+
 /// out = tensor a
 template <int Dim, class Real>
 RIPRAP_HD void symmetric_apply(const Real* tensor, const Real* a, Real* out) {

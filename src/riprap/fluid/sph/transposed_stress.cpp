@@ -10,13 +10,6 @@ namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
 
-FieldView stress_component(const SphScratchData& s, std::size_t k) {
-    return {s.water.transposed_stress.empty() ? nullptr : s.water.transposed_stress[0].data() + k, tensor_numbers};
-}
-FieldSink stress_sink(SphScratchData& s, std::size_t k) {
-    return {s.water.transposed_stress.empty() ? nullptr : s.water.transposed_stress[0].data() + k, tensor_numbers};
-}
-
 /// u_w = 2 v_w - mean velocity of the water there, and the grip, before walls are told how they move in the end.
 void mirror_velocity(const BoundaryParticles& walls, SphScratchData& s) {
     s.walls.mirrored_velocity.resize(walls.position.size());
@@ -34,23 +27,23 @@ void mirror_velocity(const BoundaryParticles& walls, SphScratchData& s) {
 
 void find_transposed_stress(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                             SphScratchData& s) {
-    make_zero(s.water.transposed_stress, state.position.size());
+    s.water.transposed_stress.fill(state.position.size(), settings.is_plain, {});
     mirror_velocity(walls, s);
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto u = [&](int axis) { return component(s.walls.mirrored_velocity, axis); };
-    const auto g = [&](std::size_t k) { return stress_sink(s, k); };
+    const auto g = [&](std::size_t k) { return s.water.transposed_stress.sink(k); };
     add_pair_sums_within(settings, VelocityGradient{kernel_of(settings)},
-                         {state.position, {v(0), v(1), v(2), field(s.water.volume)}},
+                         {state.position, {v(0), v(1), v(2), s.water.volume.view()}},
                          {g(0), g(1), g(2), g(3), g(4), g(5), g(6), g(7), g(8)}, s.lists.fluid_fluid);
     add_pair_sums(settings, VelocityGradientAtWalls{kernel_of(settings)}, {state.position, {v(0), v(1), v(2)}},
                   {walls.position, {u(0), u(1), u(2), field(walls.volume), field(s.walls.grip)}},
                   {g(0), g(1), g(2), g(3), g(4), g(5), g(6), g(7), g(8)}, s.lists.fluid_walls);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const std::array<double, tensor_numbers> gradient = s.water.transposed_stress[i];
+        const std::array<double, tensor_numbers> gradient = s.water.transposed_stress.all(i);
         for (std::size_t a = 0; a < 3; ++a) {
             for (std::size_t b = 0; b < 3; ++b) {
-                s.water.transposed_stress[i][3 * a + b] = s.water.dynamic_viscosity[i] * gradient[3 * b + a];
+                s.water.transposed_stress.set(i, 3 * a + b, s.water.dynamic_viscosity[i] * gradient[3 * b + a]);
             }
         }
     });
@@ -58,36 +51,35 @@ void find_transposed_stress(const SphSettings& settings, const ParticleState& st
 
 void add_transposed_forces(const SphSettings& settings, const ParticleState& state, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto t = [&](std::size_t k) { return stress_component(s, k); };
-    std::vector<Vec3>& f = s.forces.force;
+    const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
+    const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
     add_pair_sums_within(
         settings, TransposedStress{kernel_of(settings)},
         {state.position,
-         {v(0), v(1), v(2), field(s.water.volume), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
-        {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.forces.heat)}, s.lists.fluid_fluid);
+         {v(0), v(1), v(2), s.water.volume.view(), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
+        {f(0), f(1), f(2), s.forces.heat.sink()}, s.lists.fluid_fluid);
 }
 
 void add_transposed_forces_from_walls(const SphSettings& settings, const ParticleState& state,
                                       const BoundaryParticles& walls, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto t = [&](std::size_t k) { return stress_component(s, k); };
-    std::vector<Vec3>& f = s.forces.force;
+    const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
+    const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
     add_pair_sums(settings, TransposedFromWalls{kernel_of(settings)},
                   {state.position, {v(0), v(1), v(2), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
                     field(walls.volume), field(s.walls.grip)}},
-                  {sink_component(f, 0), sink_component(f, 1), sink_component(f, 2), sink(s.forces.wall_heat)},
-                  s.lists.fluid_walls);
+                  {f(0), f(1), f(2), s.forces.wall_heat.sink()}, s.lists.fluid_walls);
 }
 
 void add_transposed_forces_on_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
                                     SphScratchData& s) {
-    const auto t = [&](std::size_t k) { return stress_component(s, k); };
+    const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
     std::vector<Vec3>& sum = s.at_walls.stress;
     make_zero(sum, walls.position.size());
     add_pair_sums(settings, TransposedOnWalls{kernel_of(settings)}, {walls.position, {field(s.walls.grip)}},
-                  {state.position, {field(s.water.volume), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
+                  {state.position, {s.water.volume.view(), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
                   {sink_component(sum, 0), sink_component(sum, 1), sink_component(sum, 2)}, s.lists.walls_fluid);
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);

@@ -91,6 +91,7 @@ void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& wa
 
 void update_density(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, WcmpsScratchData& s, FluidReport& report) {
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, s.water);
     find_wall_shares(settings, walls, s.walls);
     sum_continuity(settings, state, walls, gravity, s);

@@ -96,6 +96,7 @@ void extrapolate_to_walls(const WcmpsSettings& settings, BoundaryParticles& wall
 
 void begin_forces(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                   WcmpsScratchData& s) {
+    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, s.water);
     find_wall_shares(settings, walls, s.walls);
     const auto count = state.position.size();

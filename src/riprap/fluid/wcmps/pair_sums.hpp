@@ -244,7 +244,7 @@ struct MpsPressureOnWalls {
     RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real r2, Real, Real* sum) const {
         const Real over_square = weight.over_square(r2, weight.value(r2));
         Real moment[symmetric_numbers];
-        symmetric_product<Dim>(d, d, moment);
+        symmetric_square<Dim>(d, moment);
         for (int axis = 0; axis < Dim; ++axis) {
             const Real slope = over_square * d[axis];
             sum[at_slope + axis] = sum[at_slope + axis] + candidate[0] * slope;
