@@ -183,13 +183,18 @@ struct PatchSweep {
             const Lanes apart = near[0] == partial ? target.apart + beyond : target.apart;
             separate(target, unit, four, apart, separations[0]);
             act<OneWay<Pair>>(physics, target, four, separations[0], sum);
-            done = 1;
         }
         while (done < near.size()) {
             const std::size_t count = std::min(batch, near.size() - done);
             near.copy(done, count, entries.data());
             std::size_t met_count = 0;
             for (std::size_t n = 0; n < count; ++n) {
+                if constexpr (MarkedPairs<Pair>) {
+                    const float* const marks = record_of(entries[n]) + (Dim + Pair::mark) * cluster_size;
+                    if (skips_unmarked && !(marks[0] + marks[1] + marks[2] + marks[3] > 0)) {
+                        continue;
+                    }
+                }
                 Separation& s = separations[met_count];
                 separate(target, unit, record_of(entries[n]), target.apart, s);
                 met[met_count] = entries[n];
