@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numeric>
+
 #include "contact/broadphase_scenes.hpp"
 #include "riprap/contact/broadphase/brute_force.hpp"
 #include "riprap/contact/broadphase/pair_cache.hpp"
@@ -165,6 +168,68 @@ TEST(PairCache, EachPartListsItsPairsInOrder) {
 TEST(MedianRadius, IgnoresHalfSpaces) {
     EXPECT_EQ(median_radius(std::vector<double>{3, infinity, 1, 2, infinity}), 2);
     EXPECT_EQ(median_radius(std::vector<double>{infinity}), 0);
+}
+
+/// A cloud of mobile spheres above a floor of many small fixed ones, which reaches far beyond it.
+Spheres cloud_over_wide_floor() {
+    Spheres spheres = graded_cloud(40, 0.1, 3, 1, 7);
+    for (int i = -30; i <= 30; ++i) {
+        for (int j = -30; j <= 30; ++j) {
+            spheres.add({0.2 * i, 0.2 * j, -0.8}, 0.12, false);
+        }
+    }
+    return spheres;
+}
+
+TEST(PairCache, AFloorFarBeyondTheMobilePartsChangesNoPair) {
+    const Spheres spheres = cloud_over_wide_floor();
+    PairCache cache;
+    cache.update(spheres.bounds(), {}, {.skin = 0.05});
+    const std::vector<PartPair> all = find_pairs_brute_force(spheres.bounds(), {}, 0.05);
+    EXPECT_TRUE(std::ranges::equal(cache.pairs(), all));
+    EXPECT_GT(all.size(), 100U);
+}
+
+TEST(PairCache, AMobilePartThatIsNowhereHidesNoOther) {
+    Spheres spheres = cloud_over_wide_floor();
+    const std::vector<PartPair> all = find_pairs_brute_force(spheres.bounds(), {}, 0.05);
+    spheres.add({std::nan(""), 0, 0}, 0.1);
+    PairCache cache;
+    cache.update(spheres.bounds(), {}, {.skin = 0.05});
+    EXPECT_TRUE(std::ranges::equal(cache.pairs(), all));
+}
+
+TEST(PairCache, PartsThatRestNeedNotBeLookedAtWhileTheSceneIsTheSame) {
+    Spheres spheres = cloud_over_wide_floor();
+    std::vector<std::int32_t> restless(40);
+    std::iota(restless.begin(), restless.end(), 0);
+    const auto known = [&] {
+        PartBounds bounds = spheres.bounds();
+        bounds.scene = 5;
+        bounds.restless = restless;
+        return bounds;
+    };
+    Random random(8);
+    PairCache quick, plain;
+    for (int step = 0; step < 2000; ++step) {
+        for (std::size_t i = 0; i < 40; ++i) {
+            spheres.center[i] += 2e-3 * random.direction();
+        }
+        if (step == 1000) {  // a fixed part is moved from now on
+            restless.push_back(100);
+        }
+        if (step >= 1000) {
+            spheres.center[100] += Vec3{1e-3, 1e-3, 0};
+        }
+        EXPECT_EQ(quick.update(known(), {}, {.skin = 0.05}), plain.update(spheres.bounds(), {}, {.skin = 0.05}));
+        ASSERT_TRUE(std::ranges::equal(quick.pairs(), plain.pairs())) << step;
+    }
+    EXPECT_GT(quick.rebuild_count(), 10);
+    // Another scene of the same size: its radii are looked at.
+    spheres.radius[3] *= 2;
+    PartBounds other = known();
+    other.scene = 6;
+    EXPECT_TRUE(quick.update(other, {}, {.skin = 0.05}));
 }
 
 }  // namespace

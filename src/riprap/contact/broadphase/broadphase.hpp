@@ -17,6 +17,10 @@ struct PartBounds {
     std::span<const double> radius;           ///< of the bounding sphere [m]; infinity for half-spaces
     std::span<const std::int32_t> body;       ///< parts of one body never meet
     std::span<const std::uint8_t> is_mobile;  ///< two immobile (fixed or driven) parts never meet; one value per body
+    /// Number of a scene whose radii, bodies and mobility stay as they are, and whose other parts than the `restless`
+    /// ones have not moved since it got that number. 0 = not known.
+    std::uint64_t scene{0};
+    std::span<const std::int32_t> restless{};
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
 };

@@ -56,7 +56,7 @@ class CellOrder {
  public:
     static constexpr int level_limit = 16;
 
-    /// @param is_giant  one entry per part; giants stay out
+    /// @param is_giant  one entry per part; giants, and whatever else is marked, stay out
     /// @param factor    gamma > 1: radii of class k lie in (R/gamma^(k+1),
     /// R/gamma^k], R the largest [-]; the last of
     ///                  at most 16 classes takes all that are smaller; infinity

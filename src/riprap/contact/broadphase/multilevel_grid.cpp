@@ -2,6 +2,8 @@
 #include "riprap/contact/broadphase/multilevel_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "riprap/core/parallel.hpp"
 
@@ -46,6 +48,41 @@ inline PartPair* scan(const CellOrder::Entry self, const CellOrder::Owner own, c
     return out;
 }
 
+/// Leaves out the immobile parts that no mobile one can be near: most of a large ground. They are those beyond a box
+/// around the bounding spheres of all mobile parts.
+void leave_out_far(const PartBounds& bounds, double skin, std::vector<std::uint8_t>& is_left_out) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    struct Box {
+        Vec3 low, high;
+    };
+    const Box box = parallel::reduce(
+        bounds.size(), Box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}},
+        [&](std::int64_t part) {
+            const auto i = static_cast<std::size_t>(part);
+            const double r = bounds.is_mobile[i] != 0 ? bounds.radius[i] : -infinity;
+            const Vec3 reach{r, r, r};
+            return Box{bounds.center[i] - reach, bounds.center[i] + reach};
+        },
+        // min and max take their second argument when the first is NaN: such a part bounds nothing.
+        [](const Box& a, const Box& b) {
+            return Box{min(b.low, a.low), max(b.high, a.high)};
+        });
+    constexpr double margin = 1e-9;  // far above round-off
+    parallel::for_each(bounds.size(), [&](std::int64_t part) {
+        const auto i = static_cast<std::size_t>(part);
+        const double reach = bounds.radius[i] + skin;
+        bool is_far = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = bounds.center[i][axis];
+            const double slack = reach + margin * (reach + std::abs(x));
+            is_far = is_far || x + slack < box.low[axis] || x - slack > box.high[axis];
+        }
+        if (is_far && bounds.is_mobile[i] == 0) {
+            is_left_out[i] = 1;
+        }
+    });
+}
+
 /// Entries in cells (x-1 .. x+1, y, z) of a level.
 Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& middle) {
     const std::int32_t x_low = std::max(middle.x - 1, level.low.x), x_high = std::min(middle.x + 1, level.high.x);
@@ -68,11 +105,12 @@ Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& 
 void MultilevelGrid::find_pairs(const PartBounds& bounds, std::span<const Giant> giants, double skin, double factor,
                                 std::vector<PartPair>& pairs) {
     planes_.assign(bounds, giants);
-    is_giant_.assign(static_cast<std::size_t>(bounds.size()), 0);
+    is_apart_.assign(static_cast<std::size_t>(bounds.size()), 0);
     for (const Giant& giant : giants) {
-        is_giant_[static_cast<std::size_t>(giant.part)] = 1;
+        is_apart_[static_cast<std::size_t>(giant.part)] = 1;
     }
-    order_.build(bounds, is_giant_, skin, factor);
+    leave_out_far(bounds, skin, is_apart_);
+    order_.build(bounds, is_apart_, skin, factor);
     cut_into_pieces();
 
     const std::size_t giant_blocks = giants.empty() ? 0 : 1 + order_.members().size() / giant_block;
@@ -181,7 +219,7 @@ void MultilevelGrid::search_giants(const PartBounds& bounds, double skin, std::s
 }
 
 std::size_t MultilevelGrid::bytes() const {
-    std::size_t total = order_.bytes() + sorter_.bytes() + is_giant_.capacity() + pieces_.capacity() * sizeof(Piece);
+    std::size_t total = order_.bytes() + sorter_.bytes() + is_apart_.capacity() + pieces_.capacity() * sizeof(Piece);
     for (const PairList& list : found_) {
         total += list.bytes();
     }

@@ -55,7 +55,7 @@ class MultilevelGrid {
 
     CellOrder order_;
     GiantPlanes planes_;
-    std::vector<std::uint8_t> is_giant_;
+    std::vector<std::uint8_t> is_apart_;  // giants, and what no mobile part can reach
     std::vector<Piece> pieces_;
     std::vector<PairList> found_;
     std::vector<Neighbourhood> around_;

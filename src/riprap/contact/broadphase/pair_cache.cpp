@@ -71,8 +71,12 @@ bool PairCache::needs_rebuild(const PartBounds& bounds, std::span<const Giant> g
 
 bool PairCache::is_same_scene(const PartBounds& bounds, std::span<const Giant> giants, const Settings& settings) const {
     if (settings.skin != settings_.skin || settings.grid_factor != settings_.grid_factor ||
-        static_cast<std::size_t>(planes_.size()) != giants.size() || !std::ranges::equal(bounds.radius, radius_) ||
-        !std::ranges::equal(bounds.body, body_) || !std::ranges::equal(bounds.is_mobile, is_mobile_)) {
+        static_cast<std::size_t>(planes_.size()) != giants.size()) {
+        return false;
+    }
+    const bool is_known = bounds.scene != 0 && bounds.scene == scene_;
+    if (!is_known && !(std::ranges::equal(bounds.radius, radius_) && std::ranges::equal(bounds.body, body_) &&
+                       std::ranges::equal(bounds.is_mobile, is_mobile_))) {
         return false;
     }
     for (std::int32_t g = 0; g < planes_.size(); ++g) {
@@ -84,11 +88,12 @@ bool PairCache::is_same_scene(const PartBounds& bounds, std::span<const Giant> g
 }
 
 bool PairCache::have_parts_moved_too_far(const PartBounds& bounds, std::span<const Giant> giants) {
-    constexpr std::int64_t block = 512;  // maxima do not depend on it
+    constexpr std::int64_t block = 512;                                 // maxima do not depend on it
+    const bool is_known = bounds.scene != 0 && bounds.scene == scene_;  // then the others are where they were
     const Displacements squared = parallel::reduce(
-        static_cast<std::int64_t>(bounds.size()), Displacements{},
-        [&](std::int64_t part) {
-            const auto i = static_cast<std::size_t>(part);
+        is_known ? static_cast<std::int64_t>(bounds.restless.size()) : bounds.size(), Displacements{},
+        [&](std::int64_t k) {
+            const auto i = static_cast<std::size_t>(is_known ? bounds.restless[static_cast<std::size_t>(k)] : k);
             const double d = is_giant_[i] != 0 ? 0 : norm_squared(bounds.center[i] - center_[i]);
             return is_mobile_[i] != 0 ? Displacements{d, 0, 0} : Displacements{0, 0, d};
         },
@@ -119,6 +124,7 @@ bool PairCache::have_parts_moved_too_far(const PartBounds& bounds, std::span<con
 }
 
 void PairCache::remember(const PartBounds& bounds, std::span<const Giant> giants, const Settings& settings) {
+    scene_ = bounds.scene;
     settings_ = settings;
     center_.assign(bounds.center.begin(), bounds.center.end());
     radius_.assign(bounds.radius.begin(), bounds.radius.end());

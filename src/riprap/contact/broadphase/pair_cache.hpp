@@ -61,6 +61,7 @@ class PairCache {
     std::vector<std::int32_t> incident_;
 
     // The scene of the last search.
+    std::uint64_t scene_{0};
     Settings settings_;
     std::vector<Vec3> center_;
     std::vector<double> radius_;
