@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -157,6 +158,15 @@ TEST(Fill, too_many_particles_are_refused) {
     EXPECT_THROW(fill({}, settings_of({0, 0, 0}, {1, 1, 1}), regions, 7999), CaseError);
     EXPECT_EQ(fill({}, settings_of({0, 0, 0}, {1, 1, 1}), regions, 8000).particles.size(), 8000);
     EXPECT_THROW(fill({}, settings_of({0, 0, 0}, {1e6, 1e6, 1e6}), regions, 8000), CaseError);
+}
+
+// A spacing a thousand times too small kept `check` counting for minutes.
+TEST(Fill, counting_ends_where_the_limit_is_passed) {
+    EXPECT_THAT(
+        [] {
+            fill({}, settings_of({0, 0, 0}, {10, 10, 10}), {{{}, 10}}, 1'000'000);
+        },
+        ::testing::ThrowsMessage<CaseError>(::testing::HasSubstr("more than 1000000 particles")));
 }
 
 TEST(Fill, a_period_that_the_lattice_does_not_fit_is_refused) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "riprap/body/ground.hpp"
 #include "riprap/core/error.hpp"
@@ -307,12 +308,25 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         return region < 0 || solids.touch(x) ? -1 : region;
     };
     std::vector<std::int64_t> begin(at(rows + 1), 0);  // of each row among the particles
-    parallel::for_each_uneven(rows, 4, [&](std::int64_t line) {
-        const auto [j, k] = row(line);
-        for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
-            begin[at(line)] += owner_of(lattice.place(i, j, k), i, j, k) < 0 ? 0 : 1;
+    constexpr double stretch = 1 << 22;  // places between two looks at the limit: a slip in the spacing is told soon
+    const double row_places = static_cast<double>(std::max<std::int64_t>(1, lattice.counts[0]));
+    const std::int64_t rows_at_once = static_cast<std::int64_t>(stretch / row_places) + 1;
+    for (std::int64_t first = 0, counted = 0; first < rows; first += rows_at_once) {
+        const std::int64_t past = std::min(rows, first + rows_at_once);
+        parallel::for_each_uneven(past - first, 4, [&](std::int64_t nth) {
+            const std::int64_t line = first + nth;
+            const auto [j, k] = row(line);
+            for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
+                begin[at(line)] += owner_of(lattice.place(i, j, k), i, j, k) < 0 ? 0 : 1;
+            }
+        });
+        counted = std::accumulate(begin.begin() + first, begin.begin() + past, counted);
+        if (counted > limit.most) {
+            refuse(fmt::format("the regions of water hold more than {} particles of {:.3g} places of the lattice",
+                               limit.most, places),
+                   fmt::format("at most {}: use a larger spacing", limit.most));
         }
-    });
+    }
     const std::int64_t count = parallel::exclusive_scan<std::int64_t>(begin, begin);
     if (const std::int64_t most = std::min(limit.most, limit.fitting); count > most) {
         refuse(fmt::format("the regions of water hold {} particles", count),
