@@ -53,22 +53,33 @@ std::string remedy(const view::RecordedRun& run, const std::string& wanted) {
     return meant.empty() ? "it has:" + list : fmt::format("did you mean '{}'?", meant);
 }
 
-/// The columns named. @throws BadRequest where there is no such column
+/// The column of that name, or the components of a vector.
+std::vector<Source> columns_of(const view::RecordedRun& run, const std::string& name) {
+    std::vector<Source> found;
+    for (const io::CsvTable* table : tables_of(run)) {
+        for (std::size_t k = 1; k < table->columns.size(); ++k) {
+            const std::string& heading = table->columns[k].name;
+            if (heading == name || heading.starts_with(name + '.')) {
+                found.push_back({table, k});
+            }
+        }
+    }
+    return found;
+}
+
+/// The columns named; of a vector the components that are ever anything but zero, such as two in a planar scene.
+/// @throws BadRequest where there is no such column
 std::vector<Source> choose(const view::RecordedRun& run, const std::vector<std::string>& wanted) {
     std::vector<Source> chosen;
     for (const std::string& name : wanted) {
-        const std::size_t before = chosen.size();
-        for (const io::CsvTable* table : tables_of(run)) {
-            for (std::size_t k = 1; k < table->columns.size(); ++k) {
-                const std::string& heading = table->columns[k].name;
-                if (heading == name || heading.starts_with(name + '.')) {
-                    chosen.push_back({table, k});
-                }
-            }
-        }
-        if (chosen.size() == before) {
+        std::vector<Source> found = columns_of(run, name);
+        if (found.empty()) {
             throw view::BadRequest(fmt::format("the run has no column '{}'; {}", name, remedy(run, name)));
         }
+        if (std::any_of(found.begin(), found.end(), has_values)) {
+            std::erase_if(found, [](const Source& source) { return !has_values(source); });
+        }
+        chosen.insert(chosen.end(), found.begin(), found.end());
     }
     return chosen;
 }

@@ -46,6 +46,13 @@ TEST_F(Sweep, TheSameCommandAgainLeavesFinishedRunsAndGoesOnWithTheOthers) {
     EXPECT_EQ(sweep({"--vary", "end=0.005,0.03"}).code, 5);  // another study
 }
 
+TEST_F(Sweep, AKeyThatNoRunCanHaveIsToldBeforeAnythingIsWritten) {
+    const Ending ending = sweep({"--vary", "body.block.masss=1,2"});
+    EXPECT_EQ(ending.code, 3);
+    EXPECT_THAT(ending.err, HasSubstr("did you mean 'mass'?"));
+    EXPECT_FALSE(std::filesystem::exists(out("study")));
+}
+
 TEST_F(Sweep, ARunThatFailsIsInTheTableAndDoesNotStopTheOthers) {
     const Ending ending = sweep({"--vary", "end=-1,0.005"});
     EXPECT_EQ(ending.code, 3);

@@ -23,7 +23,7 @@ const char* remedy(int error_number) {
         case EFBIG:
             return "raise the file size limit (`ulimit -f`) or write fewer frames, then continue with `riprap resume`";
         case EROFS:
-            return "the disk is mounted read-only; choose another folder with --out";
+            return "the disk is mounted read-only; write to another one";
         case EACCES:
         case EPERM:
             return "check the permissions or choose another folder with --out";

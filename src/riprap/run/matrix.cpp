@@ -18,20 +18,25 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// Value to compare: of the column that is asked for, the first expected answer or the first record.
+/// Value to compare: of the column that is asked for, the first expected answer or the first record. Where the case is
+/// ended before an answer is due, its quantity at the end stands for it.
 double value_of(const Simulation& simulation, const std::string& asked, std::string& quantity) {
     const sim::Model& model = simulation.model();
+    std::string name = asked;
     if (asked.empty() && !model.expects.empty()) {
         const ExpectResult first = simulation.judge().front();
-        quantity = fmt::format("{} ({})", first.quantity, first.reduce);
-        return first.value;
+        if (std::isfinite(first.value)) {
+            quantity = fmt::format("{} ({})", first.quantity, first.reduce);
+            return first.value;
+        }
+        name = first.quantity;
     }
     const std::vector<sim::Column> records = sim::record_columns(model);
-    const std::optional<sim::Column> column = !asked.empty()    ? sim::find_column(model, asked)
+    const std::optional<sim::Column> column = !name.empty()     ? sim::find_column(model, name)
                                               : records.empty() ? std::nullopt
                                                                 : std::optional(records.front());
     if (!column) {
-        quantity = asked;
+        quantity = name;
         return missing;
     }
     quantity = column->name;
@@ -130,7 +135,7 @@ std::string matrix_line(const MatrixEntry& entry) {
         return fmt::format("{:<23} {:<13} {:<8} {:>13} {:>12} {:>12}  {}", entry.solid, entry.fluid, entry.status, "-",
                            "-", "-", entry.why);
     }
-    return fmt::format("{:<23} {:<13} {:<8} {:>13.6g} {:>12.4g} {:>12.2e}  {}", entry.solid, entry.fluid, entry.status,
+    return fmt::format("{:<23} {:<13} {:<8} {:>13.6g} {:>12.0f} {:>12.2e}  {}", entry.solid, entry.fluid, entry.status,
                        entry.value, entry.ns, entry.residual, entry.why);
 }
 

@@ -43,9 +43,9 @@ struct SweepOptions {
 
 /// Runs what is not finished yet, each by a process of its own, several at a time, and writes the tables. A study that
 /// was stopped goes on where it was, by the same call: finished runs stay, others continue from their checkpoints. A
-/// run that fails does not stop the others.
+/// run that fails does not stop the others; where the case of none can be read, nothing is written.
 /// @returns the exit code: that of the first run that did not succeed, or 128 + a signal
-/// @throws FileError when the folder holds another study
+/// @throws FileError when the folder holds another study; CaseError of the first run where no case can be read
 int run_sweep(const SweepOptions& options);
 
 /// Gathers the answers of all runs from their folders.

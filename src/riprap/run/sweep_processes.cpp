@@ -11,6 +11,7 @@
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "riprap/core/error.hpp"
@@ -18,6 +19,7 @@
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/sweep.hpp"
+#include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {
 
@@ -37,6 +39,25 @@ std::string plan_of(const SweepOptions& options) {
     return plan.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+/// A slip that every run of the study shares, such as the name of a key, is told before anything is written.
+/// @throws CaseError of the first run where the case of none can be read
+void require_a_case(const SweepOptions& options) {
+    std::optional<CaseError> first;
+    for (const SweepPoint& point : options.points) {
+        std::vector<std::string> overrides = options.overrides;
+        overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
+        try {
+            scene::read_case(options.case_path, overrides);
+            return;
+        } catch (const CaseError& error) {
+            first = first ? first : error;
+        }
+    }
+    if (first) {
+        throw CaseError(*first);
+    }
+}
+
 void claim_folder(const SweepOptions& options) {
     constexpr std::size_t most = std::size_t{16} << 20U;
     const std::filesystem::path file = options.out / "sweep_plan.json";
@@ -50,6 +71,7 @@ void claim_folder(const SweepOptions& options) {
         throw FileError(
             fmt::format("'{}' is not empty and holds no study; --out writes elsewhere", options.out.string()));
     }
+    require_a_case(options);
     std::filesystem::create_directories(options.out);
     io::write_file(file, plan_of(options));
 }
