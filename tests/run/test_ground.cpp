@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blocks and water on ground of many triangles.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +13,11 @@
 
 namespace riprap::run {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST(Ground, lets_a_block_slide_over_its_triangles_as_over_a_plane) {
     CaseFolder folder;
@@ -142,6 +148,28 @@ TEST(Ground, keeps_a_still_lake_still) {
     }
     const double speed = std::sqrt(sum / static_cast<double>(end->state().fluid.size()));
     EXPECT_LT(speed, 0.02 * std::sqrt(9.81 * 0.5));  // the same that walls along the lattice are allowed
+}
+
+TEST(Ground, under_a_grid_fluid_keeps_a_still_lake_still_to_round_off) {
+    const CaseFolder folder;
+    const auto end = run(folder, lake("method = 'grid'", 0.5));
+    const auto kinetic = sim::find_column(end->model(), "fluid.kinetic");
+    ASSERT_TRUE(kinetic.has_value());
+    EXPECT_LT(sim::evaluate(*kinetic, end->now()), 1e-20);  // [J/m], of 1 kJ/m that it has above the bed
+}
+
+TEST(Ground, that_is_hollow_under_a_grid_fluid_is_told_of) {
+    const CaseFolder folder;
+    const auto warnings = [&](const std::string& thickness) {
+        const std::string text = lake("method = 'grid'", 0.5), end = "[1.7, 0.1]]";
+        const std::size_t at = text.find(end) + end.size();
+        return scene::read_case_text(text.substr(0, at) + thickness + text.substr(at), "case.toml", folder.path())
+            .warnings;
+    };
+    EXPECT_THAT(warnings(""), IsEmpty());
+    EXPECT_THAT(warnings(", thickness = 0.05"),
+                ElementsAre(AllOf(HasSubstr("'bed' does not reach the bottom of the grid"), HasSubstr("0.4 m"))));
+    EXPECT_THAT(warnings(", thickness = 0.4"), IsEmpty());
 }
 
 TEST(Ground, holds_the_water_of_every_particle_method) {
