@@ -69,7 +69,7 @@ class JointPairs {
     /// All samples, those that are no members among them.
     const std::vector<SampleFour>& fours() const { return fours_; }
 
-    /// Whether is(j) holds for any member j of other solids that member i may meet.
+    /// Tells whether is(j) holds for any member j of other solids that member i may meet.
     template <class F>
     bool may_meet(std::size_t i, const F& is) const {
         for (const std::uint32_t entry : entries_of(i)) {
