@@ -47,7 +47,7 @@ TEST_F(Sweep, TheSameCommandAgainLeavesFinishedRunsAndGoesOnWithTheOthers) {
 }
 
 TEST_F(Sweep, AKeyThatNoRunCanHaveIsToldBeforeAnythingIsWritten) {
-    const Ending ending = sweep({"--vary", "body.block.masss=1,2"});
+    const Ending ending = sweep({"--vary", "body.lone.masss=1,2"});
     EXPECT_EQ(ending.code, 3);
     EXPECT_THAT(ending.err, HasSubstr("did you mean 'mass'?"));
     EXPECT_FALSE(std::filesystem::exists(out("study")));

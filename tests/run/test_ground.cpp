@@ -158,20 +158,6 @@ TEST(Ground, under_a_grid_fluid_keeps_a_still_lake_still_to_round_off) {
     EXPECT_LT(sim::evaluate(*kinetic, end->now()), 1e-20);  // [J/m], of 1 kJ/m that it has above the bed
 }
 
-TEST(Ground, that_is_hollow_under_a_grid_fluid_is_told_of) {
-    const CaseFolder folder;
-    const auto warnings = [&](const std::string& thickness) {
-        const std::string text = lake("method = 'grid'", 0.5), end = "[1.7, 0.1]]";
-        const std::size_t at = text.find(end) + end.size();
-        return scene::read_case_text(text.substr(0, at) + thickness + text.substr(at), "case.toml", folder.path())
-            .warnings;
-    };
-    EXPECT_THAT(warnings(""), IsEmpty());
-    EXPECT_THAT(warnings(", thickness = 0.05"),
-                ElementsAre(AllOf(HasSubstr("'bed' does not reach the bottom of the grid"), HasSubstr("0.4 m"))));
-    EXPECT_THAT(warnings(", thickness = 0.4"), IsEmpty());
-}
-
 TEST(Ground, holds_the_water_of_every_particle_method) {
     const CaseFolder folder;
     for (const std::string method : {"sph", "wcmps", "mps"}) {

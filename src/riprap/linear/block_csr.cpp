@@ -16,7 +16,7 @@ inline constexpr std::size_t lanes = B % 4 == 0   ? 4
                                                   : 1;
 
 template <int B>
-inline constexpr std::size_t bytes_of_block = BlockCsr<B>::block_numbers * sizeof(double);
+[[maybe_unused]] inline constexpr std::size_t bytes_of_block = BlockCsr<B>::block_numbers * sizeof(double);
 
 /// sum_j A_ij x_j over one row. Processors with AVX-512 are asked for large blocks two ahead, as they fetch ahead of a
 /// stream to the end of a page only; those with AVX2 alone are slower if asked.

@@ -133,7 +133,7 @@ TEST(AcousticDamping, neighbours_stand_evenly_inside_a_lattice_and_not_at_its_fa
                 const Vec3 gradient = water.scratch.data().continuity.concentration_gradient.vector(i);
                 return even_share(water.settings.smoothing_length() * norm(gradient));
             };
-            const std::size_t middle = water.state.size() / 2, face = middle - 4;  // nine in a row
+            const auto middle = static_cast<std::size_t>(water.state.size() / 2), face = middle - 4;  // nine in a row
             EXPECT_EQ(share_of(middle), 1) << dimension << ", " << ratio;
             EXPECT_EQ(share_of(face), 0) << dimension << ", " << ratio;
         }

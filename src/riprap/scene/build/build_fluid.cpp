@@ -250,9 +250,6 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     } else if constexpr (requires { settings.prepare(scene); }) {
         settings.prepare(scene);
     }
-    if constexpr (std::same_as<Settings, coupling::GridFluid>) {
-        warn_of_hollow_ground(build, scene.domain);
-    }
     build.model.fluid = settings;
 }
 

@@ -42,9 +42,6 @@ void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupli
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
                         const std::vector<Vec3>& water);
 
-/// Ground whose solid ends above the bottom of the domain of a grid fluid, which fills the room under it.
-void warn_of_hollow_ground(CaseBuild& build, const fluid::Domain& domain);
-
 /// Settings of the scheme that do not go together.
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);
 
