@@ -34,7 +34,7 @@ struct PlacedParts {
 };
 
 /// Puts every part where its body is; those of a body that has not moved stay, so that a large ground costs nothing.
-/// What does not change is read when the number of parts does: a PlacedParts belongs to one scene.
+/// Reads what does not change only when the number of parts does: a PlacedParts belongs to one scene.
 /// @param left_out  per body, empty for none: its pairs with others of these and with what is fixed are not sought
 void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
                  PlacedParts& placed, std::span<const std::uint8_t> left_out = {});

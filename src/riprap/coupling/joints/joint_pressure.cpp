@@ -43,7 +43,7 @@ struct JointPressure::Work {
         double pressure;    ///< p [Pa]
         double left_to_do;  ///< u [-]
     };
-    /// What four samples feel of the water, see JointWater.
+    /// Holds what four samples feel of the water, see JointWater.
     struct FeltFour {
         Four weight{0.0}, felt{0.0};
     };

@@ -124,7 +124,7 @@ struct Respond {
     const Surfaces<Native>& surfaces;
     bool has_faces, has_rolling;
 
-    /// What the settings change in the motion of contacts.
+    /// Holds what the settings change in the motion of contacts.
     void adjust(const Group& g, const Side& a, const Side& b, ContactMotion<Native>& motion) const {
         if (has_faces) {
             use_face_normals(model, bodies, g.a, g.b, a, b, motion);
