@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waves, stones and sponges of the grid fluid: what is refused, with the number and what to change.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "case_fixture.hpp"
@@ -53,6 +55,36 @@ TEST(GridWaves, a_sea_by_a_file_has_the_height_and_the_period_of_its_spectrum) {
     const auto scaled = sea_of(by_file + "height = 0.3\n");
     EXPECT_NEAR(scaled.height, 0.3, 1e-12);
     EXPECT_NEAR(scaled.spectrum.significant_height(), 0.3, 1e-12);
+}
+
+// A bed a cell thick over a deeper domain had water below it, and nothing said so.
+TEST(GridGround, that_is_hollow_in_the_domain_is_warned_of) {
+    const TemporaryFolder folder;
+    folder.write("bed.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n0.5 0.5 0.5\n0.5 0.5 0.5\n");
+    const auto warnings_of = [&](double thickness) {
+        return read(fmt::format(R"(gravity = [0.0, 0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+[[body]]
+name = "bed"
+material = "rock"
+fixed = true
+shape = {{ terrain = {{ file = "bed.asc", thickness = {} }} }}
+[fluid]
+method = "grid"
+spacing = 0.1
+domain = {{ low = [0.0, 0.0, 0.0], high = [2.0, 1.0, 1.0] }}
+[[fluid.region]]
+level = 0.8
+)",
+                                thickness),
+                    {}, folder.path().string())
+            .warnings;
+    };
+    EXPECT_THAT(warnings_of(0.3), testing::Contains(HasSubstr("'bed' is hollow in 20 % of 'fluid.domain'")));
+    EXPECT_THAT(warnings_of(0.5), testing::Not(testing::Contains(HasSubstr("hollow"))));
 }
 
 class GridTables : public testing::TestWithParam<Refusal> {};

@@ -27,6 +27,7 @@ struct FillReport {
     std::int64_t count{0};    ///< particles
     double volume{0};         ///< that they stand for [m^3]; in 2D [m^2]
     double region_volume{0};  ///< of the region below its level, solids not taken out [m^3]; in 2D [m^2]
+    double room{0};  ///< the same outside of solids, but for gaps narrower than a particle needs [m^3]; in 2D [m^2]
     double surface{0};        ///< height of its free surface along `up` [m]
 };
 
@@ -52,7 +53,8 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 /// without a seam; a place in several regions belongs to the first. The lattice starts half a spacing inside the low
 /// corner of the first region. A place is filled when it lies in a region, half a spacing below its level at least,
 /// outside every solid and no nearer than a quarter of a spacing to its faces: water never starts inside a solid. Dry
-/// bodies count too. Particles get the ids 0, 1, ... along the lattice, x fastest.
+/// bodies count too. The last layer is raised by what is left out beside solids, so that the volume is that below the
+/// level (fill_level.hpp). Particles get the ids 0, 1, ... along the lattice, x fastest.
 ///
 /// Density is that of rest without pressure: see set_hydrostatic_density.
 /// @param up     unit vector against gravity, along which levels count

@@ -124,11 +124,14 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
 }
 
 /// Sums the volume up and refuses regions without water.
-void check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling,
-                   coupling::ParticleFluid& fluid) {
+/// @return  the room of the regions that particles reach [m^3]; in 2D [m^2]
+double check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling,
+                     coupling::ParticleFluid& fluid) {
+    double room = 0;
     for (std::size_t r = 0; r < filling.regions.size(); ++r) {
         const coupling::FillReport& report = filling.regions[r];
         fluid.filled_volume += report.volume;
+        room += report.room;
         if (report.count == 0) {
             build.problem(list.items[r].place,
                           fmt::format("no particle of water fits into this region at a spacing of {:.4g} m",
@@ -136,6 +139,7 @@ void check_filling(CaseBuild& build, const Value& list, const coupling::Filling&
                           "a region larger than the spacing, in the domain, outside of solids and earlier regions");
         }
     }
+    return room;
 }
 
 /// Builds a fluid of particles: where they start, what carries their walls, where they come and go.
@@ -167,7 +171,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
     }
-    check_filling(build, list, filling, fluid);
+    const double reach = check_filling(build, list, filling, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
     }
@@ -180,7 +184,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     // Below the cells of ground there is no room, and no cell to say so.
     fluid.region_volume = body::find_grounds(build.model.bodies, build.model.shapes).empty()
                               ? room_for_water(build, fluid.settings().domain, regions)
-                              : fluid.filled_volume;
+                              : reach;
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
     if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {
@@ -249,6 +253,9 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
         }
     } else if constexpr (requires { settings.prepare(scene); }) {
         settings.prepare(scene);
+    }
+    if (table.find("domain") != nullptr) {  // one that takes solids as they are cut into its cells
+        warn_of_hollow_ground(build, scene.domain);
     }
     build.model.fluid = settings;
 }

@@ -42,6 +42,10 @@ void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupli
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,
                         const std::vector<Vec3>& water);
 
+/// Ground whose cells leave room below it in the domain of a fluid that takes them as they are. Looks at 40 places
+/// along each axis.
+void warn_of_hollow_ground(CaseBuild& build, const fluid::Domain& domain);
+
 /// Settings of the scheme that do not go together.
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);
 
