@@ -48,7 +48,8 @@ void add_run(CLI::App& app, Action& action) {
         "Example:\n  riprap run jointed_slope --end 2 --set material.rock.cohesion=\"1 kPa\" --out runs/trial");
     command->add_option("CASE", options->case_path, case_help)->required();
     command->add_option("--out", *out, "The run folder (default: runs/NAME)");
-    command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--threads", options->threads, "Threads (default: OMP_NUM_THREADS, or else all)")
+        ->check(CLI::Range(1, max_threads));
     command->add_option("--set", options->overrides, "Replace a key of the case: --set end=2 --set solid.skin=0.2")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
@@ -91,7 +92,8 @@ void add_resume(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("resume", "Continue a run from its last checkpoint");
     command->footer("Example:\n  riprap resume runs/jointed_slope --end 12");
     command->add_option("DIR", options->folder, "The run folder")->required();
-    command->add_option("--threads", options->threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--threads", options->threads, "Threads (default: OMP_NUM_THREADS, or else all)")
+        ->check(CLI::Range(1, max_threads));
     command->add_option("--end", options->end, "Run to this time instead [s]")->check(CLI::PositiveNumber);
     command->add_option("--max-steps", options->max_steps,
                         "Stop after this many steps, those before the checkpoint included; -1 = no limit");
@@ -133,7 +135,8 @@ void add_matrix(CLI::App& app, Action& action) {
     auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "As JSON");
     auto threads = std::make_shared<int>(0);
-    command->add_option("--threads", *threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--threads", *threads, "Threads (default: OMP_NUM_THREADS, or else all)")
+        ->check(CLI::Range(1, max_threads));
     command->callback([&action, options, as_json, threads] {
         action = [options, as_json, threads] {
             run::use_threads(*threads);
@@ -153,7 +156,8 @@ void add_validate(CLI::App& app, Action& action) {
     auto report = std::make_shared<std::string>();
     command->add_option("--report", *report, "Write one page with every result and plot into this folder");
     auto threads = std::make_shared<int>(0);
-    command->add_option("--threads", *threads, "Threads (default: all)")->check(CLI::Range(1, max_threads));
+    command->add_option("--threads", *threads, "Threads (default: OMP_NUM_THREADS, or else all)")
+        ->check(CLI::Range(1, max_threads));
     command->callback([&action, options, threads, report] {
         action = [options, threads, report] {
             run::use_threads(*threads);

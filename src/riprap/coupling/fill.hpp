@@ -27,8 +27,8 @@ struct FillReport {
     std::int64_t count{0};    ///< particles
     double volume{0};         ///< that they stand for [m^3]; in 2D [m^2]
     double region_volume{0};  ///< of the region below its level, solids not taken out [m^3]; in 2D [m^2]
-    double room{0};  ///< the same outside of solids, but for gaps narrower than a particle needs [m^3]; in 2D [m^2]
-    double surface{0};        ///< height of its free surface along `up` [m]
+    double room{0};     ///< the same outside of solids, but for gaps narrower than a particle needs [m^3]; in 2D [m^2]
+    double surface{0};  ///< height of its free surface along `up` [m]
 };
 
 /// Largest number of particles.

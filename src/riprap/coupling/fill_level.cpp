@@ -33,9 +33,7 @@ struct Survey {
     double distance;  ///< that places keep from solids [m]
     int dimension;
 
-    int owner(std::int64_t i, std::int64_t j, std::int64_t k) const {
-        return region_of(regions, lattice, up, i, j, k);
-    }
+    int owner(std::int64_t i, std::int64_t j, std::int64_t k) const { return region_of(regions, lattice, up, i, j, k); }
     bool is_filled(std::int64_t i, std::int64_t j, std::int64_t k) const {
         return owner(i, j, k) >= 0 && !solids.are_near(lattice.place(i, j, k), distance);
     }
@@ -53,9 +51,7 @@ struct Survey {
         const int across = dimension == 3 ? 4 : 8;
         const int deep = dimension == 3 ? 4 : 1;
         const Vec3 shift{shift_of(i, j, k, 0), shift_of(i, j, k, 1), shift_of(i, j, k, 2)};
-        const auto offset = [&](int n, int axis) {
-            return ((n + shift[axis]) / across - 0.5) * lattice.spacing;
-        };
+        const auto offset = [&](int n, int axis) { return ((n + shift[axis]) / across - 0.5) * lattice.spacing; };
         int free = 0;
         for (int c = 0; c < deep; ++c) {
             for (int b = 0; b < across; ++b) {

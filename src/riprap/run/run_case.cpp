@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -35,9 +39,23 @@ bool was_stopped_by_max_steps(const RunFolder& folder) {
     return summary.is_object() && summary.value("reason", "") == "stopped by max_steps";
 }
 
+/// The first number of OMP_NUM_THREADS, which queues of clusters set; 0 where it holds none.
+int threads_of_environment() {
+    const char* text = std::getenv("OMP_NUM_THREADS");
+    int count = 0;
+    if (text != nullptr) {
+        std::from_chars(text, text + std::strlen(text), count);
+    }
+    constexpr int most = 1024;  // as --threads
+    return std::clamp(count, 0, most);
+}
+
 }  // namespace
 
 void use_threads(int threads) {
+    if (threads <= 0) {
+        threads = threads_of_environment();
+    }
     parallel::set_thread_count(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
 }
 

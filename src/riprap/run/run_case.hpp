@@ -41,7 +41,7 @@ struct ResumeOptions {
     bool quiet{false};
 };
 
-/// Sets the number of threads; 0 = all that the process may use.
+/// Sets the number of threads; 0 = the first number of OMP_NUM_THREADS, or else all that the process may use.
 void use_threads(int threads);
 
 /// Runs a case from the beginning, or continues it with `resume`.

@@ -39,8 +39,8 @@ void warn_of_hollow_ground(CaseBuild& build, const fluid::Domain& domain) {
             warn_at(build, build.model.bodies.name_id[b],
                     fmt::format("'{}' is hollow in {:.2g} % of 'fluid.domain', as at ({:.6g}, {:.6g}, {:.6g}) m: this "
                                 "fluid fills what lies below the cells of ground; a larger 'thickness' closes it",
-                                build.model.bodies.name(ground.body),
-                                100.0 * hollow / (count[0] * count[1] * count[2]), where.x, where.y, where.z));
+                                build.model.bodies.name(ground.body), 100.0 * hollow / (count[0] * count[1] * count[2]),
+                                where.x, where.y, where.z));
         }
     }
 }
