@@ -125,12 +125,13 @@ TEST(Fill, the_level_holds_over_a_floor_that_no_cell_follows) {
     }
 }
 
-TEST(Fill, a_gap_too_narrow_for_water_does_not_raise_the_surface) {
+// Two blocks of 12 x 12 cells leave a gap of 0.4 spacings between them: 58 cells, 18 of them along its rim.
+TEST(Fill, a_gap_too_narrow_for_water_raises_the_surface_by_its_rim_alone) {
     Scene scene;
-    scene.add(geometry::box({0.2, 0.49, 0.2}), {{0.5, 0.245, 0.5}, {}});
-    scene.add(geometry::box({0.2, 0.49, 0.2}), {{0.5, 0.755, 0.5}, {}});
-    const Filling filling = fill(scene, settings_of({0, 0, 0}, {1, 1, 1}), {{{}, 0.8}});
-    EXPECT_EQ(filling.particles.size(), 20 * 20 * 16 - 4 * 4 * 20);
+    scene.add(geometry::box({0.6, 0.49, 0.6}), {{0.5, 0.245, 0.5}, {}});
+    scene.add(geometry::box({0.6, 0.49, 0.6}), {{0.5, 0.755, 0.5}, {}});
+    const Filling filling = fill(scene, settings_of({0, 0, 0}, {1, 1, 1}), {{{}, 0.9}});
+    EXPECT_NEAR(filling.particles.size(), 20 * 20 * 18 - 12 * 12 * 20, 22);
 }
 
 TEST(Fill, regions_that_overlap_share_one_lattice_and_the_first_gives_its_velocity) {
