@@ -131,7 +131,7 @@ TEST(Fill, a_gap_too_narrow_for_water_raises_the_surface_by_its_rim_alone) {
     scene.add(geometry::box({0.6, 0.49, 0.6}), {{0.5, 0.245, 0.5}, {}});
     scene.add(geometry::box({0.6, 0.49, 0.6}), {{0.5, 0.755, 0.5}, {}});
     const Filling filling = fill(scene, settings_of({0, 0, 0}, {1, 1, 1}), {{{}, 0.9}});
-    EXPECT_NEAR(filling.particles.size(), 20 * 20 * 18 - 12 * 12 * 20, 22);
+    EXPECT_NEAR(static_cast<double>(filling.particles.size()), 20 * 20 * 18 - 12 * 12 * 20, 22);
 }
 
 TEST(Fill, regions_that_overlap_share_one_lattice_and_the_first_gives_its_velocity) {
