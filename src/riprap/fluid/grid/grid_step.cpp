@@ -216,6 +216,7 @@ using FaceFields = std::array<std::vector<double>, 3>;
 void carry_water(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     move_water(settings, state, s, dt);
     find_masses(settings, state, s);
+    find_viscosity(settings, state, s);
     find_mass_fluxes(settings, s);
     find_curvature(settings, state, s);
     s.projection.has_operator = false;
@@ -317,7 +318,7 @@ std::size_t StepStart::bytes() const {
     return bytes_of(fraction) + bytes_of_faces(carrier) + bytes_of_faces(pore_velocity);
 }
 std::size_t Transport::bytes() const {
-    return bytes_of(settling, colour, plane.number, plane.row_begin, plane.plane) + bytes_of_faces(flux) +
+    return bytes_of(colour, plane.number, plane.row_begin, plane.plane) + bytes_of_faces(flux) +
            bytes_of_faces(water_flux);
 }
 std::size_t Inertia::bytes() const { return bytes_of(mass, mass_before) + bytes_of_faces(mass_flux); }

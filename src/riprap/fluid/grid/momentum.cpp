@@ -87,14 +87,19 @@ void find_masses_before(const GridSettings& settings, const GridState& state, Gr
 void find_masses(const GridSettings& settings, const GridState& state, GridScratch& s) {
     for_cells_and_beside(settings.mesh.box, [&](std::int64_t c, int, int, int) {
         s.inertia.mass[at(c)] = s.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
+    });
+    if (settings.has_surface) {
+        reconstruct_surface(settings.mesh, state.fraction, s.moved.plane);
+    }
+}
+
+void find_viscosity(const GridSettings& settings, const GridState& state, GridScratch& s) {
+    for_cells_and_beside(settings.mesh.box, [&](std::int64_t c, int, int, int) {
         s.stress.viscosity[at(c)] = viscosity_of(settings, state.fraction[at(c)]) +
                                     (s.stress.eddy_viscosity.empty() ? 0.0
                                                                      : density_of(settings, state.fraction[at(c)]) *
                                                                            s.stress.eddy_viscosity[at(c)]);
     });
-    if (settings.has_surface) {
-        reconstruct_surface(settings.mesh, state.fraction, s.moved.plane);
-    }
 }
 
 namespace {

@@ -17,6 +17,8 @@ Vec3 body_force(const GridSettings& settings, double time);
 void find_masses_before(const GridSettings& settings, const GridState& state, GridScratch& scratch);
 /// Masses of cells after the transport of water, which went with scratch.moved.water_flux [kg].
 void find_masses(const GridSettings& settings, const GridState& state, GridScratch& scratch);
+/// Viscosity of cells, molecular and of eddies [Pa s].
+void find_viscosity(const GridSettings& settings, const GridState& state, GridScratch& scratch);
 
 /// Velocity before the pressure, and how much the pressure drives through faces (scratch.projection.predicted,
 /// scratch.projection.conductance):

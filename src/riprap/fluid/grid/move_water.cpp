@@ -14,7 +14,7 @@ constexpr double most_flushed = 0.5;
 /// Sweeps over such cells; each carries water through one more of them in a row [-].
 constexpr int flush_sweeps = 4;
 
-/// Arrays of the transport, in memory that find_masses fills again after it.
+/// Arrays of the transport, in memory that find_masses and find_viscosity fill again after it.
 struct Buffers {
     std::vector<double>& water;         ///< in cells, between two directions [m^3]
     std::vector<double>& end_fraction;  ///< of slivers beside solids, at the end of the step [-]

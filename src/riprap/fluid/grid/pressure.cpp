@@ -103,17 +103,15 @@ class LentMemory {
  private:
     void exchange() {
         linear::PoissonSolver::Work& work = s_.projection.solver.work();
-        work.r.swap(s_.moved.settling);
+        work.r.swap(s_.stress.viscosity);
         work.d.swap(s_.start.carrier[1]);
         work.q.swap(s_.start.carrier[2]);
     }
     GridScratch& s_;
 };
 
-}  // namespace
-
-linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt,
-                                       bool is_rough) {
+linear::PoissonReport solve_and_correct(const GridSettings& settings, GridState& state, GridScratch& s, double dt,
+                                        bool is_rough) {
     const CellBox& box = settings.mesh.box;
     const Vec3 g = body_force(settings, state.time + dt);
     const LentMemory lent(s);
@@ -173,6 +171,15 @@ linear::PoissonReport project_velocity(const GridSettings& settings, GridState& 
             state.velocity[at(a)][at(f)] = s.projection.predicted[at(a)][at(f)] - (area > 0 ? driven / area : 0);
         });
     }
+    return report;
+}
+
+}  // namespace
+
+linear::PoissonReport project_velocity(const GridSettings& settings, GridState& state, GridScratch& s, double dt,
+                                       bool is_rough) {
+    const linear::PoissonReport report = solve_and_correct(settings, state, s, dt, is_rough);
+    find_viscosity(settings, state, s);  // the solver has had its memory
     return report;
 }
 

@@ -66,7 +66,6 @@ struct Transport {
     std::array<std::vector<double>, 3> flux;
     /// Water through a face in the step, along +axis [m^3]; its memory goes on to Projection::predicted and back.
     std::array<std::vector<double>, 3> water_flux;
-    std::vector<double> settling;      ///< fraction that a cell can take or give as volume settles [-]
     std::vector<std::uint8_t> colour;  ///< colour function of the dilation term, 0 or 1
     CellPlanes plane;                  ///< surface in mixed cells
 
@@ -81,9 +80,10 @@ struct Inertia {
     std::size_t bytes() const;
 };
 
-/// Stresses: written by find_masses, find_curvature and the turbulence, read by predict_velocity.
+/// Stresses: written by find_viscosity, find_curvature and the turbulence, read by predict_velocity.
 struct Stress {
-    std::vector<double> viscosity;       ///< mu + mu_t in cells [Pa s]
+    /// mu + mu_t in cells [Pa s]; its memory serves move_water and the pressure solver in between.
+    std::vector<double> viscosity;
     std::vector<double> eddy_viscosity;  ///< nu_t; empty in laminar flow [m^2/s]
     std::vector<double> curvature;       ///< of the surface in mixed cells; empty without tension [1/m]
 

@@ -122,8 +122,7 @@ void settle_beside_surface(const GridSettings& settings, GridState& state, GridS
     const CellBox& box = settings.mesh.box;
     auto& f = state.fraction;
     const bool takes = missing > 0;
-    std::vector<double>& settling = s.moved.settling;
-    settling.resize(f.size());
+    std::vector<double>& settling = s.stress.viscosity;  // [-]: how much a cell can take or give; found anew after it
     for_cells(box, [&](std::int64_t c, int, int, int) {
         bool is_beside = false;
         for (int a = 0; a < box.axes; ++a) {
