@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
@@ -116,12 +117,14 @@ std::vector<geometry::GeometryProblem> problems_of(const Model& model) {
         }
     }
     const double limit = 1e6 * stiffest * model.thickness;
-    for (std::size_t j = 0; j < model.joints.size(); ++j) {
-        const Joint& joint = model.joints[j];
-        for (const double stiffness : {joint.normal_stiffness, joint.shear_stiffness}) {
-            if (!(stiffness > 0 && stiffness <= limit)) {
-                problems.push_back({fmt::format("contact stiffness {:.3g} N/m of materials {} and {}", stiffness,
-                                                j / model.materials.size(), j % model.materials.size()),
+    std::vector<double> told;  // pairs of materials mostly have the same stiffness
+    for (const Joint& joint : model.joints) {
+        for (const auto& [name, stiffness] :
+             {std::pair{"contact", joint.normal_stiffness}, std::pair{"shear", joint.shear_stiffness}}) {
+            if (!(stiffness > 0 && stiffness <= limit) &&
+                std::find(told.begin(), told.end(), stiffness) == told.end()) {
+                told.push_back(stiffness);
+                problems.push_back({fmt::format("{} stiffness {:.3g} N/m", name, stiffness),
                                     fmt::format("above 0, at most {:.3g} N/m (1e6 E times the thickness)", limit)});
             }
         }
