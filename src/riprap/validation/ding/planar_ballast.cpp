@@ -125,6 +125,7 @@ struct Watch {
     std::int32_t struck{-1};  ///< stone that the ice meets first: the marked one
     Strike result{};
     Vec2 touch{};
+    double fastest{0};                       ///< rise of the ice so far [m/s]
     std::vector<double> rise{}, drift{};     ///< largest rise and drift of every stone [m]
     std::vector<std::vector<Vec2>> paths{};  ///< of every stone: time and height while it is well above the bed
 
@@ -149,7 +150,27 @@ struct Watch {
         if (result.impact_time > 0) {
             result.ice_way = std::max(result.ice_way, norm(trial.center(ice) - touch));
             result.ice_bounce = std::max(result.ice_bounce, trial.center(ice).y - touch.y);
+            const Vec2 velocity = trial.velocity(ice);
+            if (velocity.y > fastest) {
+                fastest = velocity.y;
+                result.ice_angle = std::atan2(velocity.y, std::abs(velocity.x));
+            }
         }
+    }
+
+    /// Measures what is left of the bed.
+    void look_at_crater() {
+        double left = INFINITY, right = -INFINITY;
+        for (std::int32_t k = 0; k < bed.stone_count; ++k) {
+            const Vec2& start = bed.start[at(k)];
+            const Vec2 moved = trial.center(bed.first_stone + k) - start;
+            result.crater_depth = std::max(result.crater_depth, -moved.y);
+            if (norm(moved) > 0.0235) {
+                left = std::min(left, start.x);
+                right = std::max(right, start.x);
+            }
+        }
+        result.crater_width = std::max(0.0, right - left);
     }
 
     /// 1 - R^2 of the longest flight against the parabola of gravity through its ends.
@@ -238,6 +259,7 @@ Strike strike(const BallastBed& bed, const Shot& shot) {
     if (watch.struck >= 0) {
         watch.result.marked = {watch.drift[at(watch.struck)], watch.rise[at(watch.struck)]};
     }
+    watch.look_at_crater();
     watch.result.ice = trial.center(ice) - center;
     watch.result.parabola = watch.misfit();
     watch.result.ledger = trial.ledger_error();

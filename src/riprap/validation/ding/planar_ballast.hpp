@@ -33,6 +33,9 @@ struct Strike {
     geometry::Vec2 ice{};     ///< displacement of the ice at the end [m]
     double ice_way{0};        ///< largest displacement of the ice after the touch [m]
     double ice_bounce{0};     ///< rise of the ice above the surface after the touch [m]
+    double ice_angle{0};      ///< of the ice above the horizontal when it rises fastest; 0 where it never rises [rad]
+    double crater_depth{0};   ///< deepest place of a stone's centre below its first one, at the end [m]
+    double crater_width{0};   ///< of the bed whose stones end more than half a mean size from their places [m]
     double parabola{0};       ///< 1 - R^2 of the path of the stone longest in the air against a parabola
     bool has_hit_rail{false};
     double ledger{0};

@@ -29,7 +29,7 @@ std::vector<BallastBed> beds_of(const CaseSetting& setting, double length, doubl
 /// Mean over the packings.
 struct Mean {
     double flying{0}, above_330{0}, highest{0}, marked_x{0}, marked_y{0}, ice_way{0}, ice_bounce{0}, rail{0};
-    double impact_time{0}, parabola{0}, ledger{0};
+    double impact_time{0}, parabola{0}, ledger{0}, ice_angle{0}, crater_depth{0}, crater_width{0};
 };
 std::vector<Strike> strikes_of(const std::vector<BallastBed>& beds, const Shot& shot) {
     std::vector<Strike> strikes;
@@ -49,6 +49,9 @@ Mean mean_of(const std::vector<Strike>& strikes) {
         mean.marked_y += share * one.marked.y;
         mean.ice_way += share * one.ice_way;
         mean.ice_bounce += share * one.ice_bounce;
+        mean.ice_angle += share * one.ice_angle;
+        mean.crater_depth += share * one.crater_depth;
+        mean.crater_width += share * one.crater_width;
         mean.impact_time += share * one.impact_time;
         mean.rail += share * (one.has_hit_rail ? 1 : 0);
         mean.parabola = std::max(mean.parabola, one.parabola);
@@ -183,10 +186,39 @@ void planar_cross_section(const CaseSetting& setting, CaseReport& report) {
     report_ledger(report, worst);
 }
 
+namespace {
+
+/// Of four numbers, the third less the second over the largest.
+double step_share(const std::vector<double>& four) {
+    return (four[2] - four[1]) / *std::max_element(four.begin(), four.end());
+}
+
+bool grows_most_in_the_middle(const std::vector<double>& four) {
+    return four[2] - four[1] > std::max(four[1] - four[0], four[3] - four[2]);
+}
+
+/// R^2 of the straight line that fits best.
+double line_fit(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto count = static_cast<double>(x.size());
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        mean_x += x[k] / count;
+        mean_y += y[k] / count;
+    }
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        xx += (x[k] - mean_x) * (x[k] - mean_x);
+        xy += (x[k] - mean_x) * (y[k] - mean_y);
+        yy += (y[k] - mean_y) * (y[k] - mean_y);
+    }
+    return xy * xy / (xx * yy);
+}
+
+}  // namespace
+
 void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
     const std::vector<BallastBed> beds = beds_of(setting, setting.is_full ? 3 : 1.5, 0.2);
     report_bed(report, beds);
-    std::vector<double> speeds, flying, highest, marked, marked_height;
+    std::vector<double> speeds, flying, highest, marked, marked_height, crater;
     double worst = 0;
     for (const double speed : {100.0, 200.0, 300.0, 400.0}) {
         const Mean mean =
@@ -196,6 +228,7 @@ void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
         highest.push_back(mean.highest);
         marked.push_back(std::hypot(mean.marked_x, mean.marked_y));
         marked_height.push_back(mean.marked_y);
+        crater.push_back(mean.crater_depth);
         worst = std::max(worst, mean.ledger);
         report.state({fmt::format("{} km/h: stones that rise by more than 47 mm", speed), "-", {}}, mean.flying);
         report.state({fmt::format("{} km/h: largest rise of a stone", speed), "m", {}}, mean.highest);
@@ -205,6 +238,16 @@ void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
               std::is_sorted(flying.begin(), flying.end()));
     judge_yes(report, "height of the stones does not fall with speed", "increases",
               std::is_sorted(highest.begin(), highest.end()));
+    judge_yes(report, "crater deepens with speed", "deepens", std::is_sorted(crater.begin(), crater.end()));
+    // Each of the two numbers scatters by a fifth from packing to packing.
+    report.judge({"number of flying stones, 300 less 200 km/h, over the largest", "-", 0.33, {}, {}},
+                 step_share(flying), 0.13, 0.53);
+    report.judge({"height of the stones, 300 less 200 km/h, over the largest", "-", 0.47, {}, {}}, step_share(highest),
+                 0.27, 0.67);
+    judge_yes(report, "number or height grows most from 200 to 300 km/h", "grows most",
+              grows_most_in_the_middle(flying) || grows_most_in_the_middle(highest));
+    report.judge({"displacement of the marked stone against speed: R^2 of a line", "-", "linear", 1.0, {}},
+                 line_fit(speeds, marked), 0.95, 1);
     report.judge({"displacement of the marked stone at 400 over 100 km/h", "-", "about 4", 4.0, {}},
                  marked[3] / marked[0], 3, 5);
     report.judge({"rise of the marked stone at 400 km/h", "m", "above 0.33 from 300", {}, {}}, marked_height[3], 0.33,
@@ -244,6 +287,17 @@ void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
                  means[3].marked_x / means[3].marked_y, 0, 0.3);
     judge_yes(report, "marked stone goes farther at 30 and 60 degrees than at 0", "largest at 30 and 60",
               std::min(marked(1), marked(2)) > marked(0));
+    judge_yes(report, "marked stone goes farther at 30 and 60 degrees than at 90", "largest at 30 and 60",
+              std::min(marked(1), marked(2)) > marked(3));
+    judge_yes(report, "marked stone goes least far at 0 degrees", "smallest at 0",
+              marked(0) < std::min({marked(1), marked(2), marked(3)}));
+    judge_yes(report, "ice leaves the steeper the steeper it comes", "reflection angle grows",
+              std::is_sorted(means.begin(), means.end(),
+                             [](const Mean& a, const Mean& b) { return a.ice_angle < b.ice_angle; }));
+    judge_yes(report, "crater is deepest at 90 degrees", "deepest at 90",
+              means[3].crater_depth > std::max({means[0].crater_depth, means[1].crater_depth, means[2].crater_depth}));
+    judge_yes(report, "crater is widest at 90 degrees", "widest at 90",
+              means[3].crater_width > std::max({means[0].crater_width, means[1].crater_width, means[2].crater_width}));
     judge_yes(report, "way of the ice is largest at 0 degrees", "largest at 0",
               means[0].ice_way > std::max({means[1].ice_way, means[2].ice_way, means[3].ice_way}));
     report_ledger(report, worst);
@@ -276,6 +330,12 @@ void planar_ice_shape(const CaseSetting& setting, CaseReport& report) {
           [](const Strike& c, const Strike& t, const Strike& s) { return t.highest > std::max(c.highest, s.highest); });
     judge("the square bounces highest", "highest", [](const Strike& c, const Strike& t, const Strike& s) {
         return s.ice_bounce > std::max(c.ice_bounce, t.ice_bounce);
+    });
+    judge("the square leaves the deepest crater", "deepest", [](const Strike& c, const Strike& t, const Strike& s) {
+        return s.crater_depth > std::max(c.crater_depth, t.crater_depth);
+    });
+    judge("the square leaves the widest crater", "widest", [](const Strike& c, const Strike& t, const Strike& s) {
+        return s.crater_width > std::max(c.crater_width, t.crater_width);
     });
     judge("the ice goes least far as triangle, farthest as square", "least, most",
           [](const Strike& c, const Strike& t, const Strike& s) {
