@@ -176,6 +176,7 @@ std::span<const ValidationCase> dda_in_space_cases() {
     static constexpr std::array cases{
         ValidationCase{"dda", "rock_wedges_3d", "3D-DDA: wedges on two joint planes hold or slide (Hoek and Bray)",
                        false, dda::rock_wedges_3d},
+        ValidationCase{"dda", "tipping_3d", "3D-DDA: a block on a slope raised slowly tips", false, dda::tipping_3d},
         ValidationCase{"dda", "sliding_block_3d", "3D-DDA: a block on an incline slides, holds, stops", false,
                        dda::sliding_block_3d},
         ValidationCase{"dda", "stack_3d", "3D-DDA: stacked blocks carry their weight", false, dda::stack_3d},

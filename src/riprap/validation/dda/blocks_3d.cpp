@@ -60,7 +60,41 @@ double stopping_way(Trial trial, double speed) {
     return trial.position(1).x - before;
 }
 
+/// Way along the slope of the middle of a block 0.2 m wide and 1 m high, 2 s after the slope was raised to its angle by
+/// 0.1 degrees a second.
+template <class Trial>
+double lean(double slope, double dt) {
+    Trial trial;
+    const double stiffness = 1e8, mass = 2500 * 0.2 * 0.5;
+    add_material(trial.system, {2500, 1e9, 0.25}, {stiffness, stiffness, false, 0.25, 0, 0, 0.5});
+    add_block(trial.system, trial.state.blocks, {.shape = add_half_space(trial.system, {0, 0, 1}, 0)});
+    add_box(trial.system, trial.state.blocks, {0.2, 0.5, 1},
+            {.position = {0, 0, 0.5 - mass * gravity / (4 * stiffness)}});
+    trial.dt = dt;
+    const double low = slope - 0.5 * degree;
+    while (trial.time < 8) {
+        const double angle = low + std::clamp(trial.time - 1, 0.0, 5.0) * 0.1 * degree;
+        trial.system.gravity = gravity * Vec3{std::sin(angle), 0, -std::cos(angle)};
+        trial.step();
+    }
+    return trial.position(1).x;
+}
+
 }  // namespace
+
+void tipping_3d(const CaseSetting& /*setting*/, CaseReport& report) {
+    const double slope = std::atan(0.2);
+    for (const bool is_implicit : {true, false}) {
+        const std::string name = is_implicit ? "implicit: " : "explicit: ";
+        const auto lean_at = [&](double angle) {
+            return is_implicit ? lean<ImplicitTrial>(angle, 1e-3) : lean<ExplicitTrial>(angle, 5e-5);
+        };
+        report.judge_below({name + "way of the middle, 0.1 deg below atan(b/h)", "m", "stands", 0, {}},
+                           lean_at(slope - 0.1 * degree), 1e-3);
+        report.judge({name + "way of the middle, 0.1 deg above it", "m", "tips", {}, {}}, lean_at(slope + 0.1 * degree),
+                     0.02, 5);
+    }
+}
 
 void sliding_block_3d(const CaseSetting& setting, CaseReport& report) {
     constexpr double fine = 1e-4;

@@ -8,6 +8,7 @@
 namespace riprap::validation::dda {
 
 void rock_wedges_3d(const CaseSetting& setting, CaseReport& report);
+void tipping_3d(const CaseSetting& setting, CaseReport& report);
 void sliding_block_3d(const CaseSetting& setting, CaseReport& report);
 void stack_3d(const CaseSetting& setting, CaseReport& report);
 void rocking_3d(const CaseSetting& setting, CaseReport& report);
