@@ -97,13 +97,17 @@ struct Dam {
     double slid() const { return norm(trial.position(downstream) - start_downstream); }
 
     /// Raises the water by 0.5 m a second to `level`, then keeps it; returns the time at which the downstream block has
-    /// moved by `mark`, or infinity.
-    double run(double level, double end, double mark) {
+    /// moved by `mark`, or infinity. Adds its way to a curve.
+    double run(double level, double end, double mark, Curve* curve = nullptr) {
         double onset = INFINITY;
         while (trial.time < end - 1e-9) {
             set_level(std::min(level, 0.5 * trial.time));
             trial.step();
             onset = std::isinf(onset) && slid() > mark ? trial.time : onset;
+            if (curve != nullptr) {
+                curve->x.push_back(trial.time);
+                curve->y.push_back(slid());
+            }
         }
         return onset;
     }
@@ -164,9 +168,18 @@ void gravity_dam(const CaseSetting& setting, CaseReport& report) {
     // The way at 10 s, when the blocks are still on the crack.
     const double end = 10;
     std::vector<double> ways, onsets;
+    const auto plot_of = [](const char* title) {
+        Plot plot;
+        plot.title = title;
+        plot.x.label = "time [s]";
+        plot.y.label = "displacement of block 1 [m]";
+        return plot;
+    };
+    Plot levels = plot_of("The cracked top of a dam in space, three levels of water");
     for (const double level : {3.5, 4.0, 5.0}) {
         Dam dam(0, 0.01);
-        onsets.push_back(dam.run(level, end, 0.01));
+        levels.curves.push_back({fmt::format("{} m", level), {}, {}, CurveStyle::line, -1});
+        onsets.push_back(dam.run(level, end, 0.01, &levels.curves.back()));
         ways.push_back(dam.slid());
     }
     report.judge_below({"water 3.5 m: displacement of block 1", "m", "stands", 0, {}}, ways[0], 1e-3);
@@ -174,9 +187,11 @@ void gravity_dam(const CaseSetting& setting, CaseReport& report) {
     report.judge({"5 m moves it earlier than 4 m: time saved", "s", "earlier", {}, {}}, onsets[1] - onsets[2], 0,
                  INFINITY);
     std::vector<double> cohesive;
+    Plot cohesions = plot_of("The same at 4.2 m, by cohesion");
     for (const double cohesion : {0.0, 1e3, 2e3, 0.3e6, 3e6}) {
         Dam dam(cohesion, 0.01);
-        dam.run(4.2, end, INFINITY);
+        cohesions.curves.push_back({fmt::format("{:.0f} kPa", 1e-3 * cohesion), {}, {}, CurveStyle::line, -1});
+        dam.run(4.2, end, INFINITY, &cohesions.curves.back());
         cohesive.push_back(dam.slid());
         report.state(
             {fmt::format("4.2 m, cohesion {:.0f} kPa: displacement after {} s", 1e-3 * cohesion, end), "m", {}},
@@ -190,6 +205,8 @@ void gravity_dam(const CaseSetting& setting, CaseReport& report) {
     report.judge({"cohesion 0, 1, 2 kPa, 0.3, 3 MPa: displacement falls", "-", "3 MPa: -16.7 %", 1, {}},
                  is_monotone ? 1 : 0, 1, 1);
     report.judge_below({"0.3 MPa: displacement", "m", {}, 0, {}}, cohesive[3], 1e-3);
+    write_plot(setting, "gravity_dam_levels", levels);
+    write_plot(setting, "gravity_dam_cohesions", cohesions);
     if (setting.is_full) {
         Dam dam(0, 0.01, Springs::per_point);
         double peak = 0, last = 0;

@@ -27,6 +27,7 @@ struct Incline {
     std::int32_t block;
     Vec3 start, down;
     double slope, friction;
+    Curve speed{};  ///< of the second that is looked at
 
     Incline(const Rock& rock, double slope_deg, double friction_deg, double dt, double turn = 0)
         : slope(slope_deg * degree), friction(std::tan(friction_deg * degree)) {
@@ -58,6 +59,8 @@ struct Incline {
         while (trial.time < begin + 1 - 1e-9) {
             trial.step();
             const double t = trial.time - begin;
+            speed.x.push_back(trial.time);
+            speed.y.push_back(dot(trial.velocity(block), down));
             way_error = std::max(way_error, std::abs((way() - s0 - v0 * t) / (0.5 * exact()) - t * t));
             speed_error = std::max(speed_error, std::abs((dot(trial.velocity(block), down) - v0) / exact() - t));
         }
@@ -65,15 +68,26 @@ struct Incline {
     }
 };
 
-void judge_errors(const std::string& name, const Published& paper, Incline incline, double limit, CaseReport& report) {
+/// Returns the speed.
+Curve judge_errors(const std::string& name, const Published& paper, Incline incline, double limit, CaseReport& report) {
     const auto [way, speed] = incline.errors();
     report.judge_below({name + ": largest error of way or speed over its final value", "%", paper, 0, {}},
                        100 * std::max(way, speed), limit);
+    return incline.speed;
 }
 
 }  // namespace
 
-void incline_3d(const CaseSetting&, CaseReport& report) {
+void incline_3d(const CaseSetting& setting, CaseReport& report) {
+    Plot plot;
+    plot.title = "A cube on an incline, by slope and friction angle";
+    plot.subtitle = "soft rock, steps of 0.01 s";
+    plot.x.label = "time [s]";
+    plot.y.label = "speed [m/s]";
+    const auto add = [&plot](const std::string& label, Curve curve) {
+        curve.label = label;
+        plot.curves.push_back(std::move(curve));
+    };
     const std::array<std::pair<double, double>, 3> published{{{0.1, 1.4}, {0.01, 0.56}, {0.001, 0.018}}};
     for (const auto& [dt, error] : published) {
         judge_errors(fmt::format("A, 30 deg, no friction, step {} s", dt), error, Incline(literal, 30, 0, dt), error,
@@ -81,15 +95,20 @@ void incline_3d(const CaseSetting&, CaseReport& report) {
         judge_errors(fmt::format("A, stiff rock, step {} s", dt), {}, Incline(stiff, 30, 0, dt), 0.1, report);
     }
     for (const double friction : {0.0, 10.0, 20.0}) {
-        judge_errors(fmt::format("B, 30 deg, friction angle {} deg, step 0.01 s", friction), {},
-                     Incline(literal, 30, friction, 0.01), 0.5, report);
+        add(fmt::format("30 deg, friction {}", friction),
+            judge_errors(fmt::format("B, 30 deg, friction angle {} deg, step 0.01 s", friction), {},
+                         Incline(literal, 30, friction, 0.01), 0.5, report));
         judge_errors(fmt::format("B, stiff rock, friction angle {} deg", friction), {},
                      Incline(stiff, 30, friction, 0.01), 0.5, report);
     }
     for (const double slope : {15.0, 30.0, 45.0}) {
-        judge_errors(fmt::format("C, {} deg, no friction, step 0.01 s", slope), {}, Incline(literal, slope, 0, 0.01),
-                     0.5, report);
+        Curve curve = judge_errors(fmt::format("C, {} deg, no friction, step 0.01 s", slope), {},
+                                   Incline(literal, slope, 0, 0.01), 0.5, report);
+        if (slope != 30) {
+            add(fmt::format("{} deg, no friction", slope), std::move(curve));
+        }
     }
+    write_plot(setting, "incline_3d", plot);
     {
         Incline incline(stiff, 30, 35, 0.01);
         incline.trial.step(100);  // springs take the load

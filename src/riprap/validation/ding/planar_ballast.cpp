@@ -150,6 +150,11 @@ struct Watch {
         if (result.impact_time > 0) {
             result.ice_way = std::max(result.ice_way, norm(trial.center(ice) - touch));
             result.ice_bounce = std::max(result.ice_bounce, trial.center(ice).y - touch.y);
+            if (result.times.empty() || trial.time - result.impact_time > result.times.back() + 2e-3) {
+                result.times.push_back(trial.time - result.impact_time);
+                result.ice_ways.push_back(norm(trial.center(ice) - touch));
+                result.marked_ways.push_back(norm(trial.center(bed.first_stone + struck) - bed.start[at(struck)]));
+            }
             const Vec2 velocity = trial.velocity(ice);
             if (velocity.y > fastest) {
                 fastest = velocity.y;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "riprap/validation/dda/planar_trial.hpp"
 #include "riprap/validation/registry.hpp"
@@ -37,6 +38,9 @@ struct Strike {
     double crater_depth{0};   ///< deepest place of a stone's centre below its first one, at the end [m]
     double crater_width{0};   ///< of the bed whose stones end more than half a mean size from their places [m]
     double parabola{0};       ///< 1 - R^2 of the path of the stone longest in the air against a parabola
+    std::vector<double> times{};        ///< from the touch on [s]
+    std::vector<double> ice_ways{};     ///< of the ice from where it touched, at these times [m]
+    std::vector<double> marked_ways{};  ///< of the marked stone from its place [m]
     bool has_hit_rail{false};
     double ledger{0};
 };

@@ -78,6 +78,21 @@ void judge_yes(CaseReport& report, const std::string& what, const char* paper, b
     report.judge({what + " (1 = yes)", "-", paper, 1.0, {}}, is_so ? 1 : 0, 1, 1);
 }
 
+/// Displacements of ice and marked stone against time, of the first packing of each shot.
+Plot paths(const std::string& title) {
+    Plot plot;
+    plot.title = title;
+    plot.subtitle = "lines: ice, from its touch; markers: the stone that it meets first";
+    plot.x.label = "time from the touch [s]";
+    plot.y.label = "displacement [m]";
+    return plot;
+}
+void add_paths(Plot& plot, const std::string& label, const Strike& strike) {
+    const int color = static_cast<int>(plot.curves.size() / 2);
+    plot.curves.push_back({label, strike.times, strike.ice_ways, CurveStyle::line, color});
+    plot.curves.push_back({label + ", stone", strike.times, strike.marked_ways, CurveStyle::markers, color});
+}
+
 void report_bed(CaseReport& report, const std::vector<BallastBed>& beds) {
     report.state({"stones in the bed", "-", {}}, beds.front().stone_count);
     report.state({"porosity of the bed", "-", "the paper says: completely compacted"}, beds.front().porosity);
@@ -148,9 +163,12 @@ void planar_cross_section(const CaseSetting& setting, CaseReport& report) {
         }
     }
     double flying = -1, highest = -1, worst = 0, way = -1;
+    Plot plot = paths("Ice falls on the middle of the track");
     bool flying_rises = true, height_rises = true, way_rises = true;
     for (const double speed : {0.0, 5.0, 10.0}) {
-        const Mean mean = mean_of(beds, {.velocity = {0, -speed}, .height = 0.6, .after = 0.4});
+        const std::vector<Strike> strikes = strikes_of(beds, {.velocity = {0, -speed}, .height = 0.6, .after = 0.4});
+        const Mean mean = mean_of(strikes);
+        add_paths(plot, fmt::format("{} m/s", speed), strikes.front());
         const double exact = (-speed + std::sqrt(speed * speed + 2 * 9.81 * 0.6)) / 9.81;
         const std::string name = fmt::format("{} m/s: ", speed);
         report.judge({name + "time of the impact", "s", speed == 5 ? Published{"0.11"} : Published{}, exact,
@@ -184,6 +202,7 @@ void planar_cross_section(const CaseSetting& setting, CaseReport& report) {
     judge_yes(report, "height of the stones rises with speed", "increases", height_rises);
     judge_yes(report, "way of the ice rises with speed", "increases", way_rises);
     report_ledger(report, worst);
+    write_plot(setting, "planar_cross_section", plot);
 }
 
 namespace {
@@ -220,9 +239,12 @@ void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
     report_bed(report, beds);
     std::vector<double> speeds, flying, highest, marked, marked_height, crater;
     double worst = 0;
+    Plot along = paths("Ice along the track");
     for (const double speed : {100.0, 200.0, 300.0, 400.0}) {
-        const Mean mean =
-            mean_of(beds, {.velocity = {speed * kmh, -3.5}, .height = 0.002, .place = -0.45, .after = 0.35});
+        const std::vector<Strike> strikes =
+            strikes_of(beds, {.velocity = {speed * kmh, -3.5}, .height = 0.002, .place = -0.45, .after = 0.35});
+        const Mean mean = mean_of(strikes);
+        add_paths(along, fmt::format("{} km/h", speed), strikes.front());
         speeds.push_back(speed);
         flying.push_back(mean.flying);
         highest.push_back(mean.highest);
@@ -261,6 +283,7 @@ void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
     plot.curves = {{"all stones", speeds, highest, CurveStyle::markers, -1},
                    {"marked stone", speeds, marked_height, CurveStyle::markers, -1}};
     write_plot(setting, "planar_train_speed", plot);
+    write_plot(setting, "planar_train_speed_paths", along);
 }
 
 void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
@@ -268,12 +291,15 @@ void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
     report_bed(report, beds);
     std::vector<Mean> means;
     double worst = 0;
+    Plot plot = paths("Ice of 20 m/s at four angles");
     for (const double angle : {0.0, 30.0, 60.0, 90.0}) {
         const double a = angle * std::numbers::pi / 180;
-        means.push_back(mean_of(beds, {.velocity = {20 * std::cos(a), -20 * std::sin(a)},
-                                       .height = 0.002,
-                                       .place = angle < 10 ? -0.4 : -0.1,
-                                       .after = 0.3}));
+        const std::vector<Strike> strikes = strikes_of(beds, {.velocity = {20 * std::cos(a), -20 * std::sin(a)},
+                                                              .height = 0.002,
+                                                              .place = angle < 10 ? -0.4 : -0.1,
+                                                              .after = 0.3});
+        means.push_back(mean_of(strikes));
+        add_paths(plot, fmt::format("{} degrees", angle), strikes.front());
         worst = std::max(worst, means.back().ledger);
         report.state({fmt::format("{} degrees: stones that rise by more than 47 mm", angle), "-", {}},
                      means.back().flying);
@@ -301,6 +327,7 @@ void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
     judge_yes(report, "way of the ice is largest at 0 degrees", "largest at 0",
               means[0].ice_way > std::max({means[1].ice_way, means[2].ice_way, means[3].ice_way}));
     report_ledger(report, worst);
+    write_plot(setting, "planar_incident_angle", plot);
 }
 
 void planar_ice_shape(const CaseSetting& setting, CaseReport& report) {
@@ -346,6 +373,11 @@ void planar_ice_shape(const CaseSetting& setting, CaseReport& report) {
               return t.marked.y > c.marked.y && c.marked.y > s.marked.y;
           });
     report_ledger(report, std::max({circle.ledger, triangle.ledger, square.ledger}));
+    Plot plot = paths("Ice of three shapes at 10 m/s");
+    add_paths(plot, "circle", circles.front());
+    add_paths(plot, "triangle", triangles.front());
+    add_paths(plot, "square", squares.front());
+    write_plot(setting, "planar_ice_shape", plot);
 }
 
 }  // namespace riprap::validation::ding
