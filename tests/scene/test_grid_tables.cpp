@@ -109,6 +109,27 @@ INSTANTIATE_TEST_SUITE_P(
                 "heights up to 0.75 of the depth", "a lower wave"},
         Refusal{"absorber_for_short_waves", wave("wave = \"regular\"\nheight = 0.3\nperiod = 2.0\nabsorb = true\n"),
                 "a side cannot absorb waves of kd = ", "absorb = false and a [[fluid.sponge]]"},
+        Refusal{"solitary_wave_that_breaks", wave("wave = \"boussinesq\"\nheight = 0.9\n"),
+                "a wave 0.9 m high in 1 m of water breaks", "heights below 0.78 m"},
+        Refusal{"sea_that_breaks", wave("wave = \"irregular\"\nheight = 0.8\nperiod = 3.0\n"),
+                "a wave 0.8 m high in 1 m of water breaks", "heights below 0.78 m"},
+        Refusal{"second_order_beyond_its_range", wave("wave = \"second_order\"\nheight = 0.5\nperiod = 4.0\n"),
+                "good below 26.3", "heights up to 0.18"},
+        Refusal{"wave_deeper_than_the_water",
+                with(wave("wave = \"none\"\nabsorb = true\n"), "depth = 1.0", "depth = 1.5"),
+                "a wave in 1.5 m of water at the low side of x, where 1 m stand", "a depth of at most 1 m"},
+        Refusal{"two_waves_through_a_side",
+                wave("wave = \"solitary\"\nheight = 0.3\n[[fluid.wave]]\ntowards = \"x\"\ndepth = 1.0\n"
+                     "wave = \"none\"\nabsorb = true\n"),
+                "two waves through the low side of x", "one [[fluid.wave]] to a side"},
+        Refusal{"block_longer_than_the_domain", with(tank, "box = [0.5, 0.5]", "box = [12.0, 0.5]"),
+                "'block' is 12 m long along x, 'fluid.domain' 10 m", "a larger domain"},
+        Refusal{"water_beyond_the_domain", with(tank, "level = 1.0", "box = { low = [20, 0], high = [21, 1] }"),
+                "no water of this region lies in the domain", "a region in the domain"},
+        Refusal{"water_below_the_domain", with(tank, "level = 1.0", "level = -0.5"),
+                "no water of this region lies in the domain", "a level above its bottom"},
+        Refusal{"level_above_the_domain", with(tank, "level = 1.0", "level = 5.0"),
+                "the level 5 m lies above its region, which ends at 2 m", "a level in the region"},
         Refusal{"idle_side", wave("wave = \"none\"\n"), "a side that neither makes nor absorbs waves", "absorb = true"},
         Refusal{"wave_without_height", wave("wave = \"solitary\"\n"), "a wave without 'height'", "the height"},
         Refusal{"wave_without_period", wave("wave = \"regular\"\nheight = 0.3\n"), "a regular wave without 'period'",
@@ -134,6 +155,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"three_cells", with(tank, "spacing = 0.05\n", "spacing = 0.6\n"), "3.33 cells of 0.6 m",
                 "four cells at least"}),
     [](const testing::TestParamInfo<Refusal>& refusal) { return refusal.param.name; });
+
+// Ground and walls go on beyond the water.
+TEST(GridTable, takes_a_fixed_body_that_is_longer_than_the_domain) {
+    EXPECT_THAT(problems_of(with(tank, "box = [0.5, 0.5]", "box = [12.0, 0.5] }\nfixed = true\n#")), IsEmpty());
+}
 
 TEST(GridTable, takes_a_wave_of_five_cells) {
     EXPECT_THAT(problems_of(wave("wave = \"solitary\"\nheight = 0.25\n")), IsEmpty());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/fluid/grid/wave_side.hpp"
@@ -24,6 +25,8 @@ using Kind = WavesAtSide::Kind;
 constexpr double least_cells = 5;
 /// An absorber takes up waves with kd below this.
 constexpr double longest_absorbed = M_PI / 10;
+/// Share of the depth at which a wave breaks [McCowan1894]: what has no limit of its own is refused above it [-].
+constexpr double breaking_share = 0.78;
 
 /// Distance from the crest at which a solitary wave has a thousandth of its height [m].
 double foot_of(const std::function<double(double)>& elevation, double height, double depth) {
@@ -108,6 +111,31 @@ double cell_at_surface(const GridFluidSettings& settings, int up, double level, 
     return widest > 0 ? widest : settings.spacing;
 }
 
+/// What a side cannot take of its waves, whatever their theory says; nothing where it can.
+std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAtSide& said, int up, double level) {
+    const fluid::Domain& domain = settings.scene.domain;
+    const double deepest = level - domain.low[up], slack = 1e-6 * settings.spacing;
+    const char* const side = said.side % 2 == 0 ? "low" : "high";
+    const char axis = "xyz"[said.side / 2];
+    if (settings.grid.side[at(said.side)].kind == fluid::grid::SideKind::inflow) {
+        return KeyProblem{"wave", fmt::format("two waves through the {} side of {}", side, axis),
+                          "one [[fluid.wave]] to a side; absorb = true lets out what arrives there"};
+    }
+    if (said.depth > deepest + slack) {
+        return KeyProblem{"wave",
+                          fmt::format("a wave in {:.6g} m of water at the {} side of {}, where {:.6g} m stand above "
+                                      "the bottom of the domain",
+                                      said.depth, side, axis, deepest),
+                          fmt::format("a depth of at most {:.6g} m, or a higher level", deepest)};
+    }
+    if ((said.kind == Kind::boussinesq || said.kind == Kind::irregular) && said.height >= breaking_share * said.depth) {
+        return KeyProblem{
+            "wave", fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", said.height, said.depth),
+            fmt::format("heights below {:.4g} m, {} of the depth", breaking_share * said.depth, breaking_share)};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 int up_axis(const Vec3& up) {
@@ -150,6 +178,10 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
         if (settings.scene.up[up] < 1 - 1e-9 || said.side / 2 == up) {
             problems.push_back({"wave", "waves need gravity down one axis and a side beside it",
                                 "gravity against x, y or z, and 'towards' along another axis"});
+            continue;
+        }
+        if (const auto problem = unfit(settings, said, up, level)) {
+            problems.push_back(*problem);
             continue;
         }
         if (said.kind != Kind::none) {

@@ -153,8 +153,9 @@ struct Prediction {
         const double share_low = 0.5 * mesh.h(a, p - 1) / mesh.d(a, p), share_high = 1 - share_low;
         const double density = share_low * density_of(settings, state.fraction[at(f - sa)]) +
                                share_high * density_of(settings, state.fraction[at(f)]);
-        const FaceMedium medium = face_medium(settings, s, f, sa, share_low, density,
-                                              0.5 * (s.stress.viscosity[at(f - sa)] + s.stress.viscosity[at(f)]));
+        const double fraction = share_low * state.fraction[at(f - sa)] + share_high * state.fraction[at(f)];
+        const FaceMedium medium =
+            face_medium(settings, s, f, sa, share_low, density, drag_viscosity(settings, fraction));
         const double force = shear / medium.porosity + body_force(f, place, density);
         const double start = s.start.velocity(a)[at(f)];
         const double carried = start + (moved - start) / (1 + medium.added_mass);

@@ -25,6 +25,14 @@ Resistance resistance_of(const PorousMedium& medium);
 /// Fills the fields of the medium from the zones.
 MediumFields medium_fields(const GridSettings& settings);
 
+/// Viscosity that stones resist with: of both phases by their volume, as drag adds up over volumes, and molecular: what
+/// eddies between stones take is in the quadratic term [Pa s].
+inline double drag_viscosity(const GridSettings& settings, double fraction) {
+    const double water = settings.water.density * settings.water.kinematic_viscosity;
+    const double air = settings.air.density * settings.air.kinematic_viscosity;
+    return settings.has_surface ? fraction * water + (1 - fraction) * air : water;
+}
+
 /// Medium on a face: means by the widths of the two half cells, so that the drop of pressure over a layer of whole
 /// cells is exact.
 struct FaceMedium {

@@ -166,7 +166,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     }
     build_joints(build, *table, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        check_level(build, list.items[r], regions[r], fluid.settings());
+        check_level(build, list.items[r], regions[r], fluid.settings().domain, 1e-6 * fluid.settings().spacing);
     }
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
@@ -224,7 +224,13 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
         return false;
     }
     build.domain = scene.domain;
-    if (!read_field_tables(build, table, scene)) {
+    bool has_water = true;
+    for (std::size_t r = 0; r < scene.regions.size() && table.find("domain") != nullptr; ++r) {
+        const Value& entry = get(table, "region").items[r];
+        check_level(build, entry, scene.regions[r], scene.domain, 1e-9 * std::abs(scene.regions[r].level));
+        has_water = check_region(build, entry, scene.regions[r], scene.domain) && has_water;
+    }
+    if (!has_water || !read_field_tables(build, table, scene)) {
         return false;
     }
     if (const Value* levels = table.find("levels")) {
@@ -255,6 +261,7 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
         settings.prepare(scene);
     }
     if (table.find("domain") != nullptr) {  // one that takes solids as they are cut into its cells
+        check_lengths(build, scene.domain);
         warn_of_hollow_ground(build, scene.domain);
     }
     build.model.fluid = settings;

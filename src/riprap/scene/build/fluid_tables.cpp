@@ -3,10 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 
+#include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
+#include "riprap/scene/build/placed_part.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
@@ -101,18 +106,83 @@ bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::Fil
     return regions.size() == list.items.size();
 }
 
-void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
-                 const fluid::ParticleSettings& sph) {
-    constexpr double slack = 1e-6;  // of a spacing: the level may be the top
+void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region, const fluid::Domain& domain,
+                 double slack) {
     if (!std::isfinite(region.level)) {
         return;
     }
-    const double top = coupling::top_of(region, sph.domain, build.up());
-    if (region.level > top + slack * sph.spacing) {
+    const double top = coupling::top_of(region, domain, build.up());
+    if (region.level > top + slack) {
         build.problem(
             get(table, "level").place,
             fmt::format("the level {:.6g} m lies above its region, which ends at {:.6g} m", region.level, top),
             "a level in the region, or none to fill it whole");
+    }
+}
+
+bool check_region(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
+                  const fluid::Domain& domain) {
+    const Vec3 up = build.up();
+    double bottom = 0;
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        bottom += std::min(up[axis] * domain.low[axis], up[axis] * domain.high[axis]);
+    }
+    const auto meets = [&](const geometry::Polyhedron& piece) {
+        for (int axis = 0; axis < domain.dimension; ++axis) {
+            Vec3 along{};
+            along[axis] = 1;
+            const auto [low, high] = geometry::range_along(piece, along);
+            if (!(low < domain.high[axis] && domain.low[axis] < high)) {
+                return false;
+            }
+        }
+        return geometry::range_along(piece, up).low < region.level;
+    };
+    if (bottom < region.level &&
+        (region.pieces.empty() || std::any_of(region.pieces.begin(), region.pieces.end(), meets))) {
+        return true;
+    }
+    build.problem(table.place, "no water of this region lies in the domain",
+                  "a region in the domain, and a level above its bottom");
+    return false;
+}
+
+void check_lengths(CaseBuild& build, const fluid::Domain& domain) {
+    const body::BodySet& bodies = build.model.bodies;
+    int count = 0;
+    std::string first;
+    SourcePlace place;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        const auto n = static_cast<std::size_t>(b);
+        const bool is_dry = n < build.is_dry.size() && build.is_dry[n] != 0;
+        if (is_dry || (bodies.drive[n] != body::Drive::free && std::isinf(bodies.release_time[n]))) {
+            continue;
+        }
+        constexpr double most = std::numeric_limits<double>::max();
+        Vec3 low{most, most, most}, high = -low;
+        for (std::int32_t p = bodies.part_begin[n]; p < bodies.part_begin[n + 1]; ++p) {
+            const PlacedPart part = placed(build, bodies.parts[static_cast<std::size_t>(p)]);
+            for (int v = 0; v < part.shape.vertex_count; ++v) {
+                const Vec3 x = to_world(part.pose, part.shape.vertex(v));
+                low = min(low, x);
+                high = max(high, x);
+            }
+        }
+        for (int axis = 0; axis < domain.dimension; ++axis) {
+            const double room = domain.high[axis] - domain.low[axis], length = high[axis] - low[axis];
+            if (length > room * (1 + 1e-9)) {
+                if (++count == 1) {
+                    first = fmt::format("'{}' is {:.6g} m long along {}, 'fluid.domain' {:.6g} m",
+                                        bodies.name(BodyId{b}), length, "xyz"[axis], room);
+                    place = build.names[bodies.names[static_cast<std::size_t>(bodies.name_id[n])]];
+                }
+                break;
+            }
+        }
+    }
+    if (count > 0) {
+        build.problem(place, count == 1 ? first : fmt::format("{}, and {} more", first, count - 1),
+                      "a larger domain, a smaller body, or fixed = true");
     }
 }
 

@@ -26,8 +26,17 @@ bool read_field_tables(CaseBuild& build, const Value& table, coupling::FieldScen
 bool read_regions(CaseBuild& build, const Value& list, std::vector<coupling::FillRegion>& regions);
 
 /// Refuses a level that its region does not reach: the water would end at the top of the region instead.
-void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
-                 const fluid::ParticleSettings& sph);
+/// @param slack  by which the level may lie above the top of the region [m]
+void check_level(CaseBuild& build, const Value& table, const coupling::FillRegion& region, const fluid::Domain& domain,
+                 double slack);
+
+/// Refuses a region of a fluid without particles that has no water in the domain. False with a problem.
+bool check_region(CaseBuild& build, const Value& table, const coupling::FillRegion& region,
+                  const fluid::Domain& domain);
+
+/// Refuses bodies that forces move and that are longer than the domain: what is beyond it feels no water. Ground and
+/// walls may go on.
+void check_lengths(CaseBuild& build, const fluid::Domain& domain);
 
 /// c_0 from the depth of the water that is there, and from the fastest that the case makes something move, or as given;
 /// filling does not need it yet.
