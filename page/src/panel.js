@@ -143,6 +143,9 @@ export function showRun(parent, contents) {
     ['simulated time', summary.time !== undefined ? reading(summary.time) : undefined, 's'],
     ['steps', summary.steps], ['last time step', summary.time_step && reading(summary.time_step, 4), 's'],
     ['wall time', summary.wall_seconds && reading(summary.wall_seconds, 4), 's'],
+    ['iterations of the solver', summary.solver_iterations > 0 && summary.steps > 0 ?
+        `${reading(summary.solver_iterations / summary.steps, 3)} a step, ${summary.solver_iterations_max} at most, ` +
+        `residual ${reading(summary.solver_residual_max, 2)} at most` : undefined],
     ['bodies', summary.bodies], ['threads', summary.threads], ['times resumed', summary.resumes],
     ['hash of the final state', summary.state_hash], ['hash of the case', ticket.case_hash],
     ['keys set by hand', ticket.set?.join(', ')], ['Riprap', build.version ?? ticket.riprap],

@@ -48,6 +48,7 @@ TEST(Spheres, a_body_weighs_as_its_spheres_where_it_says_so) {
     EXPECT_THAT(loaded.warnings, testing::Contains(HasSubstr("7 % of the volume")));
     const LoadedCase given = read(with(text, "spheres = {", "mass = 3.0\nspheres = {"), {}, folder.path().string());
     EXPECT_NEAR(given.model.bodies.mass[0], 3, 1e-12);
+    EXPECT_THAT(given.warnings, testing::Contains(HasSubstr("it weighs what is given, turns as they do")));
 }
 
 TEST(Spheres, shells_lattices_and_rings_are_made_of_the_shape) {
@@ -109,6 +110,8 @@ TEST(Spheres, moduli_that_take_too_many_steps_are_refused) {
     EXPECT_THAT(problems_of(text, {"solid.youngs_modulus=2e11"}), IsEmpty());
     EXPECT_THAT(problems_of(text, {"solid.youngs_modulus=2e25"}),
                 ElementsAre(AllOf(HasSubstr("case.toml:7:8: steps of"), HasSubstr("a lower youngs_modulus"))));
+    EXPECT_THAT(problems_of(text, {"solid.normal_law=\"linear\"", "solid.spring_stiffness=1e25"}),
+                ElementsAre(HasSubstr("a lower spring_stiffness")));
 }
 
 }  // namespace

@@ -162,6 +162,11 @@ TEST(Validate, a_long_case_runs_only_when_named_or_in_full) {
     const auto json = nlohmann::json::parse(run(cases, full).text);
     ASSERT_EQ(json["results"].size(), 2);
     EXPECT_EQ(json["results"][1]["value"], 1);
+    ValidateOptions table = json_of();
+    table.as_json = false;
+    EXPECT_THAT(run(cases, table).text, HasSubstr("not run, as it is long: s/b"));
+    table.selection = {"s/a"};
+    EXPECT_THAT(run(cases, table).text, Not(HasSubstr("not run")));
 }
 
 TEST(Validate, the_table_shows_paper_exact_ours_band_and_verdict) {

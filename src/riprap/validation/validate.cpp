@@ -18,14 +18,17 @@ namespace {
 
 std::string full_name(const ValidationCase& one) { return fmt::format("{}/{}", one.suite, one.name); }
 
+bool has_wanted_suite(const ValidationCase& one, const ValidateOptions& options) {
+    return options.selection.empty() ||
+           std::find(options.selection.begin(), options.selection.end(), one.suite) != options.selection.end();
+}
+
 bool is_selected(const ValidationCase& one, const ValidateOptions& options) {
     const auto names = [&one](const std::string& text) { return text == full_name(one); };
     if (std::any_of(options.selection.begin(), options.selection.end(), names)) {
         return true;  // by its own name: long or not
     }
-    const bool suite_wanted = options.selection.empty() || std::find(options.selection.begin(), options.selection.end(),
-                                                                     one.suite) != options.selection.end();
-    return suite_wanted && (options.is_full || !one.is_long);
+    return has_wanted_suite(one, options) && (options.is_full || !one.is_long);
 }
 
 /// Returns the advice on an unknown name: the nearest one, and the cases of its suite, or all where it has none.
@@ -155,7 +158,13 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
             }
         }
         if (!options.as_json) {
-            out << to_table(suite, results) << std::flush;
+            out << to_table(suite, results);
+            for (const ValidationCase& one : cases) {
+                if (one.suite == suite && has_wanted_suite(one, options) && !is_selected(one, options)) {
+                    out << fmt::format("not run, as it is long: {}; by its name, or with --full\n", full_name(one));
+                }
+            }
+            out << std::flush;
         }
     }
     if (options.as_json) {

@@ -143,9 +143,9 @@ bool lie_inside(CaseBuild& build, const Value& table, const body::NewBody& body,
 }
 
 /// Finds the integrals over the union; nothing, with a problem, where they cannot be used.
-std::optional<geometry::MassProperties> weigh(CaseBuild& build, const Value& table, const body::NewBody& body,
+std::optional<geometry::MassProperties> weigh(CaseBuild& build, const Value& body_table, const body::NewBody& body,
                                               const std::vector<body::ShapeSphere>& spheres) {
-    const SourcePlace place = get(table, "mass_of").place;
+    const SourcePlace place = get(get(body_table, "spheres"), "mass_of").place;
     if (build.is_planar || body.drive == body::Drive::driven) {
         build.problem(
             place, build.is_planar ? "spheres have no mass per metre of width" : "a body with a motion needs no mass",
@@ -161,9 +161,9 @@ std::optional<geometry::MassProperties> weigh(CaseBuild& build, const Value& tab
         build.warnings.push_back(to_string(Diagnostic{
             place,
             fmt::format(
-                "the spheres of '{}' have {:.0f} % of the volume of its shape: it weighs as they do and floats as "
-                "its shape does",
-                body.name, 100 * whole.volume / volume),
+                "the spheres of '{}' have {:.0f} % of the volume of its shape: it {} and floats as its shape does",
+                body.name, 100 * whole.volume / volume,
+                body_table.find("mass") != nullptr ? "weighs what is given, turns as they do" : "weighs as they do"),
             ""}));
     }
     return whole;
@@ -194,7 +194,7 @@ std::optional<BodySpheres> read_spheres(CaseBuild& build, const Value& body_tabl
     }
     BodySpheres found{std::move(*spheres)};
     if (get_text(table, "mass_of") == "spheres") {
-        found.whole = weigh(build, table, body, found.spheres);
+        found.whole = weigh(build, body_table, body, found.spheres);
         if (!found.whole) {
             return std::nullopt;
         }

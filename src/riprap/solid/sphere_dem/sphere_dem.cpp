@@ -44,10 +44,12 @@ std::vector<SceneProblem> SphereDem::problems_of(const SolidScene& scene, const 
     if (!(scene.end > most * step.limit)) {
         return {};
     }
+    const bool is_hertz = settings.laws.normal == contact::NormalLaw::hertz;
     return {{step.body,
              fmt::format("steps of {:.3g} s, for the {}: {:.2g} of them to the end", step.limit, step.reason,
                          scene.end / step.limit),
-             fmt::format("at most {:.2g}: a lower youngs_modulus, larger spheres or an earlier end", most)}};
+             fmt::format("at most {:.2g}: a lower {}, larger spheres or an earlier end", most,
+                         is_hertz ? "youngs_modulus" : "spring_stiffness")}};
 }
 
 std::vector<BodyKind> SphereDem::kinds_of(const SolidScene& scene, const Settings& settings) {

@@ -245,6 +245,8 @@ void demolisher(const CaseSetting& setting, CaseReport& report) {
                                   "print none",
                                   liggghts[k], dual[k])},
                      driven.mean[axis], liggghts[k] * (1 - 0.065), liggghts[k] * (1 + 0.065));
+        report.state({fmt::format("prescribed swing: mean {} of the blocks at the end", "xyz"[axis]), "m", ""},
+                     driven.final[axis]);
     }
     driven.books.judge(report);
     const Swing free = run_demolition(false, setting);
@@ -260,6 +262,8 @@ void demolisher(const CaseSetting& setting, CaseReport& report) {
     for (int axis = 0; axis < 3; ++axis) {
         report.state({fmt::format("free swing: mean {} of the blocks over 4 s", "xyz"[axis]), "m", ""},
                      free.mean[axis]);
+        report.state({fmt::format("free swing: mean {} of the blocks at the end", "xyz"[axis]), "m", ""},
+                     free.final[axis]);
     }
     free.books.judge(report);
 }

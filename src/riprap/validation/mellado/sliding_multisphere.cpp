@@ -105,7 +105,11 @@ void sliding_multisphere(const CaseSetting&, CaseReport& report) {
         while (world.state.velocity[1].z < 0 || world.report.contact_count > 0) {
             world.step(dt);
         }
-        report.judge({fmt::format("flat cube of {} spheres: restitution", n * n * n), "-", {}, 0.65, {}},
+        report.judge({fmt::format("flat cube of {} spheres: restitution", n * n * n),
+                      "-",
+                      {},
+                      0.65,
+                      "LIGGGHTS-PUBLIC 3.8.0, where every contact counts in full: 0.087 with 488 spheres"},
                      world.state.velocity[1].z / 3.52, Relative{0.02});
     }
 }
