@@ -66,9 +66,8 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
     fluid::CellGrid grid;
     grid.build(loose, settings.domain, most);
     const auto is_near_loose = [&](const Vec3& x) {
-        bool is_near = false;
-        grid.for_each_near(x, [&](std::int64_t j) { is_near = is_near || norm(nearest_(x - loose[at(j)])) < most; });
-        return is_near;
+        return grid.view().any_near(
+            x, [&](std::int64_t j) { return norm_squared(nearest_(x - loose[at(j)])) < most * most; });
     };
     parallel::for_each_uneven(near.size(), grain, [&](std::int64_t i) {
         if (is_member[at(i)] == 0) {

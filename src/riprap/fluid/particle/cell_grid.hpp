@@ -36,6 +36,14 @@ struct CellGridView {
     /// f(j) for all points within `reach` of x and some beyond, cell by cell, ascending within a cell.
     template <class F>
     RIPRAP_HD void for_each_near(const Vec3& x, F&& f) const {
+        any_near(x, [&f](std::int64_t j) {
+            f(j);
+            return false;
+        });
+    }
+    /// Tells whether is(j) holds for any of these points; asks in the same order, up to the first that it holds for.
+    template <class Is>
+    RIPRAP_HD bool any_near(const Vec3& x, Is&& is) const {
         const CellRange rx = cells_around(x.x, axes[0]), ry = cells_around(x.y, axes[1]),
                         rz = cells_around(x.z, axes[2]);
         for (std::int64_t a = rz.first; a < rz.first + rz.count; ++a) {
@@ -44,11 +52,14 @@ struct CellGridView {
                     const std::int64_t cell =
                         ((a % axes[2].cells) * axes[1].cells + b % axes[1].cells) * axes[0].cells + c % axes[0].cells;
                     for (std::int32_t k = start[cell]; k < start[cell + 1]; ++k) {
-                        f(static_cast<std::int64_t>(points[k]));
+                        if (is(static_cast<std::int64_t>(points[k]))) {
+                            return true;
+                        }
                     }
                 }
             }
         }
+        return false;
     }
 
  private:
