@@ -14,7 +14,7 @@
 
 namespace riprap::coupling {
 
-/// How the places of a region compare with the room that it has beside solids.
+/// Compares the places of a region with the room that it has beside solids.
 struct RegionRoom {
     double places{0};    ///< that are filled [spacing^d]
     double shortage{0};  ///< room less places, of cells that are filled or share a face with one that is [spacing^d]

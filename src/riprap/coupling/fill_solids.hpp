@@ -14,7 +14,6 @@ namespace riprap::coupling {
 class FillSolids {
  public:
     FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state);
-    bool is_empty() const { return parts_.empty() && grounds_.empty(); }
     bool contain(const Vec3& x) const;
     /// True inside of a solid, and outside where a surface is less than `distance` away [m].
     bool are_near(const Vec3& x, double distance) const;

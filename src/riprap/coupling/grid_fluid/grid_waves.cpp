@@ -111,7 +111,7 @@ double cell_at_surface(const GridFluidSettings& settings, int up, double level, 
     return widest > 0 ? widest : settings.spacing;
 }
 
-/// What a side cannot take of its waves, whatever their theory says; nothing where it can.
+/// Tells what a side cannot take of its waves, whatever their theory says; nothing where it can.
 std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAtSide& said, int up, double level) {
     const fluid::Domain& domain = settings.scene.domain;
     const double deepest = level - domain.low[up], slack = 1e-6 * settings.spacing;
