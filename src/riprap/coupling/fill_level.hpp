@@ -27,8 +27,9 @@ struct RegionRoom {
 std::vector<RegionRoom> measure_room(std::span<const RegionPlanes> regions, const Lattice& lattice,
                                      const FillSolids& solids, const Vec3& up, double distance, int dimension);
 
-/// Raises or lowers the surfaces of regions until their places stand for the room below the surface asked for, within
-/// a hundredth of a layer; by a layer at most. Regions whose lattice fits are left as they are.
+/// Raises or lowers the surfaces of regions until their places stand for the room below the surface asked for; by a
+/// layer at most. Moves below a hundredth of a layer are left out and the room is sampled, so a tank of some hundred
+/// columns keeps two hundredths of a layer, a lake less. Regions whose lattice fits are left as they are.
 /// @param reports  get the room of each region
 /// @return  true where a surface has moved
 bool raise_to_volume(std::span<RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
