@@ -17,7 +17,7 @@ using geometry::Polyhedron;
 
 namespace {
 
-constexpr double least_layer = 0.01;  ///< share of a cell below the level from which on it counts
+constexpr double least_layer = 1e-3;  ///< share of a cell below the level from which on it counts
 constexpr double aligned = 1 - 1e-9;  ///< cosine from which on two directions are one
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -135,29 +135,37 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::Particl
     return lattice;
 }
 
+double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& up, std::int64_t i, std::int64_t j,
+                std::int64_t k) {
+    const Vec3 x = lattice.place(i, j, k);
+    const double slack = lattice_slack * lattice.spacing;
+    const double below = (region.surface - dot(up, x)) / lattice.spacing + 0.5;
+    const bool is_last = below < 1 - lattice_slack;
+    const bool is_along_axis = std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) > aligned;
+    if (is_last && !(is_along_axis && below > least_layer)) {
+        return 0;
+    }
+    // A last layer alone would be a film; it lies on a whole one.
+    const Vec3 beneath = is_last ? x - lattice.spacing * up : x;
+    for (const auto& planes : region.pieces) {
+        const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+            const bool is_level = is_last && dot(plane.normal, up) > aligned;
+            return is_level || (dot(plane.normal, x) <= plane.offset - slack &&
+                                dot(plane.normal, beneath) <= plane.offset - slack);
+        });
+        if (is_inside) {
+            return is_last ? below : 1;
+        }
+    }
+    return 0;
+}
+
 int region_of(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
               std::int64_t j, std::int64_t k) {
-    const Vec3 x = lattice.place(i, j, k);
-    const double spacing = lattice.spacing;
-    const bool is_along_axis = std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) > aligned;
     const double turn = std::abs(up.x) > 0.5 ? turn_of(j, k) : std::abs(up.y) > 0.5 ? turn_of(i, k) : turn_of(i, j);
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        const double below = (regions[r].surface - dot(up, x)) / spacing + 0.5;  // share of the cell; 1 and more: all
-        const bool is_last = below < 1 - lattice_slack;
-        if (is_last && !(is_along_axis && below > least_layer && turn < below)) {
-            continue;
-        }
-        for (const auto& planes : regions[r].pieces) {
-            // A last layer alone would be a film; it lies on a whole one.
-            const Vec3 place = is_last ? x - spacing * up : x;
-            const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-                const bool is_level = is_last && dot(plane.normal, up) > aligned;
-                return is_level || (dot(plane.normal, x) <= plane.offset - lattice_slack * spacing &&
-                                    dot(plane.normal, place) <= plane.offset - lattice_slack * spacing);
-            });
-            if (is_inside) {
-                return static_cast<int>(r);
-            }
+        if (turn < share_of(regions[r], lattice, up, i, j, k)) {
+            return static_cast<int>(r);
         }
     }
     return -1;

@@ -52,6 +52,11 @@ Vec3 lattice_corner(std::span<const RegionPlanes> regions, const fluid::Domain& 
 Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
                      const Vec3& up);
 
+/// The share of cell (i, j, k) that lies below the surface of a region; 0 where the cell's place is outside of it, and
+/// for shares below a hundredth. Solids are not asked.
+double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& up, std::int64_t i, std::int64_t j,
+                std::int64_t k);
+
 /// The first region that place (i, j, k) is in; -1 = none. Where the spacing does not divide the depth, the last
 /// layer, of whose cells a share lies below the surface, gets that share of its places, spread evenly, so that the
 /// volume is the one asked for. Solids are not asked.

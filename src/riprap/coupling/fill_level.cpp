@@ -10,8 +10,7 @@ namespace riprap::coupling {
 
 namespace {
 
-constexpr double least_raise = 0.01;  ///< of a layer; less is what the points of a cell resolve
-constexpr int corrections = 2;        ///< of the raise, as shores spread where the surface rises
+constexpr int corrections = 8;  ///< of the raise: shores spread as it grows, and layers fill up by whole places
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -24,6 +23,12 @@ double shift_of(std::int64_t i, std::int64_t j, std::int64_t k, int axis) {
     return sum - std::floor(sum);
 }
 
+/// Where particles of a region are, in cells.
+struct Count {
+    double places{0};  ///< that are filled
+    double top{0};     ///< of them, those of the uppermost whole layer
+};
+
 /// Asks the lattice, cell by cell.
 struct Survey {
     std::span<const RegionPlanes> regions;
@@ -33,21 +38,21 @@ struct Survey {
     double distance;  ///< that places keep from solids [m]
     int dimension;
 
-    int owner(std::int64_t i, std::int64_t j, std::int64_t k) const { return region_of(regions, lattice, up, i, j, k); }
-    bool is_filled(std::int64_t i, std::int64_t j, std::int64_t k) const {
-        return owner(i, j, k) >= 0 && !solids.are_near(lattice.place(i, j, k), distance);
+    bool is_open(std::int64_t i, std::int64_t j, std::int64_t k) const {
+        const auto is_in = [&](const RegionPlanes& region) { return share_of(region, lattice, up, i, j, k) > 0; };
+        return std::any_of(regions.begin(), regions.end(), is_in) &&
+               !solids.are_near(lattice.place(i, j, k), distance);
     }
-    bool has_filled_neighbour(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    bool has_open_neighbour(std::int64_t i, std::int64_t j, std::int64_t k) const {
         for (const std::int64_t step : {-1, 1}) {
-            if (is_filled(i + step, j, k) || is_filled(i, j + step, k) ||
-                (dimension == 3 && is_filled(i, j, k + step))) {
+            if (is_open(i + step, j, k) || is_open(i, j + step, k) || (dimension == 3 && is_open(i, j, k + step))) {
                 return true;
             }
         }
         return false;
     }
     /// Share of a cell that lies in no solid.
-    double room(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    double free_share(std::int64_t i, std::int64_t j, std::int64_t k) const {
         const int across = dimension == 3 ? 4 : 8;
         const int deep = dimension == 3 ? 4 : 1;
         const Vec3 shift{shift_of(i, j, k, 0), shift_of(i, j, k, 1), shift_of(i, j, k, 2)};
@@ -63,83 +68,121 @@ struct Survey {
         }
         return free / 64.0;
     }
-    void visit(std::int64_t i, std::int64_t j, std::int64_t k, std::span<RegionRoom> sums) const {
-        const int region = owner(i, j, k);
-        if (region < 0) {
-            return;
-        }
-        RegionRoom& sum = sums[at(region)];
+    /// Share of a cell that water reaches.
+    double reached(std::int64_t i, std::int64_t j, std::int64_t k) const {
         const Vec3 x = lattice.place(i, j, k);
         const double half_diagonal = 0.5 * std::sqrt(static_cast<double>(dimension)) * lattice.spacing;
-        const bool is_beside = solids.are_near(x, half_diagonal);
-        const bool is_full = !is_beside || !solids.are_near(x, distance);
-        if (is_full) {
-            const double below = (regions[at(region)].surface - dot(up, x)) / lattice.spacing + 0.5;
-            sum.places += 1;
-            sum.top += below >= 1 - lattice_slack && below < 2 - lattice_slack ? 1 : 0;
+        if (!solids.are_near(x, half_diagonal)) {
+            return 1;
         }
-        if (is_beside && (is_full || has_filled_neighbour(i, j, k))) {
-            sum.shortage += room(i, j, k) - (is_full ? 1 : 0);
+        return !solids.are_near(x, distance) || has_open_neighbour(i, j, k) ? free_share(i, j, k) : 0;
+    }
+    void add_room(std::int64_t i, std::int64_t j, std::int64_t k, std::span<double> room) const {
+        double taken = 0, cell = -1;
+        for (std::size_t r = 0; r < regions.size(); ++r) {
+            const double share = share_of(regions[r], lattice, up, i, j, k);
+            if (share > taken) {
+                cell = cell < 0 ? reached(i, j, k) : cell;
+                room[r] += (share - taken) * cell;
+                taken = share;
+            }
         }
+    }
+    void add_place(std::int64_t i, std::int64_t j, std::int64_t k, std::span<Count> counts) const {
+        const int region = region_of(regions, lattice, up, i, j, k);
+        const Vec3 x = lattice.place(i, j, k);
+        if (region < 0 || solids.are_near(x, distance)) {
+            return;
+        }
+        Count& count = counts[at(region)];
+        const double below = (regions[at(region)].surface - dot(up, x)) / lattice.spacing + 0.5;
+        count.places += 1;
+        count.top += below >= 1 - lattice_slack && below < 2 - lattice_slack ? 1 : 0;
     }
 };
 
-}  // namespace
-
-std::vector<RegionRoom> measure_room(std::span<const RegionPlanes> regions, const Lattice& lattice,
-                                     const FillSolids& solids, const Vec3& up, double distance, int dimension) {
-    const Survey survey{regions, lattice, solids, up, distance, dimension};
-    const std::size_t count = regions.size();
-    std::vector<RegionRoom> of_rows(at(lattice.rows()) * count);
+/// Sums over the lattice what add(i, j, k, sums) adds for every region, row by row, so that threads change no bit.
+template <class Sum, class Add>
+std::vector<Sum> sum_over(const Lattice& lattice, std::size_t regions, const Add& add) {
+    std::vector<Sum> of_rows(at(lattice.rows()) * regions);
     parallel::for_each_uneven(lattice.rows(), 4, [&](std::int64_t row) {
-        const std::span<RegionRoom> sums{&of_rows[at(row) * count], count};
         for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
-            survey.visit(i, row % lattice.counts[1], row / lattice.counts[1], sums);
+            add(i, row % lattice.counts[1], row / lattice.counts[1],
+                std::span<Sum>(&of_rows[at(row) * regions], regions));
         }
     });
-    std::vector<RegionRoom> sums(count);
-    for (std::size_t n = 0; n < of_rows.size(); ++n) {
-        RegionRoom& sum = sums[n % count];
-        sum.places += of_rows[n].places;
-        sum.shortage += of_rows[n].shortage;
-        sum.top += of_rows[n].top;
-    }
-    return sums;
+    return of_rows;
 }
+
+/// Room of every region below its surface [cells].
+std::vector<double> measure_room(const Survey& survey) {
+    const std::size_t count = survey.regions.size();
+    const std::vector<double> of_rows =
+        sum_over<double>(survey.lattice, count, [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) {
+            survey.add_room(i, j, k, sums);
+        });
+    std::vector<double> room(count, 0);
+    for (std::size_t n = 0; n < of_rows.size(); ++n) {
+        room[n % count] += of_rows[n];
+    }
+    return room;
+}
+
+std::vector<Count> count_places(const Survey& survey) {
+    const std::size_t count = survey.regions.size();
+    const std::vector<Count> of_rows =
+        sum_over<Count>(survey.lattice, count, [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) {
+            survey.add_place(i, j, k, sums);
+        });
+    std::vector<Count> counts(count);
+    for (std::size_t n = 0; n < of_rows.size(); ++n) {
+        counts[n % count].places += of_rows[n].places;
+        counts[n % count].top += of_rows[n].top;
+    }
+    return counts;
+}
+
+}  // namespace
 
 bool raise_to_volume(std::span<RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
                      const FillSolids& solids, const Vec3& up, double distance, std::span<FillReport> reports) {
     const double dp = settings.spacing;
     const int dimension = settings.domain.dimension;
-    const auto measure = [&] {
-        return measure_room(regions, lattice_over(regions, settings, corner, up), solids, up, distance, dimension);
+    const auto survey_with = [&](const auto& ask) {
+        const Lattice lattice = lattice_over(regions, settings, corner, up);
+        return ask(Survey{regions, lattice, solids, up, distance, dimension});
     };
-    std::vector<RegionRoom> rooms = measure();
-    std::vector<double> wanted(regions.size()), raised(regions.size(), 0);
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-        wanted[r] = rooms[r].places + rooms[r].shortage;
-        reports[r].room = wanted[r] * std::pow(dp, dimension);
-    }
-    bool has_moved = false;
-    for (int n = 0; n < corrections; ++n) {
+    const std::vector<double> wanted = survey_with(measure_room);
+    std::vector<double> raised(regions.size(), 0), best = raised, least(regions.size(), 1e300);
+    const auto move_to = [&](std::size_t r, double height) {
+        raise_surface(regions[r], up, (height - raised[r]) * dp, dp);
+        raised[r] = height;
+    };
+    for (int n = 0; n <= corrections; ++n) {
+        const std::vector<Count> counts = survey_with(count_places);
         bool moves = false;
         for (std::size_t r = 0; r < regions.size(); ++r) {
-            if (rooms[r].top < 1) {
-                continue;
+            const double missing = wanted[r] - counts[r].places;
+            if (std::abs(missing) < least[r]) {
+                least[r] = std::abs(missing);
+                best[r] = raised[r];
             }
-            const double target = std::clamp(raised[r] + (wanted[r] - rooms[r].places) / rooms[r].top, -1.0, 1.0);
-            if (std::abs(target - raised[r]) < least_raise) {
-                continue;
+            const bool is_open = std::abs(missing) > 0.5 + lattice_slack && counts[r].top >= 1;
+            const double target = is_open ? std::clamp(raised[r] + missing / counts[r].top, -1.0, 1.0) : raised[r];
+            if (target != raised[r] && n < corrections) {
+                move_to(r, target);
+                moves = true;
             }
-            raise_surface(regions[r], up, (target - raised[r]) * dp, dp);
-            raised[r] = target;
-            moves = true;
         }
         if (!moves) {
             break;
         }
-        has_moved = true;
-        rooms = measure();
+    }
+    bool has_moved = false;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        move_to(r, best[r]);
+        reports[r].room = wanted[r] * std::pow(dp, dimension);
+        has_moved = has_moved || best[r] != 0;
     }
     return has_moved;
 }

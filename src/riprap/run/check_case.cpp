@@ -92,10 +92,17 @@ std::string room_text(const CaseCheck& check) {
     if (std::abs(check.trimmed_volume) < particle) {
         return {};
     }
-    return fmt::format("; {:.3g} {} ({:.2g} %) {}", std::abs(check.trimmed_volume), check.is_planar ? "m^2" : "m^3",
-                       100 * std::abs(check.trimmed_volume) / room,
-                       check.trimmed_volume > 0 ? "of the room outside of solids holds none"
-                                                : "more than there is room outside of solids");
+    const auto share_text = [&](double volume, const char* what) {
+        return std::abs(volume) < particle ? std::string{}
+                                           : fmt::format("; {:.3g} {} ({:.2g} %) {}", std::abs(volume),
+                                                         check.is_planar ? "m^2" : "m^3",
+                                                         100 * std::abs(volume) / room, what);
+    };
+    if (check.trimmed_volume < 0) {
+        return share_text(check.trimmed_volume, "more than there is room outside of solids");
+    }
+    return share_text(check.narrow_volume, "of the room outside of solids is too narrow for particles") +
+           share_text(check.trimmed_volume - check.narrow_volume, "of the room outside of solids holds none");
 }
 
 /// Names the gaps that are too narrow for water and too wide for a joint.
@@ -193,6 +200,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         check.water_mass = static_cast<double>(check.particles) * model.particles()->settings().particle_mass;
         check.filled_volume = model.particles()->filled_volume;
         check.trimmed_volume = model.particles()->region_volume - model.particles()->filled_volume;
+        check.narrow_volume = model.particles()->region_volume - model.particles()->reached_volume;
         check.sound_speed = model.particles()->settings().sound_speed;
         check.sound_speed_reason = model.particles()->sound_speed_reason;
         check.gaps = scene::find_narrow_gaps(model, loaded.state);
@@ -298,6 +306,7 @@ std::string check_json(const CaseCheck& check) {
                                 {"boundary_particles", check.samples},
                                 {"water_mass", check.water_mass},
                                 {"trimmed_volume", check.trimmed_volume},
+                                {"narrow_volume", check.narrow_volume},
                                 {"narrow_gaps", check.gaps.pairs},
                                 {"sound_speed", check.sound_speed},
                                 {"time_step", check.time_step},

@@ -171,7 +171,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     if (!place_particles(build, *table, regions, fluid, filling)) {
         return;
     }
-    const double reach = check_filling(build, list, filling, fluid);
+    fluid.reached_volume = check_filling(build, list, filling, fluid);
     for (std::size_t r = 0; r < regions.size(); ++r) {
         warn_of_cut_region(build, list.items[r].place, regions[r], fluid);
     }
@@ -184,7 +184,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     // Below the cells of ground there is no room, and no cell to say so.
     fluid.region_volume = body::find_grounds(build.model.bodies, build.model.shapes).empty()
                               ? room_for_water(build, fluid.settings().domain, regions)
-                              : reach;
+                              : fluid.reached_volume;
     warn_of_thin_bodies(build, fluid, filling.particles);
     warn_of_paddles(build, fluid, filling);
     if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {
