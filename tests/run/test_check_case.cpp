@@ -46,7 +46,8 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
     EXPECT_NEAR(check.trimmed_volume, 0.005 * 0.2, 1e-12);
     EXPECT_NEAR(check.narrow_volume, 0.005 * 0.2, 1e-12);
     EXPECT_THAT(check_text(check), HasSubstr("98 kg/m, "));
-    EXPECT_THAT(check_text(check), HasSubstr("0.001 m^2 (1 %) of the room outside of solids is too narrow for particles"));
+    EXPECT_THAT(check_text(check),
+                HasSubstr("0.001 m^2 (1 %) of the room outside of solids is too narrow for particles"));
 }
 
 TEST(CheckCase, the_face_of_a_gauge_is_reported) {

@@ -150,8 +150,8 @@ double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& 
     for (const auto& planes : region.pieces) {
         const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
             const bool is_level = is_last && dot(plane.normal, up) > aligned;
-            return is_level || (dot(plane.normal, x) <= plane.offset - slack &&
-                                dot(plane.normal, beneath) <= plane.offset - slack);
+            return is_level ||
+                   (dot(plane.normal, x) <= plane.offset - slack && dot(plane.normal, beneath) <= plane.offset - slack);
         });
         if (is_inside) {
             return is_last ? below : 1;

@@ -15,10 +15,12 @@ constexpr int corrections = 8;  ///< of the raise: shores spread as it grows, an
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// Shifts the points of cell (i, j, k) along `axis` by a part in [0, 1) of their distance: a Kronecker sequence of
-/// three dimensions, so that the points of neighbouring cells halve each other's distances.
+/// three dimensions, so that the points of neighbouring cells halve each other's distances, and none lies on the
+/// rim of the first.
 double shift_of(std::int64_t i, std::int64_t j, std::int64_t k, int axis) {
     constexpr std::array<double, 3> steps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
-    const double sum = steps[at(axis)] * static_cast<double>(i) + steps[at((axis + 1) % 3)] * static_cast<double>(j) +
+    const double sum = 0.5 + steps[at(axis)] * static_cast<double>(i) +
+                       steps[at((axis + 1) % 3)] * static_cast<double>(j) +
                        steps[at((axis + 2) % 3)] * static_cast<double>(k);
     return sum - std::floor(sum);
 }
@@ -40,8 +42,7 @@ struct Survey {
 
     bool is_open(std::int64_t i, std::int64_t j, std::int64_t k) const {
         const auto is_in = [&](const RegionPlanes& region) { return share_of(region, lattice, up, i, j, k) > 0; };
-        return std::any_of(regions.begin(), regions.end(), is_in) &&
-               !solids.are_near(lattice.place(i, j, k), distance);
+        return std::any_of(regions.begin(), regions.end(), is_in) && !solids.are_near(lattice.place(i, j, k), distance);
     }
     bool has_open_neighbour(std::int64_t i, std::int64_t j, std::int64_t k) const {
         for (const std::int64_t step : {-1, 1}) {
@@ -117,10 +118,9 @@ std::vector<Sum> sum_over(const Lattice& lattice, std::size_t regions, const Add
 /// Room of every region below its surface [cells].
 std::vector<double> measure_room(const Survey& survey) {
     const std::size_t count = survey.regions.size();
-    const std::vector<double> of_rows =
-        sum_over<double>(survey.lattice, count, [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) {
-            survey.add_room(i, j, k, sums);
-        });
+    const std::vector<double> of_rows = sum_over<double>(
+        survey.lattice, count,
+        [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) { survey.add_room(i, j, k, sums); });
     std::vector<double> room(count, 0);
     for (std::size_t n = 0; n < of_rows.size(); ++n) {
         room[n % count] += of_rows[n];
@@ -130,10 +130,9 @@ std::vector<double> measure_room(const Survey& survey) {
 
 std::vector<Count> count_places(const Survey& survey) {
     const std::size_t count = survey.regions.size();
-    const std::vector<Count> of_rows =
-        sum_over<Count>(survey.lattice, count, [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) {
-            survey.add_place(i, j, k, sums);
-        });
+    const std::vector<Count> of_rows = sum_over<Count>(
+        survey.lattice, count,
+        [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) { survey.add_place(i, j, k, sums); });
     std::vector<Count> counts(count);
     for (std::size_t n = 0; n < of_rows.size(); ++n) {
         counts[n % count].places += of_rows[n].places;

@@ -93,10 +93,10 @@ std::string room_text(const CaseCheck& check) {
         return {};
     }
     const auto share_text = [&](double volume, const char* what) {
-        return std::abs(volume) < particle ? std::string{}
-                                           : fmt::format("; {:.3g} {} ({:.2g} %) {}", std::abs(volume),
-                                                         check.is_planar ? "m^2" : "m^3",
-                                                         100 * std::abs(volume) / room, what);
+        return std::abs(volume) < particle
+                   ? std::string{}
+                   : fmt::format("; {:.3g} {} ({:.2g} %) {}", std::abs(volume), check.is_planar ? "m^2" : "m^3",
+                                 100 * std::abs(volume) / room, what);
     };
     if (check.trimmed_volume < 0) {
         return share_text(check.trimmed_volume, "more than there is room outside of solids");
