@@ -22,7 +22,7 @@ struct Standing {
 class GoodState {
  public:
     /// Steps from one judgement to the next, at most.
-    static constexpr std::int64_t most_steps = 32;
+    static constexpr std::int64_t most_steps = 128;
 
     bool is_there() const { return standing_.has_value(); }
     bool is_due_after(std::int64_t step) const { return !standing_ || step >= standing_->state.step + most_steps; }
