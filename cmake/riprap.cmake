@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Flags shared by every target, and the two functions that declare libraries and tests.
 find_package(Threads REQUIRED)
-if(RIPRAP_OPENMP)
-  find_package(OpenMP REQUIRED COMPONENTS CXX)
-endif()
 # Found here once: imported targets are visible below the folder that found them, and static libraries hand theirs on.
 find_package(fmt REQUIRED)
 find_package(ZLIB REQUIRED)
@@ -22,10 +19,6 @@ if(RIPRAP_WERROR)
 endif()
 if(RIPRAP_ASSERTIONS)
   target_compile_definitions(riprap_flags INTERFACE RIPRAP_ASSERTIONS)
-endif()
-if(RIPRAP_OPENMP)
-  target_compile_definitions(riprap_flags INTERFACE RIPRAP_OPENMP)
-  target_link_libraries(riprap_flags INTERFACE OpenMP::OpenMP_CXX)
 endif()
 if(RIPRAP_SANITIZE)
   # undefined behaviour ends a program as well: what is only printed fails no test
@@ -86,5 +79,5 @@ function(riprap_test name)
   target_compile_definitions(test_${name} PRIVATE RIPRAP_SOURCE_DIR=".")
   target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # tests are compiled once and run once
   riprap_precompile(test_${name} test ${arg_PRIVATE})
-  gtest_discover_tests(test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTIES ENVIRONMENT "OMP_WAIT_POLICY=passive" DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTIES DISCOVERY_TIMEOUT 60)
 endfunction()

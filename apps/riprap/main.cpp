@@ -3,7 +3,6 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -21,17 +20,6 @@
 #include "riprap/view/page_content.hpp"
 
 namespace {
-
-/// Threads that wait actively make a busy machine many times slower (docs/howto/command-line.md), and OpenMP reads its
-/// settings before main begins: so the program sets the default and starts itself once more, in the same process.
-void prefer_passive_waiting(char** arguments) {
-    if (std::getenv("OMP_WAIT_POLICY") == nullptr && std::getenv("RIPRAP_NO_REEXEC") == nullptr) {
-        setenv("OMP_WAIT_POLICY", "passive", 1);
-        std::error_code error;  // the real path, so that `ps` and `top` show the program's name
-        const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-        execv(program.c_str(), arguments);  // comes back only where it cannot: then the run is merely slower
-    }
-}
 
 /// Arrays of a MiB and more go back to the system when they are freed. Left alone, the allocator comes to keep free
 /// ones of up to 32 MiB: a twenty-fifth of what a run of a million particles takes.
@@ -101,7 +89,6 @@ int after_flush(int code) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-    prefer_passive_waiting(arguments);
     riprap::run::ignore_write_signals();
     return_freed_arrays();
     return after_flush(guarded_command_line(argument_count, arguments));

@@ -10,10 +10,7 @@ Everything is in SI. docs/howto/python.md shows what there is; help(riprap.Simul
 """
 import os as _os
 
-# Threads that wait actively make a busy machine many times slower, and OpenMP reads its settings when it is loaded.
-_os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-
-from ._riprap import (  # noqa: E402
+from ._riprap import (
     _add_case_root,
     Bodies,
     Case,
@@ -30,7 +27,7 @@ from ._riprap import (  # noqa: E402
     threads,
     waves,
 )
-from .errors import (  # noqa: E402
+from .errors import (
     CaseError,
     CheckpointError,
     Error,
@@ -39,11 +36,11 @@ from .errors import (  # noqa: E402
     NumericalError,
     Problem,
 )
-from .records import Frame, Run, Table, open, sweep  # noqa: E402, A004
+from .records import Frame, Run, Table, open, sweep  # noqa: A004
 
 _add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples that came with the package
 
-# A child made by fork() has none of the threads that OpenMP keeps waiting between steps, and would wait for them forever.
+# A child made by fork() has none of the threads that wait for loops: one is what it has, and what it says.
 if hasattr(_os, "register_at_fork"):
     _os.register_at_fork(after_in_child=lambda: set_threads(1))
 

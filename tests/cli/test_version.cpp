@@ -31,23 +31,6 @@ TEST(CommandLine, TheVersionAsJsonHasBuildAndMachine) {
     EXPECT_GE(answer.at("machine").at("hardware_threads").get<int>(), 1);
 }
 
-TEST(CommandLine, ThreadsWaitPassivelyUnlessTheUserSaysOtherwise) {
-    const TemporaryFolder folder;
-    const auto policy = [&folder] {
-        const auto answer = nlohmann::json::parse(run_program(folder.path(), {"version", "--json"}).out);
-        return answer.at("machine").at("wait_policy").get<std::string>();
-    };
-    unsetenv("OMP_WAIT_POLICY");
-    EXPECT_EQ(policy(), "passive");
-    setenv("OMP_WAIT_POLICY", "active", 1);
-    EXPECT_EQ(policy(), "active");
-    // What the run-time library itself made of it, as it says when asked.
-    unsetenv("OMP_WAIT_POLICY");
-    setenv("OMP_DISPLAY_ENV", "true", 1);
-    EXPECT_THAT(run_program(folder.path(), {"version"}).err, HasSubstr("OMP_WAIT_POLICY = 'PASSIVE'"));
-    unsetenv("OMP_DISPLAY_ENV");
-}
-
 TEST(CommandLine, AnAnswerThatCannotBePrintedIsAFailure) {
     const TemporaryFolder folder;
     for (const std::vector<std::string>& words :

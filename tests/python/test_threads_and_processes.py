@@ -67,7 +67,7 @@ class Forks(unittest.TestCase):
         riprap.set_threads(3)
         try:
             simulation = finer_pool()
-            simulation.step(20)  # by now OpenMP keeps threads, which fork() does not copy
+            simulation.step(20)  # by now threads wait for work, which fork() does not copy
             processes = multiprocessing.get_context("fork")
             ours, theirs = processes.Pipe()
             child = processes.Process(target=go_on, args=(theirs, simulation), daemon=True)

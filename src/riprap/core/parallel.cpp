@@ -7,9 +7,7 @@
 #include <limits>
 #include <mutex>
 
-#if defined(RIPRAP_OPENMP)
-#include <omp.h>
-#endif
+#include "riprap/core/crew.hpp"
 
 namespace riprap::parallel {
 
@@ -19,13 +17,7 @@ std::atomic<int> threads{1};
 }  // namespace
 
 int thread_count() { return threads.load(std::memory_order_relaxed); }
-const char* backend_name() {
-#if defined(RIPRAP_OPENMP)
-    return "OpenMP";
-#else
-    return "serial";
-#endif
-}
+const char* backend_name() { return "threads"; }
 void set_thread_count(int count) { threads.store(std::max(1, count), std::memory_order_relaxed); }
 
 namespace detail {
@@ -53,75 +45,31 @@ class FirstFailure {
     std::exception_ptr failure_;
 };
 
-#if defined(RIPRAP_OPENMP)
-/// For uneven loops: chunks shared out so that a thread meets the same part of the data in loop after loop, where its
-/// own cache may still hold what it wrote: each thread has a contiguous share and, once through with it, helps with
-/// those that follow.
-class Shares {
- public:
-    Shares(std::int64_t chunk_count, int team) : shares_(static_cast<std::size_t>(team)) {
-        for (std::int64_t thread = 0; thread < team; ++thread) {
-            Share& share = shares_[static_cast<std::size_t>(thread)];
-            share.next.store(chunk_count * thread / team, std::memory_order_relaxed);
-            share.end = chunk_count * (thread + 1) / team;
-        }
-    }
-    /// run(chunk) until none is left in any share. Every share is emptied even if fewer threads came than were asked
-    /// for.
-    template <class F>
-    void work(int thread, const F& run) {
-        for (std::size_t k = 0; k < shares_.size(); ++k) {
-            Share& share = shares_[(static_cast<std::size_t>(thread) + k) % shares_.size()];
-            for (;;) {
-                const std::int64_t chunk = share.next.fetch_add(1, std::memory_order_relaxed);
-                if (chunk >= share.end) {
-                    break;
-                }
-                run(chunk);
-            }
-        }
-    }
-
- private:
-    struct alignas(64) Share {  // a cache line each
-        std::atomic<std::int64_t> next;
-        std::int64_t end;
-    };
-    std::vector<Share> shares_;
-};
-#endif
 }  // namespace
 
-void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context) {
-#if defined(RIPRAP_OPENMP)
+void run_chunks(std::int64_t chunk_count, void (*body)(void*, std::int64_t), void* context) {
     const int team = thread_count();
-    if (team > 1 && chunk_count > 1 && omp_in_parallel() == 0) {
-        FirstFailure failure;
-        const auto run_one = [&](std::int64_t chunk) {
-            try {
-                body(context, chunk);
-            } catch (...) {  // may not leave a parallel region
-                failure.store(chunk);
-            }
-        };
-        if (is_dynamic) {
-            Shares shares(chunk_count, team);
-#pragma omp parallel num_threads(team)
-            shares.work(omp_get_thread_num(), run_one);
-        } else {
-#pragma omp parallel for schedule(static) num_threads(team)
-            for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-                run_one(chunk);
-            }
+    if (team <= 1 || chunk_count <= 1) {
+        for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
+            body(context, chunk);
         }
-        failure.rethrow();
         return;
     }
-#endif
-    (void)is_dynamic;
-    for (std::int64_t chunk = 0; chunk < chunk_count; ++chunk) {
-        body(context, chunk);
-    }
+    struct Guarded {
+        void (*body)(void*, std::int64_t);
+        void* context;
+        FirstFailure failure;
+    } guarded{body, context, {}};
+    const auto run_one = [](void* raw, std::int64_t chunk) {
+        auto& call = *static_cast<Guarded*>(raw);
+        try {
+            call.body(call.context, chunk);
+        } catch (...) {  // may not leave a thread
+            call.failure.store(chunk);
+        }
+    };
+    Crew::of_process().run(team, {chunk_count, run_one, &guarded});
+    guarded.failure.rethrow();
 }
 }  // namespace detail
 
@@ -148,7 +96,7 @@ void sort_by_key(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& v
         const auto bin_of = [shift](std::uint64_t key) {
             return static_cast<std::size_t>((key >> shift) & (bin_count - 1));
         };
-        detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+        detail::for_chunks(n, grain, [&](std::int64_t begin, std::int64_t end) {
             Bins& count = bins[static_cast<std::size_t>(begin / grain)];
             count.fill(0);
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -163,7 +111,7 @@ void sort_by_key(std::vector<std::uint64_t>& keys, std::vector<std::uint32_t>& v
                 start = next;
             }
         }
-        detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+        detail::for_chunks(n, grain, [&](std::int64_t begin, std::int64_t end) {
             Bins& place = bins[static_cast<std::size_t>(begin / grain)];
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
                 const std::size_t to = place[bin_of(keys[i])]++;

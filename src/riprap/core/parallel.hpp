@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The only place (with parallel_cuda.hpp and parallel.cpp) that may name OpenMP or CUDA.
+// The only place (with parallel_cuda.hpp, parallel.cpp and crew.hpp) that knows of threads of loops or of CUDA.
 //
 // Work is cut by data, never by thread, so results have the same bits at any thread count:
 // for_each writes by index; reduce folds fixed blocks of `reduce_block` entries in index order.
@@ -21,7 +21,7 @@ namespace riprap::parallel {
 
 /// Number of host threads used by every loop below [-].
 int thread_count();
-/// Name of the host back end, for the record: "OpenMP" or "serial".
+/// Name of the host back end, for the record.
 const char* backend_name();
 /// Sets the number of host threads, at least 1. May be called while loops run: they take it when they begin.
 void set_thread_count(int count);
@@ -35,15 +35,15 @@ inline constexpr std::int64_t reduce_block = 4096;
 
 namespace detail {
 /// Runs body(context, chunk) for chunk = 0 .. chunk_count-1 on the host threads, in any order.
-void run_chunks(std::int64_t chunk_count, bool is_dynamic, void (*body)(void*, std::int64_t), void* context);
+void run_chunks(std::int64_t chunk_count, void (*body)(void*, std::int64_t), void* context);
 
 template <class F>
-void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f) {
+void for_chunks(std::int64_t n, std::int64_t grain, const F& f) {
     struct Context {
         const F* f;
         std::int64_t n, grain;
     } context{&f, n, grain};
-    run_chunks((n + grain - 1) / grain, is_dynamic,
+    run_chunks((n + grain - 1) / grain,
                [](void* raw, std::int64_t chunk) {
                    const auto& c = *static_cast<Context*>(raw);
                    (*c.f)(chunk * c.grain, std::min(c.n, (chunk + 1) * c.grain));
@@ -57,7 +57,7 @@ void for_chunks(std::int64_t n, std::int64_t grain, bool is_dynamic, const F& f)
 template <class F>
 void for_each(std::int64_t n, const F& f) {
     const std::int64_t threads = thread_count(), grain = std::max<std::int64_t>(1024, (n + threads - 1) / threads);
-    detail::for_chunks(n, grain, false, [&f](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, grain, [&f](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             f(i);
         }
@@ -68,7 +68,7 @@ void for_each(std::int64_t n, const F& f) {
 /// in loop after loop, which its cache may still hold, and once through with it helps with the others.
 template <class F>
 void for_each_uneven(std::int64_t n, std::int64_t grain, const F& f) {
-    detail::for_chunks(n, grain, true, [&f](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, grain, [&f](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             f(i);
         }
@@ -78,7 +78,7 @@ void for_each_uneven(std::int64_t n, std::int64_t grain, const F& f) {
 /// f(begin, end) on contiguous ranges of at most `grain` entries, for kernels with per-range set-up.
 template <class F>
 void for_ranges(std::int64_t n, std::int64_t grain, const F& f) {
-    detail::for_chunks(n, grain, true, f);
+    detail::for_chunks(n, grain, f);
 }
 
 /// fold(fold(identity, map(0)), map(1)) ... in fixed blocks: same bits at any thread count. `block` is part of the
@@ -88,7 +88,7 @@ T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, st
     static_assert(has_own_bytes<T>, "bits of a std::vector<bool> share bytes that two threads would write: use any_of");
     const std::int64_t block_count = (n + block - 1) / block;
     std::vector<T> partial(static_cast<std::size_t>(block_count), identity);
-    detail::for_chunks(n, block, true, [&](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, block, [&](std::int64_t begin, std::int64_t end) {
         T sum = identity;
         for (std::int64_t i = begin; i < end; ++i) {
             sum = fold(sum, map(i));
@@ -117,7 +117,7 @@ T exclusive_scan(std::span<const T> in, std::span<T> out) {
     const std::int64_t grain = 1 << 14;
     const std::int64_t block_count = (n + grain - 1) / grain;
     std::vector<T> block_sum(static_cast<std::size_t>(block_count));
-    detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, grain, [&](std::int64_t begin, std::int64_t end) {
         T sum{};
         for (std::int64_t i = begin; i < end; ++i) {
             sum += in[static_cast<std::size_t>(i)];
@@ -130,7 +130,7 @@ T exclusive_scan(std::span<const T> in, std::span<T> out) {
         b = total;
         total = next;
     }
-    detail::for_chunks(n, grain, false, [&](std::int64_t begin, std::int64_t end) {
+    detail::for_chunks(n, grain, [&](std::int64_t begin, std::int64_t end) {
         T sum = block_sum[static_cast<std::size_t>(begin / grain)];
         for (std::int64_t i = begin; i < end; ++i) {
             const T value = in[static_cast<std::size_t>(i)];

@@ -47,11 +47,9 @@ BuildInfo build_info() {
 MachineInfo machine_info() {
     utsname system{};
     uname(&system);
-    const char* policy = std::getenv("OMP_WAIT_POLICY");
     return {.processor = processor_name(),
             .hardware_threads = static_cast<int>(std::thread::hardware_concurrency()),
-            .system = std::string(system.sysname) + ' ' + system.release,
-            .wait_policy = policy == nullptr ? "" : policy};
+            .system = std::string(system.sysname) + ' ' + system.release};
 }
 
 std::string build_json() {
@@ -65,10 +63,8 @@ std::string build_json() {
 
 std::string machine_json() {
     const MachineInfo info = machine_info();
-    return nlohmann::ordered_json{{"processor", info.processor},
-                                  {"hardware_threads", info.hardware_threads},
-                                  {"system", info.system},
-                                  {"wait_policy", info.wait_policy}}
+    return nlohmann::ordered_json{
+        {"processor", info.processor}, {"hardware_threads", info.hardware_threads}, {"system", info.system}}
         .dump();
 }
 

@@ -12,17 +12,16 @@ struct BuildInfo {
     std::string compiler;    ///< "GNU 12.2.0"
     std::string build_type;  ///< "Release"
     std::string march;       ///< value of -march
-    std::string parallel;    ///< "OpenMP" or "serial"
+    std::string parallel;    ///< what loops run on: "threads"
     bool has_assertions;
 };
 BuildInfo build_info();
 
 /// Machine and system that the program runs on.
 struct MachineInfo {
-    std::string processor;    ///< model name of the system
-    int hardware_threads;     ///< that this process may use
-    std::string system;       ///< kernel and release
-    std::string wait_policy;  ///< OMP_WAIT_POLICY as set
+    std::string processor;  ///< model name of the system
+    int hardware_threads;   ///< that this process may use
+    std::string system;     ///< kernel and release
 };
 MachineInfo machine_info();
 
