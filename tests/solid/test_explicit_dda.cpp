@@ -136,6 +136,20 @@ TEST(ExplicitDda, pull_strains_a_block_as_a_stress_would) {
     }
 }
 
+TEST(ExplicitDda, a_torque_gives_its_angular_momentum) {
+    for (const Form form : {Form::pseudo_rigid, Form::twelve_unknowns}) {
+        Trial run;
+        run.settings.form = form;
+        run.rock(1e9);
+        add_box(run.system, run.state.blocks, {1, 2, 3}, {});
+        const std::vector<Vec3> torque{{300, -200, 500}};
+        run.external.torque = torque;
+        run.step(50);
+        const Vec3 gained = measure(run.system, run.state.blocks).angular_momentum;
+        EXPECT_LT(norm(gained - 50 * run.dt * torque[0]), 1e-9 * norm(gained));
+    }
+}
+
 TEST(ExplicitDda, a_block_at_rest_weighs_on_its_four_corners) {
     Trial run;
     run.rock(1e8, {1e6, 1e6});
