@@ -68,6 +68,7 @@ void read_size(const std::string& text, view::RenderOptions& options) {
 void add_render(CLI::App& app, Action& action) {
     auto options = std::make_shared<view::RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
+    command->footer("Example:\n  riprap render runs/dam --movie --length 12 --camera front --camera-to corner");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command->add_option("--out", options->out,
                         "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
@@ -136,6 +137,7 @@ void add_surface(CLI::App& app, Action& action) {
 void add_plot(CLI::App& app, Action& action) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
+    command->footer("Example:\n  riprap plot runs/dam --column solid.kinetic --column level --out dam.png");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command
         ->add_option("--column", options->columns,
@@ -157,6 +159,7 @@ void add_waves(CLI::App& app, Action& action) {
     auto as_json = std::make_shared<bool>(false);
     CLI::App* command =
         app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
+    command->footer("Example:\n  riprap waves runs/wave_flume --from 10 --to 20");
     command->add_option("RUN", *folder, "The run folder")->required();
     command
         ->add_option("--gauge", request->gauges,
