@@ -11,6 +11,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/core/tint.hpp"
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
@@ -203,7 +204,7 @@ void Driver::tell_retry(const StepOutcome& outcome) {
 
 void Driver::warn(const std::string& text, RunLog::Numbers numbers) {
     log_->add("warning", text, numbers);
-    say("warning: " + text);
+    say(text, "warning: ");
 }
 
 /// Once more at the end: those of the beginning have long left the screen.
@@ -321,16 +322,15 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
             : "the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
         fmt::print(stderr,
-                   "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
-                   "  {}\n",
-                   state().step + 1, reason, state().step, state().time,
-                   printable(folder_.checkpoint_latest().string()), advice);
+                   "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n  {}\n",
+                   tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, reason, state().step,
+                   state().time, printable(folder_.checkpoint_latest().string()), advice);
     }
     return static_cast<int>(ExitCode::numerical);
 }
 
 int Driver::verdict(const std::vector<ExpectResult>& results) const {
-    const std::string table = verdict_table(results);
+    const std::string table = verdict_table(results, shows_colours(stdout));
     if (!table.empty() && voice_ != Voice::none) {
         fmt::print("{}", table);
     }
@@ -355,9 +355,10 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
     write_summary(folder_, summary);
 }
 
-void Driver::say(const std::string& text) const {
+void Driver::say(const std::string& text, const std::string& caution) const {
     if (voice_ == Voice::all) {
-        fmt::print("{}\n", printable(text));
+        const std::string begin = caution.empty() ? "" : tinted(caution, Tint::caution, shows_colours(stdout));
+        fmt::print("{}{}\n", begin, printable(text));
         std::fflush(stdout);
     }
 }

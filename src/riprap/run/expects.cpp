@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "riprap/core/error.hpp"
+#include "riprap/core/tint.hpp"
 
 namespace riprap::run {
 
@@ -119,6 +120,11 @@ std::string cause_of_none(const ExpectResult& result) {
                                    : "no step of its window had one";
 }
 
+/// Colour of a verdict on a terminal.
+Tint tint_of(Verdict verdict) {
+    return verdict == Verdict::passed ? Tint::good : verdict == Verdict::failed ? Tint::bad : Tint::caution;
+}
+
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
     return {{expect.place, 0, 0}, "expect '" + expect.name + "': " + std::move(message), std::move(allowed)};
 }
@@ -217,7 +223,7 @@ void ExpectWatch::load(const std::vector<double>& numbers) {
     }
 }
 
-std::string verdict_table(const std::vector<ExpectResult>& results) {
+std::string verdict_table(const std::vector<ExpectResult>& results, bool is_coloured) {
     if (results.empty()) {
         return {};
     }
@@ -230,7 +236,8 @@ std::string verdict_table(const std::vector<ExpectResult>& results) {
     for (const ExpectResult& result : results) {
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
         text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
-                            result.value, time, result.low, result.high, result.unit, to_string(result.verdict));
+                            result.value, time, result.low, result.high, result.unit,
+                            tinted(to_string(result.verdict), tint_of(result.verdict), is_coloured));
     }
     for (const ExpectResult& result : results) {
         if (result.verdict == Verdict::failed && std::isnan(result.value)) {
