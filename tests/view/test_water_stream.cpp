@@ -116,7 +116,7 @@ TEST(WaterStream, ParticlesThatComeAndGoAreShownWhereTheyAre) {
     }
 }
 
-// That is 60 MB for 100 000 particles over 200 frames, as they stand in a page, in base64.
+// Three bytes each are 60 MB in a page, in base64, for 100 000 particles over 200 frames.
 TEST(WaterStream, StaysWithinThreeBytesForAParticleAndFrameAtTheFinestStep) {
     const std::vector<WaterFrame> frames = stirred(20, 25);
     const double particle_frames = static_cast<double>(frames[0].id.size() * frames.size());

@@ -19,7 +19,7 @@ IrregularWave::Component component(double amplitude, double period, double depth
     return {amplitude, omega, wave_number(omega, depth, g), phase};
 }
 
-/// What a paddle does at a frequency.
+/// Amplitude of a paddle at a frequency.
 std::complex<double> at(const std::vector<StrokeHarmonic>& stroke, double omega) {
     std::complex<double> sum = 0;
     for (const StrokeHarmonic& one : stroke) {
