@@ -20,7 +20,7 @@ namespace riprap {
 
 namespace {
 
-/// Checks that the name of a file says what is written into it; other names would lie.
+/// Refuses an output file whose extension names another format than the one written.
 void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
     if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
         return;
@@ -85,7 +85,7 @@ void add_render(CLI::App& app, Action& action) {
                         "corner, front, side, top, or the address of a page as seen in the browser (#...)");
     command
         ->add_option("--camera-to", options->camera_to,
-                     "Where a movie's camera goes by its end, as --camera; give the option again for more stops")
+                     "View at the end of a movie, as --camera; repeat the option for stops on the way")
         ->allow_extra_args(false);
     command->add_option("--fps", options->frames_per_second, "Pictures of a movie per second (default: 25)")
         ->check(CLI::Range(1, 120));

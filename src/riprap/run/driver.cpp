@@ -39,10 +39,10 @@ std::string counted(std::int64_t count, std::string_view noun) {
 }
 std::string counted_bodies(std::int64_t count) { return fmt::format("{} {}", count, count == 1 ? "body" : "bodies"); }
 
-/// A run does not go back.
+/// Refuses an end before the time that the run has reached.
 void refuse_earlier_end(double end, const sim::State& reached, const RunFolder& folder) {
     constexpr double slack = 1e-9;  // of the time: the last step may miss the end by round-off
-    // A given time step may pass the end that it was given for.
+    // With a `time_step` of the case the last step may go beyond the end.
     if (end < (1 - slack) * (reached.time - reached.previous_dt)) {
         Diagnostic problem;
         problem.place.file = folder.root.string();
@@ -207,7 +207,7 @@ void Driver::warn(const std::string& text, RunLog::Numbers numbers) {
     say(text, "warning: ");
 }
 
-/// Once more at the end: those of the beginning have long left the screen.
+/// Counts the warnings again at the end of the run: the first of them have long left the screen.
 void Driver::tell_warnings() const {
     if (const std::size_t count = log_->warnings().size(); count > 0) {
         say(fmt::format("{} warning{} of this run {} in {}", count, count == 1 ? "" : "s", count == 1 ? "is" : "are",
