@@ -106,8 +106,7 @@ const Table& fluid_wave_table() {
          {"spectrum_file",
           {path()},
           "Spectrum of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and "
-          "'period'; "
-          "scaled to 'height' where that is given.",
+          "'period'; scaled to 'height' where that is given.",
           {}},
          {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
     return table;
