@@ -207,7 +207,7 @@ Outcome run_pile(Pile& pile, const RecordedWater& water, int impacts) {
     return out;
 }
 
-/// a/b; no number where b is less than a centimetre or half a degree: what only yields elastically says nothing of an
+/// Returns a/b; NaN where b is less than a centimetre or half a degree, as elastic displacements say nothing of an
 /// order.
 double ratio(double a, double b) { return b > 0.01 ? a / b : std::nan(""); }
 
