@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/core/tint.hpp"
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/find_case.hpp"
 
@@ -33,10 +34,11 @@ int print_check(const std::string& case_text, const std::vector<std::string>& ov
     try {
         const scene::LoadedCase loaded = scene::read_case(run::find_case(case_text).string(), overrides);
         const run::CaseCheck check = run::check_case(loaded);
-        fmt::print("{}\n", as_json ? run::check_json(check) : run::check_text(check));
+        fmt::print("{}\n", as_json ? run::check_json(check) : run::check_text(check, shows_colours(stdout)));
         if (!check.refusal.empty()) {
             std::fflush(stdout);
-            fmt::print(stderr, "riprap: a run of this case is refused: {}\n", printable(check.refusal));
+            fmt::print(stderr, "{} a run of this case is refused: {}\n",
+                       tinted("riprap:", Tint::bad, shows_colours(stderr)), printable(check.refusal));
         }
         return static_cast<int>(check.refusal.empty() ? ExitCode::success : ExitCode::numerical);
     } catch (const CaseError& error) {

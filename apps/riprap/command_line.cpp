@@ -127,6 +127,7 @@ void add_check(CLI::App& app, Action& action) {
 void add_matrix(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::MatrixOptions>();
     CLI::App* command = app.add_subcommand("matrix", "Run a case with every solid method and every fluid");
+    command->footer("Example:\n  riprap matrix sliding_block --set end=0.5");
     command->add_option("CASE", options->case_path, case_help)->required();
     command->add_option("--set", options->overrides, "Replace a key of the case")
         ->type_name("KEY=VALUE")
@@ -149,6 +150,7 @@ void add_matrix(CLI::App& app, Action& action) {
 void add_validate(CLI::App& app, Action& action) {
     auto options = std::make_shared<validation::ValidateOptions>();
     CLI::App* command = app.add_subcommand("validate", "Run validation suites and compare with published answers");
+    command->footer("Example:\n  riprap validate rigid water/standing_wave --report report");
     command->add_option("SUITE[/CASE]", options->selection, "What to run (default: every suite)");
     command->add_flag("--full", options->is_full, "Also long cases, and every case in its long version");
     command->add_flag("--json", options->as_json, "As JSON");
@@ -168,6 +170,7 @@ void add_validate(CLI::App& app, Action& action) {
 
 void add_list(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
+    command->footer("Example:\n  riprap list --costs");
     auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
     auto as_costs = std::make_shared<bool>(false);
     CLI::Option* json = command->add_flag("--json", *as_json, "As JSON");
@@ -186,6 +189,7 @@ void add_list(CLI::App& app, Action& action) {
 
 void add_schema(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of the case file");
+    command->footer("Example:\n  riprap schema > riprap.schema.json");
     auto as_keys = std::make_shared<bool>(false);
     auto as_manual = std::make_shared<bool>(false);
     CLI::Option* keys = command->add_flag("--keys", *as_keys, "Print the keys as a list for reading instead");
@@ -206,6 +210,7 @@ void add_schema(CLI::App& app, Action& action) {
 void add_bench(CLI::App& app, Action& action) {
     auto options = std::make_shared<bench::BenchOptions>();
     CLI::App* command = app.add_subcommand("bench", "Measure the machine and how fast Riprap is on it");
+    command->footer("Example:\n  riprap bench contact step.dam_break");
     command->add_option("NAME", options->selection, "Benches, or how their names begin: contact, pile.10k");
     command->add_flag("--full", options->is_full, "Also those that take minutes");
     command->add_flag("--json", options->as_json, "As JSON");
@@ -216,6 +221,7 @@ void add_bench(CLI::App& app, Action& action) {
 
 void add_version(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("version", "Print the version and how it was built");
+    command->footer("Example:\n  riprap version --json");
     auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "As JSON");
     command->callback([&action, as_json] {

@@ -20,7 +20,7 @@ namespace riprap {
 
 namespace {
 
-/// Checks that the name of a file says what is written into it; other names would lie.
+/// Refuses an output file whose extension names another format than the one written.
 void require_extension(const std::filesystem::path& file, std::initializer_list<const char*> allowed) {
     if (file.empty() || std::find(allowed.begin(), allowed.end(), file.extension()) != allowed.end()) {
         return;
@@ -68,6 +68,7 @@ void read_size(const std::string& text, view::RenderOptions& options) {
 void add_render(CLI::App& app, Action& action) {
     auto options = std::make_shared<view::RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw a picture or a movie of a run, with Chromium");
+    command->footer("Example:\n  riprap render runs/dam --movie --length 12 --camera front --camera-to corner");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command->add_option("--out", options->out,
                         "The picture, PNG, or the movie, MP4 (default: RUN/picture.png or RUN/movie.mp4)");
@@ -84,7 +85,7 @@ void add_render(CLI::App& app, Action& action) {
                         "corner, front, side, top, or the address of a page as seen in the browser (#...)");
     command
         ->add_option("--camera-to", options->camera_to,
-                     "Where a movie's camera goes by its end, as --camera; give the option again for more stops")
+                     "View at the end of a movie, as --camera; repeat the option for stops on the way")
         ->allow_extra_args(false);
     command->add_option("--fps", options->frames_per_second, "Pictures of a movie per second (default: 25)")
         ->check(CLI::Range(1, 120));
@@ -136,6 +137,7 @@ void add_surface(CLI::App& app, Action& action) {
 void add_plot(CLI::App& app, Action& action) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
+    command->footer("Example:\n  riprap plot runs/dam --column solid.kinetic --column level --out dam.png");
     command->add_option("RUN", options->folder, "The run folder")->required();
     command
         ->add_option("--column", options->columns,
@@ -157,6 +159,7 @@ void add_waves(CLI::App& app, Action& action) {
     auto as_json = std::make_shared<bool>(false);
     CLI::App* command =
         app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
+    command->footer("Example:\n  riprap waves runs/wave_flume --from 10 --to 20");
     command->add_option("RUN", *folder, "The run folder")->required();
     command
         ->add_option("--gauge", request->gauges,

@@ -24,15 +24,15 @@ namespace riprap {
 
 int print_version(bool as_json);
 
-/// The cases and suites that `riprap run` and `riprap validate` find by name.
+/// Prints the cases and suites that `riprap run` and `riprap validate` find by name.
 int print_list(bool as_json);
-/// The cases with what their runs take on this machine, by some steps of each.
+/// Prints the cases and the cost of their runs on this machine, estimated from some steps of each.
 int print_costs(bool as_json);
-/// Their names alone, one a line: for the completion of shells.
+/// Prints the names of all cases, one a line, for the completion of shells.
 int print_case_names();
 
-/// Everything about a case short of stepping. With `as_json` a bad case is an answer as well: its problems, and the
-/// exit code for a bad case.
+/// Prints all that is known of a case before its first step. With `as_json` a bad case is an answer as well: its
+/// problems, and the exit code for a bad case.
 int print_check(const std::string& case_text, const std::vector<std::string>& overrides, bool as_json);
 
 /// A case with every solid method and every fluid: result, cost, residual of the ledger, and why a combination is

@@ -13,6 +13,7 @@
 #include "command_line.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/core/tint.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -20,6 +21,9 @@
 #include "riprap/view/page_content.hpp"
 
 namespace {
+
+/// Returns the name that begins every refusal.
+std::string program_name() { return riprap::tinted("riprap:", riprap::Tint::bad, riprap::shows_colours(stderr)); }
 
 /// Arrays of a MiB and more go back to the system when they are freed. Left alone, the allocator comes to keep free
 /// ones of up to 32 MiB: a twenty-fifth of what a run of a million particles takes.
@@ -31,7 +35,7 @@ void return_freed_arrays() {
 
 /// Tells why the program ends, on a standard error that nobody may read any more: fmt::print would throw then.
 int fail(riprap::ExitCode code, const char* message) {
-    std::fputs(fmt::format("riprap: {}\n", riprap::printable(message)).c_str(), stderr);
+    std::fputs(fmt::format("{} {}\n", program_name(), riprap::printable(message)).c_str(), stderr);
     return static_cast<int>(code);
 }
 
@@ -40,9 +44,10 @@ int report_case_error(const riprap::CaseError& error) {
         fmt::print(stderr, "{}\n", to_string(problem));
     }
     const std::size_t count = error.problems().size();
-    fmt::print(stderr, "riprap: {} problem{} with the case, nothing was run\n", count, count == 1 ? "" : "s");
+    fmt::print(stderr, "{} {} problem{} with the case, nothing was run\n", program_name(), count,
+               count == 1 ? "" : "s");
     if (const auto* partly = dynamic_cast<const riprap::scene::PartlySeenCaseError*>(&error)) {
-        fmt::print(stderr, "riprap: not looked at: {}; more may be found once {} mended\n", partly->unseen(),
+        fmt::print(stderr, "{} not looked at: {}; more may be found once {} mended\n", program_name(), partly->unseen(),
                    count == 1 ? "this is" : "these are");
     }
     return static_cast<int>(riprap::ExitCode::bad_case);

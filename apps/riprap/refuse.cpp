@@ -8,6 +8,7 @@
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/core/tint.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
 namespace riprap {
@@ -64,7 +65,8 @@ std::string unknown_word(const CLI::App& app, const std::vector<std::string>& wo
 
 int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
     if (const std::string unknown = unknown_word(app, words); !unknown.empty()) {
-        fmt::print(stderr, "riprap: {}\nRun with --help for more information.\n", printable(unknown));
+        fmt::print(stderr, "{} {}\nRun with --help for more information.\n",
+                   tinted("riprap:", Tint::bad, shows_colours(stderr)), printable(unknown));
     } else {
         app.exit(error);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices. What stands still is solid
-// where it is behind the water, and glass where it would hide it.
+// Blocks: one instanced mesh per shape, with its edges drawn as lines over the same matrices. Fixed bodies are solid
+// behind the water, and glass where they would hide it.
 
 import * as THREE from 'three';
 import {FIXED, MAPS, colourAt, materialColour} from './colours.js';
@@ -13,10 +13,10 @@ import {Stresses} from './stresses.js';
 const FAINT = 0.16;       // opacity of fixed bodies before water
 const WALL = 0.12;        // of upright half-spaces
 const FLOOR = 0.35;       // of others
-const HIDING = 0.3;       // share of looks at the water that a body must stop to become glass
+const HIDING = 0.3;       // share of sight lines to the water that a body must block to become glass
 const MOST_ALONE = 40;    // fixed bodies of one shape that are drawn one by one
 const FLAT = 1 - 1e-6;      // cosine between the normals of two faces of one plane
-const MOST_TRIANGLES = 60_000;  // that looks are tried against
+const MOST_TRIANGLES = 60_000;  // that sight lines are tried against
 
 const EDGE_VERTEX = `
   attribute mat4 block;

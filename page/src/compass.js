@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the axes and gravity point as seen by the camera, and how long a length is: drawn beside the legends.
+// Directions of the axes and of gravity as the camera sees them, and a scale bar, drawn beside the legends.
 
 import * as THREE from 'three';
 import {short} from './numbers.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the colours and bars of the scene mean.
+// Legends of the colours and bars in the scene.
 
 import {MAPS, css, gradient} from './colours.js';
 import {short} from './numbers.js';

@@ -58,7 +58,7 @@ const SMOOTH = `
       float t = float(k) / 12.0;
       float there = texture2D(depths, at + along * radius * t).r;
       if (there <= 0.0) continue;
-      // What is much nearer or farther is another face of the water.
+      // Depths that differ by more belong to another face of the water.
       float far = (there - here) / (1.5 * ball);
       float w = exp(-3.0 * t * t) * exp(-far * far);
       sum += w * there;
@@ -180,7 +180,7 @@ export class WaterSurface {
     for (const one of [this.depths, this.other]) {
       one.setSize(size.x, size.y);
     }
-    // How much water is behind varies slowly; in planar scenes it draws the surface itself.
+    // The thickness of the water varies slowly, so coarse pixels do; in planar scenes it draws the surface itself.
     const coarse = this.isPlanar ? 1 : COARSE;
     this.amounts.setSize(Math.ceil(coarse * size.x), Math.ceil(coarse * size.y));
     const tan = isFlat ? (camera.top - camera.bottom) / (2 * camera.zoom) : Math.tan(camera.fov * Math.PI / 360);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // usage: node page/test/play_rate.js PAGE [TIMES]
-// How long a page takes to open and its frames to be unpacked and drawn, in milliseconds, medians over TIMES visits. A
+// Measures the time to open a page and to unpack and draw its frames, in milliseconds, medians over TIMES visits. A
 // browser without a window draws with the processor; a graphics card does what is called drawing here in a fraction.
 
 import {pathToFileURL} from 'node:url';

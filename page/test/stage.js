@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests share: small runs, the page of each, a browser that looks at them.
+// Shared by the tests: small runs, the page of each, and a browser that opens the pages.
 
 import {execFileSync, spawnSync} from 'node:child_process';
 import {existsSync, mkdtempSync, rmSync} from 'node:fs';

@@ -10,9 +10,14 @@ import pathlib as _pathlib
 import re as _re
 import xml.etree.ElementTree as _xml
 import zlib as _zlib
+from collections.abc import Iterable as _Iterable
+from collections.abc import Mapping as _Mapping
+from collections.abc import Sequence as _Sequence
 from typing import Any as _Any
 
 import numpy as _np
+
+from ._riprap import Case as _Case
 
 
 def _unknown(kind, name, known):
@@ -22,12 +27,12 @@ def _unknown(kind, name, known):
     return KeyError(f"there is no {kind} '{name}'{hint}")
 
 
-class Table(dict):
+class Table(dict[str, _np.ndarray]):
     """Columns of a table by name, as arrays; `units` has the unit of each."""
 
-    def __init__(self, path):
+    def __init__(self, path: str | _os.PathLike[str]) -> None:
         super().__init__()
-        self.units = {}
+        self.units: dict[str, str] = {}
         with _pathlib.Path(path).open(newline="") as file:
             rows = [row for row in _csv.reader(file)]
         heads = rows[0] if rows else []
@@ -101,7 +106,7 @@ class Frame:
     frame.bodies["velocity"]: a row for every body, in the order of bodies.csv; `time` [s].
     """
 
-    def __init__(self, time, files):
+    def __init__(self, time: float, files: dict[str, _pathlib.Path]) -> None:
         self.time = time
         self._files = files
         self._read = {}
@@ -117,19 +122,19 @@ class Frame:
         return self._read[kind]
 
     @property
-    def water(self):
+    def water(self) -> dict[str, _np.ndarray]:
         return self._part("water")
 
     @property
-    def bodies(self):
+    def bodies(self) -> dict[str, _np.ndarray]:
         return self._part("bodies")
 
     @property
-    def contacts(self):
+    def contacts(self) -> dict[str, _np.ndarray]:
         return self._part("contacts")
 
     @property
-    def surface(self):
+    def surface(self) -> dict[str, _np.ndarray]:
         """Of the grid fluid."""
         return self._part("surface")
 
@@ -152,7 +157,7 @@ class _Arrays(dict):
 class Run:
     """The folder of a run: `summary` (a dict), `probes` and `ledger` (tables), `body_names`, `times` and `frames`."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: str | _os.PathLike[str]) -> None:
         self.folder = _pathlib.Path(folder)
         if not (self.folder / "run.json").is_file():
             from .errors import FileError
@@ -272,7 +277,14 @@ def _run_point(case, overrides, folder, threads):
         return str(error)
 
 
-def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list[dict[str, _Any]]:
+def sweep(
+    case: str | _os.PathLike[str] | _Case,
+    vary: _Mapping[str, _Sequence[_Any]] | _Iterable[_Mapping[str, _Any]],
+    out: str | _os.PathLike[str],
+    *,
+    jobs: int | None = None,
+    threads: int = 1,
+) -> list[dict[str, _Any]]:
     """Runs a case once for each combination of the values in `vary`, {"key": [a, b], ...}, or for each dict of a list.
 
     `case` is a file, a folder, a name from riprap.list(), or a riprap.Case with what replaced its keys.
@@ -284,10 +296,8 @@ def sweep(case, vary, out, *, jobs: int | None = None, threads: int = 1) -> list
     import concurrent.futures
     import multiprocessing
 
-    from ._riprap import Case
-
-    title = case.title if isinstance(case, Case) else str(case)
-    case = (case.text, str(case.folder), case.overrides) if isinstance(case, Case) else str(case)
+    title = case.title if isinstance(case, _Case) else str(case)
+    case = (case.text, str(case.folder), case.overrides) if isinstance(case, _Case) else str(case)
     if isinstance(vary, dict):
         points = [dict(zip(vary, values)) for values in _itertools.product(*vary.values())]
     else:

@@ -46,7 +46,7 @@ def check_arrays(file, fields, count):
                 refuse(file, f"{array.GetName()} is not finite")
 
 
-# What docs/howto/output-files.md says is in the files: of cells or points, and of the whole.
+# Arrays that docs/howto/output-files.md lists for each kind of file: of cells or points, and of the whole file.
 ARRAYS = {
     "bodies": ("cells", {"body", "material", "is_free", "velocity", "speed", "angular_velocity", "displacement", "distance"},
                {"body_position", "body_orientation", "TimeValue"}),

@@ -16,7 +16,7 @@
 
 namespace riprap {
 
-/// How a program ended and what it said.
+/// Exit code and output of a program.
 struct Ending {
     int code{-1};  ///< exit code, or -signal when a signal killed it
     std::string out, err;

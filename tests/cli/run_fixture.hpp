@@ -25,7 +25,7 @@ class RunFixture : public ::testing::Test {
  protected:
     static constexpr int full_steps = 400;
 
-    /// What a run leaves that must not depend on how often it was stopped: the hash of its State and its files.
+    /// Results that must not depend on how often a run was stopped: the hash of its State, and its files.
     struct Whole {
         std::string hash;
         std::map<std::string, std::string> files;

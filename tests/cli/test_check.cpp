@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `riprap check` predicts.
+// Predictions of `riprap check`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -51,6 +51,12 @@ TEST_F(Help, StandsWhereNothingIsAskedFor) {
     EXPECT_EQ(bare.out, help({"--help"}));
 }
 
+TEST_F(Help, OfEveryCommandEndsWithAnExampleOfThatCommand) {
+    for (const std::string& command : matches(section(help({"--help"}), "Subcommands:"), "\n  ([a-z]+) ")) {
+        EXPECT_THAT(section(help({command, "--help"}), "Example:"), HasSubstr("riprap " + command)) << command;
+    }
+}
+
 TEST_F(Help, CompletionAndManualPagesNameEveryCommandAndOption) {
     const std::set<std::string> commands = matches(section(help({"--help"}), "Subcommands:"), "\n  ([a-z]+) ");
     for (const std::string shell : {"bash", "zsh", "fish"}) {

@@ -74,7 +74,8 @@ TEST_F(Looking, WavesOfARunWithoutLevelGaugesAreABadCommandLine) {
     have_run();
     const Ending ending = run({"waves", out("run")});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_THAT(ending.err, HasSubstr("no gauge of kind 'level'"));
+    EXPECT_THAT(ending.err,
+                HasSubstr("gauges of kind 'level', or of kind 'surface' along an upright line; the run has none"));
     EXPECT_EQ(run({"waves", out("run"), "--period", "-1"}).code, 2);
     EXPECT_EQ(run({"waves", out("nothing")}).code, 5);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program answers to slips on its command line, and what it says once more at the end of a run.
+// Answers to mistakes on the command line, and warnings repeated at the end of a run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -135,7 +135,7 @@ TEST_F(Runs, AStopSignalWritesACheckpointAndTellsHowToContinue) {
         EXPECT_EQ(ending.code, 128 + signal);
         EXPECT_THAT(ending.err, HasSubstr("riprap resume"));
         EXPECT_EQ(summary_of(name).at("status"), "interrupted");
-        // What was stopped goes on to the same State as what was not.
+        // A run that was stopped reaches the same State as one that was not.
         const std::string steps = std::to_string(summary_of(name).at("steps").get<int>() + 20);
         ASSERT_EQ(run({"resume", out(name), "--max-steps", steps}).code, 0);
         ASSERT_EQ(run({"run", case_file(), "--out", out("straight"), "--force", "--set", "end=10000", "--set",

@@ -48,7 +48,7 @@ interval = 0.005
 
 class Frames : public RunFixture {
  protected:
-    /// What VTK's reader says of a run and of the script that shows it; nothing where VTK is not installed.
+    /// Returns the complaints of VTK's reader about a run and about the script that shows it; none without VTK.
     std::string opened(const std::string& name, const std::string& script) {
         const std::string command = "/usr/bin/python3 tests/cli/open_with_vtk.py '" + out(name) + "' " + script +
                                     " >'" + out("said") + "' 2>&1";

@@ -90,7 +90,7 @@ TEST(Stability, TwoEqualBodiesShareASpring) {
     EXPECT_EQ(row.omega_squared_a, row.omega_squared_b);
 }
 
-/// Steps x'' = -omega^2 x - damping x' with the velocity before the kick; does it grow?
+/// Tells whether x'' = -omega^2 x - damping x' grows when its dashpot takes the velocity before the kick.
 bool grows(double omega_squared, double damping, double dt) {
     double x = 1, v = 0;
     for (int i = 0; i < 4000; ++i) {

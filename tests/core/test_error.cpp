@@ -19,6 +19,11 @@ TEST(CaseError, CarriesEveryProblemWithItsPlace) {
     EXPECT_STREQ(error.what(), "case.toml:3:8: unknown key 'gravty'; did you mean 'gravity'?\ncase.toml: no [[body]]");
 }
 
+TEST(Diagnostic, PutsNoSemicolonAfterAQuestion) {
+    const Diagnostic problem{{}, "'t/m3' is no unit; did you mean 't/m^3'?", "a density"};
+    EXPECT_EQ(to_string(problem), "'t/m3' is no unit; did you mean 't/m^3'? a density");
+}
+
 TEST(Assertion, NamesExpressionAndValues) {
     try {
         assertion_failed("r > 0", "shape.cpp", 12, "r = -1");

@@ -48,7 +48,7 @@ Meeting meet(double speed) {
 }
 
 TEST(Guard, begins_where_particles_under_pressure_do_not_come) {
-    // They stand half a spacing off; water begins a quarter of one off at the start.
+    // Particles stand half a spacing off the wall; at the start water begins a quarter of a spacing off.
     const double reach = guard_settings(water(), 1e-4).reach / 0.05;
     EXPECT_LT(reach, 0.25);
     EXPECT_GT(reach, 0.15);

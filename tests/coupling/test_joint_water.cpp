@@ -100,7 +100,7 @@ TEST(JointWaters, water_a_sixth_of_a_spacing_farther_off_than_at_rest_counts_in_
     const JointWater at_rest = under_rows(0.5), off = under_rows(0.5 + 1.0 / 7), far = under_rows(0.5 + 1.0 / 4);
     EXPECT_NEAR(off.weight, at_rest.weight, 1e-9 * at_rest.weight);
     EXPECT_NEAR(far.weight, 0.767 / 0.85 * at_rest.weight, 0.01 * at_rest.weight);
-    // What is ragged is not less crowded: it is taken as it is.
+    // Ragged water is no less crowded than a lattice, so its pressure is taken as it is.
     EXPECT_GT(far.felt, off.felt);
 }
 

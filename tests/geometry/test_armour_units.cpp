@@ -20,7 +20,7 @@ double volume_of(const std::vector<Polyhedron>& parts) {
     return sum;
 }
 
-/// How many parts hold a point.
+/// Counts the parts that hold a point.
 int holders(const std::vector<Polyhedron>& parts, const Vec3& x) {
     int count = 0;
     for (const Polyhedron& part : parts) {

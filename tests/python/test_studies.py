@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a run left, and studies of many runs. Working folder: that of the repository."""
+import inspect
 import json
 import pathlib
 import tempfile
@@ -85,6 +86,17 @@ class Studies(unittest.TestCase):
                 return
             self.assertGreater(page.stat().st_size, 100_000)
             self.assertTrue(run._repr_html_().startswith("<iframe srcdoc="))
+
+    def test_everything_that_editors_see_has_types(self):
+        seen = [riprap.open, riprap.sweep]
+        for kind in (riprap.Frame, riprap.Run, riprap.Table):
+            for name, member in vars(kind).items():
+                member = member.fget if isinstance(member, property) else member
+                if inspect.isfunction(member) and (name == "__init__" or not name.startswith("_")):
+                    seen.append(member)
+        for one in seen:
+            names = set(inspect.signature(one).parameters) - {"self"} | {"return"}
+            self.assertEqual(names - set(one.__annotations__), set(), one.__qualname__)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `riprap check` says of a case with water.
+// Report of `riprap check` for cases with water.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

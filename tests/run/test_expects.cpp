@@ -13,6 +13,7 @@ namespace riprap::run {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 sim::Expect expect(const std::string& reduce, double at = 0) {
     return {.name = reduce,
@@ -69,6 +70,9 @@ TEST(Expects, TellsWhenAFigureWasThere) {
     EXPECT_EQ(results[4].time, 1.5);
     EXPECT_TRUE(std::isnan(results[5].time));  // never reached
     EXPECT_THAT(verdict_table(results), HasSubstr("at [s]"));
+    EXPECT_THAT(verdict_table(results), Not(HasSubstr("\033")));
+    EXPECT_THAT(verdict_table(results, true),
+                HasSubstr("m" + std::string(to_string(results[0].verdict)) + "\033[0m\n"));
 }
 
 TEST(Expects, AnExtremeIsFarthestFromZeroToEitherSide) {

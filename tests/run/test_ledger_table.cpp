@@ -22,7 +22,7 @@ Simulation make(const std::filesystem::path& path) {
     return Simulation(scene::read_case_text(text.str(), "case.toml", "/nonexistent", {}));
 }
 
-/// What the accounts of a case come to, and the largest of them.
+/// Sum of the accounts of a case, and the size of the largest.
 struct Balance {
     double sum{0}, size{0};
 };

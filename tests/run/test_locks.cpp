@@ -128,7 +128,7 @@ TEST(Locks, ATowerThatCannotTurnSlidesWhereItWouldTilt) {
         };
         run_to(*free, 0.5);
         run_to(*held, 0.25);
-        // It bounces a little on its contacts: friction is 0.4 of what changes the velocity along z, bounces included.
+        // The tower bounces a little: friction is 0.4 of the force that changes its velocity along z, bounces included.
         const auto gained = [&] { return value(*held, "tower.velocity.x") + 0.4 * value(*held, "tower.velocity.z"); };
         const double since = held->state().time, before = gained();
         run_to(*held, 0.5);

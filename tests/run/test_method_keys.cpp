@@ -25,7 +25,7 @@ using scene::Table;
 
 constexpr int steps = 4;
 
-/// How a key is tried.
+/// A value to try for a key, and the other assignments that it needs.
 struct Trial {
     std::string value;              ///< empty: one near the default
     std::vector<std::string> with;  ///< other assignments

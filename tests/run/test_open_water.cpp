@@ -101,7 +101,7 @@ TEST(OpenWater, a_channel_carries_what_comes_in_and_keeps_its_level) {
     EXPECT_EQ(run.state.fluid.size(), before + open.entered[0] - open.left[0] - open.left[1]);
     EXPECT_EQ(open.left[1], 0);  // nothing back through the inflow
     EXPECT_EQ(open.entered[0], 12 * static_cast<std::int64_t>(std::floor(0.5 * run.state.time / 0.025 + 0.5)));
-    // What the gauge saw pass is what came in less what stays in front of it, to one layer of particles.
+    // The volume past the gauge equals the inflow less the volume stored upstream, to one layer of particles.
     const double came_in = static_cast<double>(open.entered[0]) * 0.025 * 0.025;
     EXPECT_NEAR(passed, came_in - (volume() - volume_before), 12 * 0.025 * 0.025);
     EXPECT_NEAR(passed / run.state.time, 0.15, 0.03 * 0.15);  // speed times depth

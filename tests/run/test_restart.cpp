@@ -103,7 +103,7 @@ TEST(Restart, ACheckpointOfAnotherCaseIsRefusedEvenWhereThePreviousOneFits) {
     EXPECT_THAT(run.refusal(), HasSubstr("another case"));
 }
 
-/// What a hostile checkpoint with good checksums is refused for.
+/// Returns the reason why a checkpoint with wrong content but good checksums is refused.
 std::string refusal_of(const std::function<void(sim::State&, RunRecord&)>& change,
                        const std::vector<std::string>& overrides = {}) {
     SomeRun run(overrides);

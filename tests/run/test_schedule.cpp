@@ -9,7 +9,7 @@
 namespace riprap::run {
 namespace {
 
-/// The times of a walk at which something is due, and how much of the walk a schedule has met.
+/// Takes steps of the given lengths and returns the times at which the schedule was due, and then met.
 std::vector<double> due_times(Schedule& schedule, const std::vector<double>& steps) {
     std::vector<double> due;
     double time = 0, dt = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a method shows of its bodies: by name in probes, frames and expected answers.
+// Fields that a method shows of its bodies, by name in probes, frames and expected answers.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// What is told of each of some steps.
+/// A watch with a few steps to judge.
 struct Watched {
     StepWatch watch;
     sim::State state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How early blocks tip by the elasticity of their feet, as `riprap check` tells it.
+// Angle by which blocks tip early as their feet are elastic, as `riprap check` predicts it.
 #include "riprap/run/tipping_bias.hpp"
 
 #include <fmt/format.h>

@@ -108,7 +108,7 @@ release_time = 29.0
 
 TEST(WaterOnSlopes, a_block_on_a_slope_feels_the_buoyancy_of_archimedes) {
     const double angle = std::atan(1.0 / 3), buoyancy = 1000 * 9.81 * 0.1 * 0.1;
-    // Across the slope it was 1.17 with the pressure of the crowded particles in the joint.
+    // With the pressure of the crowded particles in the joint the force across the slope would be 1.17 of it.
     for (const double place : {0.0, 0.01}) {
         const Vec3 force = force_on_square(place);
         EXPECT_NEAR(force.x, buoyancy * std::sin(angle), 0.05 * buoyancy) << place;

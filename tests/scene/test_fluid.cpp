@@ -246,7 +246,7 @@ TEST(FluidCase, warns_of_a_step_above_the_acoustic_limit_of_a_lattice) {
                 Contains(HasSubstr("no acoustic_damping, as gradient_correction is off")));
 }
 
-// It was once put on the underside of the wall, between the parts of the tank, and read 0 for ever.
+// A gauge on the underside of the wall, between the parts of the tank, would read 0 for ever.
 TEST(FluidCase, a_gauge_in_the_corner_of_a_tank_of_parts_is_in_a_face_that_water_can_reach) {
     const std::string basin = R"([[body]]
 name = "basin"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is worth knowing of a case with water, and no reason to stop.
+// Warnings about cases with water that can still run.
 #include <fmt/format.h>
 
 #include <cmath>

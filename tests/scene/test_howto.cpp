@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What docs/howto/write-a-case.md quotes is true: its pieces stand in the cases, its messages are those given.
+// Quotations of docs/howto/write-a-case.md are true: its pieces stand in the cases, its messages are those given.
 #include <sstream>
 
 #include "case_fixture.hpp"

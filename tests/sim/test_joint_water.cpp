@@ -118,7 +118,7 @@ TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_not
     EXPECT_LT(std::abs(a.pressure.force[0].x - thrust), std::abs(b.pressure.force[0].x - thrust));
     const double moment =
         a.pressure.torque[0].z - b.pressure.torque[0].z - 0.5 * Dam::height * uplift.x;  // of the upright part
-    // It acts a third of the width from the heel, which is a sixth of it upstream of the centre of mass.
+    // The uplift acts a third of the width from the heel, a sixth of the width upstream of the centre of mass.
     EXPECT_NEAR(moment, -triangle * Dam::width / 6, 0.1 * triangle * Dam::width / 6);
 }
 
@@ -158,7 +158,7 @@ TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
     const StepReport report = basin.steps(15, scratch);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
     EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * basin.momentum_scale());
-    // What the joint does is booked as work on solids, which is what the squares got more of.
+    // Work of the joint is booked as work on solids: the energy that the squares gained.
     const FluidLedger& water = report.ledger.fluid;
     const StepReport without = tight.steps(15, other);
     const double joint_work = water.work_external;  // there is no other from outside

@@ -42,7 +42,7 @@ struct NudgedCube {
     }
 };
 
-// What is left after two seconds is rocking about the point of the contact, which no dashpot there sees.
+// The motion left after two seconds is rocking about the contact point, which no dashpot at that point damps.
 TEST(StickingContact, ANudgedCubeCalmsDownAndTheLedgerKnowsWhereItsEnergyWent) {
     NudgedCube cube(0.1, 0.15);
     const StepReport report = cube.run(2);

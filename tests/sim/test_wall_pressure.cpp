@@ -108,7 +108,8 @@ TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_nam
     EXPECT_GT(std::hypot(expected[0], expected[1]), 0.01);
 }
 
-/// What a particle loses when it hits a wall at this speed, and the impulse that gauges along the wall read.
+/// Momentum that a particle loses when it hits a wall at a given speed, and the impulse that gauges along the wall
+/// read.
 struct Hit {
     double lost, read;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physics of contact is chosen by the kinds of the two bodies; a pair that nobody answers is refused.
+// The physics of contact is chosen by the kinds of the two bodies; a pair without a physics is refused.
 #include "riprap/solid/pair_physics.hpp"
 
 #include <gmock/gmock.h>

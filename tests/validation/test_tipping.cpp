@@ -47,7 +47,8 @@ struct PressedBox {
     }
 };
 
-/// How far the force passes before the weight's line [m]: rest is possible where this reaches zero for some tilt.
+/// Distance of the contact force from the line of the weight [m]: the block can rest where this reaches zero for some
+/// tilt.
 double margin(const StandingBlock& block, double slope, double tilt) {
     const double load = block.density * block.width * block.height * 9.81 * std::cos(slope);
     double low = 1e-9, high = 0.1 * block.width;

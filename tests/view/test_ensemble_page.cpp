@@ -38,7 +38,7 @@ low = 1.0
 high = 2.0
 )";
 
-/// What the page carries in its script element.
+/// Returns the data in the script element of a page.
 nlohmann::json study_of(const std::filesystem::path& page) {
     const std::string text = io::read_file(page, std::size_t{16} << 20U), mark = R"(id="data">)";
     const std::size_t start = text.find(mark) + mark.size();

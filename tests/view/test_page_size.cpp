@@ -52,7 +52,7 @@ TEST(PageSize, ASmallBudgetHoldsForTheWholePage) {
     }
 }
 
-// What every page begins with: the code that shows a run.
+// Every page begins with the code that shows a run.
 TEST(PageSize, ThePageWithoutARunTakesLessThanAMegabyte) { EXPECT_LT(page_template().size(), 1'000'000U); }
 
 }  // namespace

@@ -31,7 +31,7 @@ WaterSource source_of(const std::vector<WaterFrame>& frames) {
     return [&frames](std::size_t f) { return frames[f]; };
 }
 
-/// Where particle `id` of a frame is, told by the frame itself.
+/// Positions of the particles of a frame by their id.
 std::vector<Vec3> by_id(const WaterFrame& frame) {
     std::vector<Vec3> places(frame.id.size());
     for (std::size_t i = 0; i < frame.id.size(); ++i) {
@@ -64,7 +64,7 @@ TEST(WaterStream, EveryCoordinateComesBackWithinHalfAStep) {
     EXPECT_EQ(water.groups.size(), 2U);
     EXPECT_EQ(water.stride, 1U);
     EXPECT_LE(largest_error(frames, water), water.error() * (1 + 1e-9));
-    EXPECT_GT(largest_error(frames, water), 0.9 * water.error());  // the bound is not idle either
+    EXPECT_GT(largest_error(frames, water), 0.9 * water.error());  // the bound is nearly reached
 }
 
 TEST(WaterStream, GroupsOfManyParticlesAreShortSoThatAFirstFrameIsSoonUnpacked) {
@@ -116,7 +116,7 @@ TEST(WaterStream, ParticlesThatComeAndGoAreShownWhereTheyAre) {
     }
 }
 
-// That is 60 MB for 100 000 particles over 200 frames, as they stand in a page, in base64.
+// Three bytes each are 60 MB in a page, in base64, for 100 000 particles over 200 frames.
 TEST(WaterStream, StaysWithinThreeBytesForAParticleAndFrameAtTheFinestStep) {
     const std::vector<WaterFrame> frames = stirred(20, 25);
     const double particle_frames = static_cast<double>(frames[0].id.size() * frames.size());

@@ -19,7 +19,7 @@ IrregularWave::Component component(double amplitude, double period, double depth
     return {amplitude, omega, wave_number(omega, depth, g), phase};
 }
 
-/// What a paddle does at a frequency.
+/// Amplitude of a paddle at a frequency.
 std::complex<double> at(const std::vector<StrokeHarmonic>& stroke, double omega) {
     std::complex<double> sum = 0;
     for (const StrokeHarmonic& one : stroke) {
@@ -56,9 +56,9 @@ TEST(PaddleSea, ALaterSeaIsMadeByTheSameWayLater) {
     }
 }
 
-// Groups that are long against the depth: the momentum of slowly varying waves gives what goes with them,
-// eta_b = -S_xx/(rho (g d - c_g^2)) [LonguetHiggins1962], and its water, c_g eta_b, is what the paddle displaces. Eight
-// evanescent modes leave 2.5 % of it, twenty 1 %.
+// Groups long against the depth carry a bound wave, eta_b = -S_xx/(rho (g d - c_g^2)) by the momentum of slowly varying
+// waves [LonguetHiggins1962]; the paddle displaces its flow, c_g eta_b. Eight evanescent modes leave an error of 2.5 %,
+// twenty of 1 %.
 TEST(PaddleSea, LongWavesOfGroupsAreThoseOfTheirRadiationStress) {
     const double depth = 0.5, a = 0.01, omega = 2 * std::numbers::pi / 1.4, split = 1e-3;
     const IrregularWave sea{depth,

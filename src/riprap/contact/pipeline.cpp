@@ -11,7 +11,7 @@ namespace riprap::contact {
 
 namespace {
 
-/// Makes a buffer so long, without the doubling of std::vector: its length changes little from step to step.
+/// Gives a buffer exactly this length, without the doubling of std::vector: lengths change little from step to step.
 template <class T>
 void resize_closely(std::vector<T>& buffer, std::size_t size) {
     if (size > buffer.capacity()) {

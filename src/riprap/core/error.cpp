@@ -28,7 +28,7 @@ std::string to_string(const Diagnostic& diagnostic) {
     }
     text += diagnostic.message;
     if (!diagnostic.allowed.empty()) {
-        text += "; " + diagnostic.allowed;
+        text += (text.ends_with('?') ? " " : "; ") + diagnostic.allowed;
     }
     return printable(text);
 }

@@ -13,7 +13,7 @@ using namespace key;
 
 constexpr Range steepness{.low = 0, .high = 1.5707, .is_high_open = true};  // below a right angle
 
-/// A key that is optional where it stands for a value without a default: then 0 means that it is not given.
+/// Makes a key optional whose value has no default: 0 means that the key is not given.
 template <class To>
 BoundKey<To> without_default(BoundKey<To> key) {
     key.get = [get = key.get](const To& to) {
@@ -23,7 +23,7 @@ BoundKey<To> without_default(BoundKey<To> key) {
     return key;
 }
 
-/// Returns the key for a pair of materials, which is mixed from both where it is not given.
+/// Makes a key of a pair of materials optional: a value that is not given is mixed from both materials.
 template <class To>
 BoundKey<To> mixed(BoundKey<To> key) {
     if constexpr (std::is_same_v<To, PairProperties>) {
@@ -93,9 +93,10 @@ std::vector<PropertyKey<Material>> material_keys() {
         keys.push_back(std::move(key));
     }
     keys.push_back({Property::youngs_modulus, number(&M::youngs_modulus, "youngs_modulus", dimension::pressure,
-                                                     positive(), "That of [solid] when not given.")});
-    keys.push_back({Property::poisson_ratio, number(&M::poisson_ratio, "poisson_ratio", dimension::plain,
-                                                    between(0, 0.5), "That of [solid] when not given.")});
+                                                     positive(), "Young's modulus; that of [solid] when not given.")});
+    keys.push_back(
+        {Property::poisson_ratio, number(&M::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5),
+                                         "Poisson's ratio; that of [solid] when not given.")});
     return keys;
 }
 

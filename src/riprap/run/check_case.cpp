@@ -10,6 +10,7 @@
 #include <random>
 #include <string_view>
 
+#include "riprap/core/tint.hpp"
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
@@ -248,7 +249,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     return check;
 }
 
-std::string check_text(const CaseCheck& check) {
+std::string check_text(const CaseCheck& check, bool is_coloured) {
     const std::string mass_unit = sim::unit_in("kg", check.is_planar);
     std::string text = fmt::format(
         "{}\n  bodies        {} ({} free, {:.6g} {}), {} convex parts, {} shapes\n"
@@ -289,7 +290,7 @@ std::string check_text(const CaseCheck& check) {
         text += "  read          " + note + '\n';
     }
     for (const std::string& warning : check.warnings) {
-        text += "  warning: " + warning + '\n';
+        text += fmt::format("  {} {}\n", tinted("warning:", Tint::caution, is_coloured), warning);
     }
     return text;
 }

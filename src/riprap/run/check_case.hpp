@@ -65,8 +65,8 @@ std::vector<std::string> sides_of(const sim::Model& model);
 /// @throws CaseError with every problem of the case
 CaseCheck check_case(const scene::LoadedCase& loaded);
 
-/// For people, and as one JSON object.
-std::string check_text(const CaseCheck& check);
+/// For people, warnings in colour if asked, and as one JSON object.
+std::string check_text(const CaseCheck& check, bool is_coloured = false);
 std::string check_json(const CaseCheck& check);
 
 /// "1.5 GB", "20 kB"

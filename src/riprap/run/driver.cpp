@@ -11,6 +11,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/core/tint.hpp"
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
@@ -38,10 +39,10 @@ std::string counted(std::int64_t count, std::string_view noun) {
 }
 std::string counted_bodies(std::int64_t count) { return fmt::format("{} {}", count, count == 1 ? "body" : "bodies"); }
 
-/// A run does not go back.
+/// Refuses an end before the time that the run has reached.
 void refuse_earlier_end(double end, const sim::State& reached, const RunFolder& folder) {
     constexpr double slack = 1e-9;  // of the time: the last step may miss the end by round-off
-    // A given time step may pass the end that it was given for.
+    // With a `time_step` of the case the last step may go beyond the end.
     if (end < (1 - slack) * (reached.time - reached.previous_dt)) {
         Diagnostic problem;
         problem.place.file = folder.root.string();
@@ -203,10 +204,10 @@ void Driver::tell_retry(const StepOutcome& outcome) {
 
 void Driver::warn(const std::string& text, RunLog::Numbers numbers) {
     log_->add("warning", text, numbers);
-    say("warning: " + text);
+    say(text, "warning: ");
 }
 
-/// Once more at the end: those of the beginning have long left the screen.
+/// Counts the warnings again at the end of the run: the first of them have long left the screen.
 void Driver::tell_warnings() const {
     if (const std::size_t count = log_->warnings().size(); count > 0) {
         say(fmt::format("{} warning{} of this run {} in {}", count, count == 1 ? "" : "s", count == 1 ? "is" : "are",
@@ -321,16 +322,15 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
             : "the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
         fmt::print(stderr,
-                   "\nriprap: step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n"
-                   "  {}\n",
-                   state().step + 1, reason, state().step, state().time,
-                   printable(folder_.checkpoint_latest().string()), advice);
+                   "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n  {}\n",
+                   tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, reason, state().step,
+                   state().time, printable(folder_.checkpoint_latest().string()), advice);
     }
     return static_cast<int>(ExitCode::numerical);
 }
 
 int Driver::verdict(const std::vector<ExpectResult>& results) const {
-    const std::string table = verdict_table(results);
+    const std::string table = verdict_table(results, shows_colours(stdout));
     if (!table.empty() && voice_ != Voice::none) {
         fmt::print("{}", table);
     }
@@ -355,9 +355,10 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
     write_summary(folder_, summary);
 }
 
-void Driver::say(const std::string& text) const {
+void Driver::say(const std::string& text, const std::string& caution) const {
     if (voice_ == Voice::all) {
-        fmt::print("{}\n", printable(text));
+        const std::string begin = caution.empty() ? "" : tinted(caution, Tint::caution, shows_colours(stdout));
+        fmt::print("{}{}\n", begin, printable(text));
         std::fflush(stdout);
     }
 }

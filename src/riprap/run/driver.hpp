@@ -60,7 +60,7 @@ class Driver {
                    const std::vector<ExpectResult>& results) const;
     const sim::Model& model() const { return simulation_.model(); }
     const sim::State& state() const { return simulation_.state(); }
-    void say(const std::string& text) const;
+    void say(const std::string& text, const std::string& caution = "") const;
 
     RunFolder folder_;
     Voice voice_;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "riprap/core/error.hpp"
+#include "riprap/core/tint.hpp"
 
 namespace riprap::run {
 
@@ -20,7 +21,7 @@ constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0, 
                                       missing, missing,  missing,   missing, missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
 
-/// The value at a moment between the last look and this one, where x went from x0 to x1 and passed `level`.
+/// Interpolates the value at the moment when x, which went from x0 to x1 since the last step, was `level`.
 double between(const RunningFigures& f, double value, double x0, double x1, double level) {
     return f.previous + (value - f.previous) * (level - x0) / (x1 - x0);
 }
@@ -93,7 +94,7 @@ double reduce(const RunningFigures& f, const std::string& how) {
     return how == "at" || how == "when" ? f.at : f.last;
 }
 
-/// When the figure that `reduce` gives was there; missing for a mean [s].
+/// Time of the figure that `reduce` returns; missing for a mean [s].
 double time_of(const RunningFigures& f, const std::string& how) {
     if (how == "min" || (how == "extreme" && is_lower_extreme(f))) {
         return f.minimum_time;
@@ -107,16 +108,21 @@ double time_of(const RunningFigures& f, const std::string& how) {
     return how == "mean" || std::isnan(f.at) ? missing : f.at_time;
 }
 
-/// Tells whether the run lasts as long as an expected answer looks at it.
+/// Tells whether the run lasts to the end of the window of an expected answer.
 bool is_reached(const sim::Expect& expect, double end) {
     return expect.at <= end && expect.from <= end && (std::isinf(expect.to) || expect.to <= end);
 }
 
 /// Returns the reason why there is no value.
 std::string cause_of_none(const ExpectResult& result) {
-    return result.reduce == "when" ? "its 'when' did not reach its level"
-           : result.reduce == "at" ? "there was none at that time"
+    return result.reduce == "when" ? "the quantity of 'when' did not reach its level"
+           : result.reduce == "at" ? "the quantity had none at that time"
                                    : "no step of its window had one";
+}
+
+/// Colour of a verdict on a terminal.
+Tint tint_of(Verdict verdict) {
+    return verdict == Verdict::passed ? Tint::good : verdict == Verdict::failed ? Tint::bad : Tint::caution;
 }
 
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
@@ -209,15 +215,15 @@ std::vector<double> ExpectWatch::save() const {
 void ExpectWatch::load(const std::vector<double>& numbers) {
     if (numbers.size() != figures_.size() * numbers_each) {
         throw CheckpointError(
-            "the checkpoint follows expected answers in another way, or other ones, than this Riprap does for the "
-            "case");
+            "the expected answers in the checkpoint are not those of the case, or another version of Riprap wrote "
+            "them");
     }
     if (!numbers.empty()) {
         std::memcpy(static_cast<void*>(figures_.data()), numbers.data(), numbers.size() * sizeof(double));
     }
 }
 
-std::string verdict_table(const std::vector<ExpectResult>& results) {
+std::string verdict_table(const std::vector<ExpectResult>& results, bool is_coloured) {
     if (results.empty()) {
         return {};
     }
@@ -230,7 +236,8 @@ std::string verdict_table(const std::vector<ExpectResult>& results) {
     for (const ExpectResult& result : results) {
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
         text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
-                            result.value, time, result.low, result.high, result.unit, to_string(result.verdict));
+                            result.value, time, result.low, result.high, result.unit,
+                            tinted(to_string(result.verdict), tint_of(result.verdict), is_coloured));
     }
     for (const ExpectResult& result : results) {
         if (result.verdict == Verdict::failed && std::isnan(result.value)) {

@@ -58,7 +58,7 @@ class ExpectWatch {
     std::vector<RunningFigures> figures_;
 };
 
-/// The table of verdicts as printed at the end of a run; empty without expects.
-std::string verdict_table(const std::vector<ExpectResult>& results);
+/// The table of verdicts as printed at the end of a run, those in colour if asked; empty without expects.
+std::string verdict_table(const std::vector<ExpectResult>& results, bool is_coloured = false);
 
 }  // namespace riprap::run

@@ -11,8 +11,8 @@
 
 namespace riprap::run {
 
-/// Records events of a run with their time: run.log for people, run.jsonl (one JSON object per line) for programs. Both
-/// grow; a resumed run adds to them.
+/// Records events of a run with their time: run.log for people, run.jsonl (one JSON object per line) for programs. A
+/// resumed run appends to both.
 class RunLog {
  public:
     using Numbers = std::initializer_list<std::pair<std::string_view, double>>;

@@ -33,8 +33,8 @@ Simulation::Simulation(scene::LoadedCase loaded)
 void Simulation::set_end(double end, std::int64_t max_steps) {
     loaded_.model.time.end = end;
     loaded_.model.time.max_steps = max_steps;
-    forget_scratch();  // a step may be a share of the end
-    good_.forget();    // and those already taken were chosen by the old one
+    forget_scratch();  // the length of a step may depend on the end
+    good_.forget();    // states kept to go back to have steps chosen for the old end
     next_ = choose_step(model(), state_, scratch_);
 }
 
@@ -71,7 +71,7 @@ StepOutcome Simulation::step(sim::Measure measure) {
         return take_back(std::move(before), report.status.text);
     }
     const std::string problem = is_judged ? judge_step(report) : "";
-    if (!problem.empty()) {  // what went wrong may have begun at any step since the last that was judged
+    if (!problem.empty()) {  // the fault may have begun at any step since the last one judged
         watch_.load(good_.last().expects);
         counts_ = good_.last().counts;
         return take_back(good_.last().state, problem);

@@ -15,12 +15,12 @@ namespace riprap::run {
 
 namespace {
 
-/// Smallest radius of what may be met: of parts, and of what the method lets stand for them [m].
+/// Smallest radius of the parts that a body may meet, or of the spheres that the method puts in their place [m].
 double thinnest_of(const sim::Model& model) {
     return std::min(solid::smallest_radius(model.bodies, model.shapes), sim::smallest_stand_in(model));
 }
 
-/// Tells whether bodies may approach each other in a step by more than is allowed; true too where they only seem to.
+/// Tells whether bodies may approach each other in a step by more than is allowed; in doubt true.
 bool can_come_near(const sim::Model& model, const sim::State& state, double dt) {
     return dt * solid::approach_limit(model.bodies, model.shapes, state.bodies) >
            solid::most_approach * thinnest_of(model);

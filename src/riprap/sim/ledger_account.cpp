@@ -71,7 +71,7 @@ struct OwnSums {
     double closure() const { return stored + lost + given - gained; }
 };
 
-/// Books the amounts of a step and returns the values at the kick, before which its `share` lies.
+/// Books the amounts of a step and returns the values at the kick; `share` of the step lies before the kick.
 std::vector<double> book(std::span<const Account> accounts, const std::vector<double>& amounts, double* totals,
                          bool is_first, double share) {
     std::vector<double> values(accounts.size(), 0.0);
@@ -150,8 +150,8 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
     ledger.mass = kick.mass;
     if (!is_first) {
         // The kinetic energy gained between kicks is (g_old + g_new)/2 . (X_new - X_old), X = sum m x, where energies
-        // hold in the middle of a piece, and g_new . (X_new - X_old) where they hold at its end; what the potential
-        // changes beyond that was done by whoever turned gravity.
+        // hold in the middle of a piece, and g_new . (X_new - X_old) where they hold at its end; any other change
+        // of the potential is work of what turns gravity.
         const Vec3 old_moment = get(totals, mass_moment) + kick.released_mass_moment;
         const Vec3 moment = (1 - step.kick_share) * kick.mass_moment + step.kick_share * old_moment;
         totals[gravity_change] -= dot(step.gravity - get(totals, gravity), moment);
@@ -192,8 +192,8 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
         put(totals, reference_angular_momentum, ledger.angular_momentum - ledger.angular_impulse);
     }
     ledger.residual = step.has_stored ? closure - totals[reference_energy] : 0;
-    // The potential counts from the origin, and so does the work of whoever turns gravity or releases a body: only
-    // together do they say what the bodies gave to contacts, drivers, damping and loads.
+    // The potential and the work of turning gravity or releasing a body both depend on the place of the origin; their
+    // sum does not: the energy that bodies gave to contacts, drivers, damping and loads.
     const double mechanical = ledger.kinetic + ledger.potential - ledger.gravity_change - ledger.released;
     const double range = widest_range(
         totals, std::array{ledger.kinetic, mechanical, ledger.shear, ledger.driven, ledger.external}, is_first);

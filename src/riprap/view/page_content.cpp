@@ -147,7 +147,7 @@ class Packer {
             poses_.push_back(std::move(body_frame.pose));
             motions_.push_back(std::move(body_frame.motion));
             shown_fields_.push_back(std::move(body_frame.shown));
-        } else if (has_bodies_) {  // poses go by the number of the frame
+        } else if (has_bodies_) {  // poses are found by the number of the frame
             throw FileError("the frame has no file of bodies");
         }
         shown_.push_back(files);
@@ -209,7 +209,7 @@ class Packer {
         contacts_.clear();
     }
 
-    /// Keeps no more rows than can be told apart.
+    /// Packs a table with no more rows than a screen can show apart.
     void pack_table(const std::string& name, const io::CsvTable& table) {
         const std::size_t rows = table.row_count(), stride = rows / plotted_rows + 1;
         if (rows == 0) {
@@ -347,7 +347,7 @@ class Packer {
     SeenBoxes::Found seen_;
     BodyExtremes extremes_;
     std::size_t groups_done_{0};
-    bool has_bodies_{false};  ///< in some frame; then one without them is left out
+    bool has_bodies_{false};  ///< some frame has bodies: frames without any are left out then
     Json water_, tables_ = Json::array();
 };
 

@@ -41,7 +41,7 @@ WaterFrame WaterReader::read(std::size_t f) {
                          frame.floats(io::VtpSection::point_data, "pressure", count),
                          frame.floats(io::VtpSection::point_data, "speed", count)};
         for (const Vec3& x : water.position) {
-            require_finite(dot(x, x), files.water);  // the square, that differences are finite too
+            require_finite(dot(x, x), files.water);  // the square: differences of positions are finite then, too
         }
         return water;
     } catch (const FileError& error) {

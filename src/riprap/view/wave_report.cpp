@@ -37,7 +37,7 @@ void check_numbers(const WaveRequest& request) {
 std::vector<CaseWaves::Place> chosen(const CaseWaves& known, const std::vector<std::string>& wanted) {
     if (known.gauges.empty()) {
         throw BadRequest(
-            "the run has no gauge of kind 'level', or 'surface' along an upright line, which waves are read from");
+            "waves are read from gauges of kind 'level', or of kind 'surface' along an upright line; the run has none");
     }
     std::vector<std::string> names;
     for (const CaseWaves::Place& gauge : known.gauges) {

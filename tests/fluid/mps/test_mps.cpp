@@ -62,8 +62,8 @@ TEST(MpsNeighbours, are_all_within_the_support_in_rising_order_with_their_weight
     }
 }
 
-// The second row from above misses what is not there beyond the surface: 0.5 % of the pressure at the floor. Water that
-// gravity has accelerated towards the floor counted once more as water that closes a gap: twice the pressure.
+// The second row from above lacks neighbours beyond the surface: 0.5 % of the pressure at the floor. Water that gravity
+// accelerates towards the floor must not also count as water that closes a gap: the pressure would be twice as high.
 TEST(MpsPressure, of_still_water_on_the_lattice_is_hydrostatic) {
     Basin basin = still_basin(12);
     basin.settings.compressibility = 1e-13;  // incompressible

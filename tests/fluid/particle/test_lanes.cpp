@@ -16,7 +16,7 @@ Lanes number(float first) {
     std::iota(a.begin(), a.end(), first);
     return Lanes::load(a.data());
 }
-/// What sums over parts before it is summed over targets.
+/// Sums over the parts of a lane, as the sweep does before it sums over targets.
 LanePart over_parts(Lanes a) {
     LanePart sum(0);
     for (std::size_t k = 0; k < Lanes::part_count; ++k) {

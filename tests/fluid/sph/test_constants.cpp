@@ -188,7 +188,7 @@ TEST(Constants, work_of_walls_that_no_body_sees_is_booked_to_a_tenth_of_itself) 
     EXPECT_LT(std::abs(water.closure() - before), 0.05 * std::abs(water.wall_exchange - booked));
 }
 
-/// How walls and water stand about a particle at the origin: tr M/D with walls and without.
+/// Divergence of position tr M/D of a particle at the origin, with walls and without.
 struct Stand {
     double moments{0}, alone{0};
 };

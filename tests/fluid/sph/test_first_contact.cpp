@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two bodies of water that meet between one step and the next: what the ledger misses of it, and why.
+// Two bodies of water that meet between one step and the next: the error of the ledger, and its cause.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Water squares(double courant, double damping) {
     return water;
 }
 
-/// Energy that the books have too much after 0.02 s, before sound has crossed a square, over what motion has lost [-].
+/// Surplus of the ledger after 0.02 s, before sound has crossed a square, over the kinetic energy lost [-].
 double surplus(Water water) {
     constexpr double start = 1000 * 0.5 * 1.0 * 0.5;
     water.run_until(0.02);

@@ -70,7 +70,7 @@ TEST(Shifting, takes_from_density_what_it_takes_from_the_sums_of_the_kernel) {
     EXPECT_NEAR(of_density, of_sums, 0.02 * std::abs(of_sums));
 }
 
-/// What the ledger misses over four steps of vortices, and what it would miss if shifting were booked with the pressure
+/// Residuals of the ledger over four steps of vortices: as booked, and as if shifting were booked with the pressure
 /// before or after it: m (c d rho/rho)^2/2 a step, always with one sign [J].
 struct Missed {
     double booked{0}, one_sided{0};

@@ -72,7 +72,7 @@ TEST(StillWater, of_three_dimensions_weighs_on_the_floor_what_it_weighs_and_book
     const double turnover = water.dissipated_viscous + std::abs(water.dissipated_diffusion) + std::abs(water.shifted) +
                             std::abs(water.wall_exchange);
     EXPECT_LT(std::abs(water.closure() - start), 0.01 * turnover);  // an error of the time step: a third at half of it
-    // It stays as deep as it was. Shifting once lifted it by 1.2 % in this second.
+    // The water keeps its depth. Shifting with an error lifted it by 1.2 % in this second.
     EXPECT_NEAR(water.report.potential, height, 2e-3 * height);
 }
 

@@ -34,8 +34,8 @@ double cut_off(double trial, double limit) { return trial <= limit ? 1 : limit /
 /// Springs after a step. friction_loss [J] leaves through friction: what the springs held, plus the work done on
 /// them, minus what they hold afterwards. The ledger sees a force before and after the motion x and books their mean:
 /// W = -(f_old + f_new).x / 2 with x = (f_old - f_trial)/k. So sliding, a strength that falls under a loaded spring,
-/// and a stiffness that changes with the patch are all accounted for, to round-off. What sliding draws the anchor in
-/// while the pair spins is not: half of f times that way times the turn of the step.
+/// and a stiffness that changes with the patch are all accounted for, to round-off. The shift of the anchor by
+/// sliding while the pair spins is not: half of f times that shift times the turn of the step.
 struct SpringResult {
     double friction_loss;
     bool is_sliding;

@@ -25,7 +25,7 @@ using Kind = WavesAtSide::Kind;
 constexpr double least_cells = 5;
 /// An absorber takes up waves with kd below this.
 constexpr double longest_absorbed = M_PI / 10;
-/// Share of the depth at which a wave breaks [McCowan1894]: what has no limit of its own is refused above it [-].
+/// Height over depth at which a wave breaks [McCowan1894]; limit of wave theories without one of their own [-].
 constexpr double breaking_share = 0.78;
 
 /// Distance from the crest at which a solitary wave has a thousandth of its height [m].

@@ -150,7 +150,7 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
 
 Outcome HydrostaticFluid::kick(const TimeSpan& span, FluidStep& report) {
     report.fluid.work_on_solids = span.dt * scratch_->power;
-    report.fluid.work_external = report.fluid.work_on_solids;  // of whoever keeps the level
+    report.fluid.work_external = report.fluid.work_on_solids;  // the work that keeps the level
     return {};
 }
 

@@ -40,11 +40,11 @@ void add_joint_loads(const ParticleFluid& water, ParticleScratch& scratch, const
 /// Returns the power of the joint loads on all bodies [W].
 double joint_power(const ParticleScratch& scratch);
 
-/// Appends where loose bodies have faces: solids near these may make a joint, however far the water is.
+/// Appends places on the faces of loose bodies: solids near these may make a joint, however far the water is.
 void add_places_of_joints(const ParticleFluid& water, std::span<const std::uint8_t> is_loose,
                           const body::Motion& motion, std::vector<Vec3>& places);
 
-/// Returns the highest speed of such a place [m/s]; 0 where there are none.
+/// Returns the highest speed of the faces of loose bodies [m/s]; 0 without loose bodies.
 double speed_of_joints(const ParticleFluid& water, std::span<const std::uint8_t> is_loose, const body::BodySet& bodies,
                        const body::BodyState& state, JointScratch& joints);
 

@@ -68,7 +68,7 @@ void average_at_walls(const WcmpsSettings& settings, const ParticleState& state,
     s.at_walls.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
 }
 
-/// Pressure of the fluid at walls, never below zero, for whoever asks, and its velocity mirrored in them [Adami2012,
+/// Pressure of the fluid at walls, never below zero, for gauges, and velocity of the fluid mirrored in them [Adami2012,
 /// eqs. 22, 23, 27]; h of walls.
 void extrapolate_to_walls(const WcmpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity,
                           WcmpsScratchData& s) {

@@ -23,7 +23,8 @@ namespace riprap::scene {
 
 namespace {
 
-/// Problems of the coupling know no place in the case: they get that of `table`.
+/// Calls `work` and reports its problems at the place of `table`, since the coupling knows no places in the case.
+/// @returns false after a problem
 template <class Work>
 bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
     try {
@@ -37,7 +38,8 @@ bool place_problems(CaseBuild& build, const Value& table, const Work& work) {
     return true;
 }
 
-/// Finds how a paddle answers what its sea does not explain, and says what it leaves; refuses what would grow.
+/// Finds the law by which a paddle that makes a sea absorbs other waves, and notes the share of energy that it
+/// reflects. Refuses a law that would return waves higher than they came.
 void build_sea_absorption(CaseBuild& build, const SourcePlace& place, double spacing,
                           coupling::PaddleAbsorption& paddle) {
     prepare_sea(paddle, spacing);
@@ -55,7 +57,7 @@ void build_sea_absorption(CaseBuild& build, const SourcePlace& place, double spa
                                       name, 100 * paddle.law.returned));
 }
 
-/// Paddles that absorb waves look at the water as it lies at the start.
+/// Gives absorbing paddles the still surface before them, and refuses paddles without a face or water there.
 void build_absorptions(CaseBuild& build, const fluid::ParticleState& particles, coupling::ParticleFluid& fluid) {
     for (std::size_t k = 0; k < build.absorptions.size(); ++k) {
         coupling::PaddleAbsorption& paddle = build.absorptions[k];
@@ -97,7 +99,7 @@ coupling::FillLimit most_particles() {
                         1e-9 * available, bytes_each)};
 }
 
-/// Water where bodies leave room for it, and the boundary particles of those that are wet. False with a problem.
+/// Places water where bodies leave room, and boundary particles on wet bodies. @returns false after a problem
 bool place_particles(CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
                      coupling::ParticleFluid& fluid, coupling::Filling& filling) {
     const geometry::ShapeSet& shapes = build.model.shapes;
@@ -123,7 +125,7 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
     return is_good;
 }
 
-/// Sums the volume up and refuses regions without water.
+/// Sums up the volume of water and refuses regions without any.
 /// @return  the room of the regions that particles reach [m^3]; in 2D [m^2]
 double check_filling(CaseBuild& build, const Value& list, const coupling::Filling& filling,
                      coupling::ParticleFluid& fluid) {
@@ -142,7 +144,7 @@ double check_filling(CaseBuild& build, const Value& list, const coupling::Fillin
     return room;
 }
 
-/// Builds a fluid of particles: where they start, what carries their walls, where they come and go.
+/// Builds a fluid of particles: their places at the start, their walls, inflow and outflow.
 void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings scheme) {
     if (build.model.time.settle > 0) {
         build.problem(table->place, "bodies that settle in the dry, and particles of water that lie around them",
@@ -181,7 +183,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
     coupling::set_hydrostatic_density(filling, fluid.settings(),
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.settings().domain));
-    // Below the cells of ground there is no room, and no cell to say so.
+    // Ground is solid below its cells too, where room_for_water() would count room.
     fluid.region_volume = body::find_grounds(build.model.bodies, build.model.shapes).empty()
                               ? room_for_water(build, fluid.settings().domain, regions)
                               : fluid.reached_volume;
@@ -209,7 +211,8 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     build_particles(build, &table, settings);
 }
 
-/// Reads where a fluid without particles is: everywhere where its method has no "domain". False with a problem.
+/// Reads domain, regions and levels of a fluid without particles; without the key "domain" it is unbounded.
+/// @returns false after a problem
 bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     scene.up = build.up();
@@ -245,7 +248,7 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
     return true;
 }
 
-/// Builds a fluid that is a field: its settings take over where it is.
+/// Builds a fluid without particles: its settings receive domain, regions and levels.
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     coupling::FieldScene scene;
@@ -260,7 +263,7 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     } else if constexpr (requires { settings.prepare(scene); }) {
         settings.prepare(scene);
     }
-    if (table.find("domain") != nullptr) {  // one that takes solids as they are cut into its cells
+    if (table.find("domain") != nullptr) {  // a fluid with a domain cuts solids into its cells
         check_lengths(build, scene.domain);
         warn_of_hollow_ground(build, scene.domain);
     }

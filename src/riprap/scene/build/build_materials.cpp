@@ -60,7 +60,7 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
     return if_alike;
 }
 
-/// Places of keys that say something which the solid method does not read.
+/// Places of keys with a value that the solid method does not read.
 struct Unread {
     SourcePlace place;  ///< of the first
     std::string where;  ///< "material 'rock'"
@@ -85,7 +85,8 @@ void find_unread(const CaseBuild& build, const Value& table, const std::vector<m
     }
 }
 
-/// Says of a key that nothing reads which solid methods would, or that the settings leave it without effect.
+/// Warns of a key without effect: the solid method does not read it (the warning names those that do), or its
+/// settings leave it out.
 void warn_of_unread(CaseBuild& build, std::string_view key, material::Property property, const Unread& unread) {
     const auto quoted = [](std::string_view word) { return fmt::format("\"{}\"", word); };
     const std::string method = quoted(get_text(get(build.root, "solid"), "method"));

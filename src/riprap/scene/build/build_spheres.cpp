@@ -80,7 +80,7 @@ Spheres make_ring(CaseBuild& build, const Value& shape, const Value& table, cons
     return accept(build, body::ring(radius, own, static_cast<int>(count.integer), 1), count.place);
 }
 
-/// Convex parts as one surface: whoever counts solid angles finds each point of a part inside it.
+/// Joins convex parts to one surface: by solid angles every point of a part is inside.
 geometry::Polyhedron surface_of(const CaseBuild& build, const std::vector<body::Part>& parts) {
     geometry::Polyhedron all;
     for (const body::Part& part : parts) {

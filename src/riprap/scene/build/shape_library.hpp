@@ -44,7 +44,7 @@ class ShapeLibrary {
     }
 
  private:
-    /// Reads the bytes of a file of this name; metres per unit of the file.
+    /// Reads the bytes of a file; `file` is its name in messages, `scale` the metres of its unit.
     using SurfaceReader = geometry::Surface (*)(std::string_view bytes, const std::string& file, double scale);
 
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);

@@ -126,7 +126,10 @@ const Table& body_table() {
           {spin(dimension::angular_velocity), number(dimension::angular_velocity)},
           "At the start, in world axes; in a planar scene a number, about z.",
           Value::of(Vec3{})},
-         {"density", {number(dimension::density, positive())}, "Instead of that of the material.", {}},
+         {"density",
+          {number(dimension::density, positive())},
+          "Density of the body, instead of that of its material.",
+          {}},
          {"mass",
           {number({0, 1, 0, 0}, positive())},
           "Mass of one body, its density following from the volume of its shape; per metre of width in a planar scene. "

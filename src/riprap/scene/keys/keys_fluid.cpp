@@ -95,7 +95,7 @@ const Table& fluid_wave_table() {
          {"absorb", {boolean()}, "Long waves that arrive at the side go out: kd below pi/10.", Value::of(false)},
          {"crest_time",
           {number(dimension::time, non_negative())},
-          "When the first crest comes in; as soon as it can from still water when not given.",
+          "Time at which the first crest enters; when not given, the earliest that still water at the start allows.",
           {}},
          {"ramp",
           {number(dimension::time, non_negative())},
@@ -105,8 +105,8 @@ const Table& fluid_wave_table() {
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
          {"spectrum_file",
           {path()},
-          "Of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and 'period'; "
-          "scaled to 'height' where that is given.",
+          "Spectrum of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and "
+          "'period'; scaled to 'height' where that is given.",
           {}},
          {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
     return table;

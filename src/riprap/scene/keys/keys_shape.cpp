@@ -99,7 +99,7 @@ const Table& terrain_table() {
         {{"file", {path()}, "Heights on a grid: ESRI ASCII (.asc), or x, y, z per line (.xyz, .csv, .txt); z up.", {}},
          {"profile",
           {list(list(number(dimension::length), 2, 2), 2, 100'000)},
-          "Instead of a file in a planar scene: points x, y from left to right.",
+          "Ground of a planar scene, instead of a file: points x, y from left to right.",
           {}},
          {"units", {choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")},
          {"region",

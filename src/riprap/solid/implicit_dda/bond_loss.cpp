@@ -15,8 +15,8 @@ Vec3 slip_kept(const ContactTerm& contact) {
     if (trial.mode != ContactMode::slide) {
         return trial.slip;
     }
-    // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump; of a bond that
-    // slides friction alone is left.
+    // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump; a bond that
+    // slides keeps friction alone.
     const double friction =
         trial.is_intact ? std::max(0.0, -springs.normal * trial.gap * springs.friction) : trial.friction;
     return springs.shear > 0 ? (friction / springs.shear) * trial.direction : Vec3{};

@@ -29,7 +29,7 @@ struct Columns {
     PlanarTrial trial{{25000 / gravity, 2e10, 0.25}, stiff_joint(3)};
     std::array<std::int32_t, column_count + 1> block{};
     std::array<Vec2, column_count + 1> start{};
-    double largest{0};  ///< way of a column [m]
+    double largest{0};  ///< displacement of a column [m]
 
     Columns() {
         constexpr std::array heights{4., 8., 12., 16., 20., 24., 28., 32., 36., 40., 34., 28., 22., 16., 10., 4.};
@@ -67,7 +67,7 @@ struct Columns {
         }
     }
     double height(int n) const { return n <= 10 ? 4.0 * n : 40 - 6.0 * (n - 10); }
-    /// 0 stable, 1 topples, 2 slides: by the larger of the way of the base and that of the top against it.
+    /// 0 stable, 1 topples, 2 slides: by the larger displacement: of the base, or of the top relative to the base.
     int mode(int n) const {
         const double slid = norm(foot(n) - start[at(n)]);
         const double leant = std::abs(trial.angle(block[at(n)])) * height(n);

@@ -173,7 +173,7 @@ std::pair<double, double> thrust_limits() {
 /// Follows the arch without friction in 0.6 s, in three dimensions and in two.
 struct Fall {
     Curve way3{"3D", {}, {}, CurveStyle::line, 0}, way2{"2D", {}, {}, CurveStyle::markers, 1};
-    double way_error{0}, speed_error{0};  ///< of the key block, over its largest way and speed [-]
+    double way_error{0}, speed_error{0};  ///< of the key block, over its largest displacement and speed [-]
     double mirror{0}, sideways{0};        ///< in three dimensions [m]
 };
 

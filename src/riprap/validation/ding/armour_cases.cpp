@@ -151,7 +151,7 @@ double spread(const std::vector<double>& values) {
 /// State of a pile at the end.
 struct Outcome {
     double rest_drift{0}, spread_x{0}, spread_y{0}, spread_turn{0};
-    double caisson{0};     ///< largest way of the caisson [m]
+    double caisson{0};     ///< largest displacement of the caisson [m]
     double thrust{0};      ///< largest horizontal load on the caisson over the friction that its foot can give [-]
     double steady_at{0};   ///< time after which no unit is faster than a centimetre a second [s]
     int steady_impact{0};  ///< number of the impact in which that is
@@ -207,7 +207,7 @@ Outcome run_pile(Pile& pile, const RecordedWater& water, int impacts) {
     return out;
 }
 
-/// a/b; no number where b is less than a centimetre or half a degree: what only yields elastically says nothing of an
+/// Returns a/b; NaN where b is less than a centimetre or half a degree, as elastic displacements say nothing of an
 /// order.
 double ratio(double a, double b) { return b > 0.01 ? a / b : std::nan(""); }
 

@@ -78,7 +78,7 @@ struct Dam {
 
     /// Water pressure on the upstream face up to `level` above the upstream end of the crack: force, and its dipole
     /// about the centroid, exact for a linear pressure. The face keeps its place. Once the upstream block has passed
-    /// half of the crack the water runs out behind it: no push any more.
+    /// half of the crack the water runs out behind it and pushes no more.
     void set_level(double level) {
         const double h = trial.position(upstream).x > 0.75 * wide ? 0 : std::min(level, crest);
         const double top =
@@ -96,8 +96,8 @@ struct Dam {
     }
     double slid() const { return norm(trial.position(downstream) - start_downstream); }
 
-    /// Raises the water by 0.5 m a second to `level`, then keeps it; returns the time at which the downstream block has
-    /// moved by `mark`, or infinity. Adds its way to a curve.
+    /// Raises the water by 0.5 m a second to `level`, then holds it there; returns the time at which the downstream
+    /// block has moved by `mark`, or infinity. Adds the displacement of that block to a curve.
     double run(double level, double end, double mark, Curve* curve = nullptr) {
         double onset = INFINITY;
         while (trial.time < end - 1e-9) {
@@ -127,7 +127,7 @@ double acceleration(double level, double cohesion) {
     return (push * std::cos(dip) + weight * std::sin(dip) - strength) / (weight / gravity);
 }
 
-/// Holds the water at a level from the start; returns the way slid in the last second of `end`.
+/// Holds the water at a level from the start; returns the distance slid in the last second before `end`.
 double creep_at(double level, double end) {
     Dam dam(0, 0.01);
     dam.run(level, end - 1, INFINITY);
@@ -165,7 +165,7 @@ void gravity_dam(const CaseSetting& setting, CaseReport& report) {
         report.judge({"water kept at 4 m: acceleration over a second", "m/s^2", {}, acceleration(4, 0), {}},
                      norm(dam.trial.velocity(dam.downstream)) - v0, Relative{0.02});
     }
-    // The way at 10 s, when the blocks are still on the crack.
+    // Displacement at 10 s, when the blocks are still on the crack.
     const double end = 10;
     std::vector<double> ways, onsets;
     const auto plot_of = [](const char* title) {

@@ -49,8 +49,8 @@ struct Incline {
     double exact() const { return gravity * (std::sin(slope) - std::cos(slope) * friction); }
     double way() const { return dot(trial.position(block) - start, down); }
 
-    /// Largest error of way and speed over a second, each over its exact value at the end. With friction the second
-    /// begins 0.2 s after the release, when shear springs and the block's own shear strain have taken the load.
+    /// Largest error of displacement and speed over a second, each over its exact value at the end. With friction the
+    /// second begins 0.2 s after the release, when shear springs and the block's own shear strain have taken the load.
     std::pair<double, double> errors() {
         const double begin = friction > 0 ? 0.2 : 0;
         trial.run_until(begin);

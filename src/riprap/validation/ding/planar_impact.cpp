@@ -70,8 +70,8 @@ Fall drop(double stiffness, double dt) {
     return fall;
 }
 
-/// Largest error of speed and way of a block that falls freely for a second, over their values at its end [-]. Every
-/// step rounds the speed once: n steps miss up to n epsilon.
+/// Largest error of speed and displacement of a block that falls freely for a second, over their values at its end [-].
+/// Every step rounds the speed once: n steps miss up to n epsilon.
 double error_of_free_fall(double dt) {
     PlanarTrial trial({2500, 5e10, 0.25}, {.normal_stiffness = 1e8, .shear_stiffness = 4e7});
     trial.settings = solid::planar_dda::settings_for(5, 10);
@@ -146,7 +146,7 @@ namespace {
 struct Shaken {
     double acceleration{0};  ///< amplitude at which the stack first lifts off [m/s^2]
     double slip{0};          ///< of the lowest block until then [m]
-    double base_error{0};    ///< of the way of the table, over its amplitude [-]
+    double base_error{0};    ///< of the displacement of the table, over its amplitude [-]
 };
 
 /// Seven blocks on a table that shakes with an amplitude that grows slowly [Ding2021, section 3.3.2].

@@ -56,7 +56,7 @@ void wedge_methods(const CaseSetting& setting, CaseReport& report) {
             report.state({fmt::format("{}: speed then", method), "m/s", {}}, slide.speed);
             rigid = slide;
         } else {
-            // Strains of 1e-6 do nothing to the way; what differs is noise of water that moves as one with the wedge.
+            // Strains of 1e-6 do not change the displacement; differences are noise of water that moves with the wedge.
             report.judge({fmt::format("{}: way, against rigid polyhedra", method), "m", {}, rigid.way.y.back(), {}},
                          way, Relative{0.02});
             report.judge({fmt::format("{}: speed, against rigid polyhedra", method), "m/s", {}, rigid.speed, {}},

@@ -66,8 +66,8 @@ Failure shake(const StandingBlock& block, double friction, const BaseMotion& bas
     Failure failure;
     while (trial.time() < base.end && std::isnan(failure.acceleration)) {
         trial.step();
-        // Speed, not way: springs take the speed of a driven body at the end of each step, so that the block lags
-        // behind its base by half a step's way without slipping.
+        // Speed, not displacement: springs take the speed of a driven body at the end of each step, so that the block
+        // lags behind its base by half a step's displacement without slipping.
         const Vec3 arm = rotate(trial.orientation(body), edge);
         const double slip_rate =
             norm(trial.velocity(body) + cross(trial.angular_velocity(body), arm) - trial.velocity(floor));

@@ -53,8 +53,8 @@ void judge_impacts(const WaterTrial& trial, CaseReport& report) {
     }
 }
 
-/// A dry gauge is not judged: rows begin when the record has water there. The band is a share of what is measured;
-/// that of the data's own measure, 3 % of the depth for the two gauges it names, stands beside it.
+/// Judges the heights at every gauge from the time at which the experiment has water there. The band is a share of the
+/// measured height; beside it stands the band of the data's own measure, 3 % of the depth for the two gauges it names.
 void judge_heights(const WaterTrial& trial, CaseReport& report, Plot& plot) {
     constexpr double depth = 0.55;
     int color = 0;

@@ -62,7 +62,7 @@ void colliding_squares(const CaseSetting& setting, CaseReport& report) {
         loss += 8 * std::tanh(k) / (k * k * k);
     }
     const std::vector<double>& energy = trial.column("fluid.kinetic");
-    // They meet at 0.1 s.
+    // The squares meet at 0.1 s.
     const double first = 2 * 0.5 * 1000 * 0.5 * 0.5;  // two squares of 0.25 m^2 at 1 m/s [J/m]
     report.judge({"kinetic energy lost at 0.25 s over that at the start",
                   "-",

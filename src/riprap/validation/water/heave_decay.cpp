@@ -19,8 +19,8 @@ namespace {
 
 constexpr double radius = 0.1, level = 0.6;  ///< of case.toml [m]
 
-/// The turns of a swing about zero, one between any two crossings and one after the last; NaN where it has not turned
-/// yet.
+/// Turning points of an oscillation about zero: one between any two crossings and one after the last; NaN where there
+/// is none yet.
 std::vector<Crest> turns_of(std::span<const double> time, std::span<const double> y) {
     std::vector<double> ends = crossings(time, y, 0);
     ends.push_back(time.back());
@@ -38,7 +38,7 @@ std::vector<Crest> turns_of(std::span<const double> time, std::span<const double
     return turns;
 }
 
-/// The first three turns: first and third on the other side.
+/// The first three turning points; the first and the third lie on the other side.
 struct Swings {
     std::array<double, 3> time;
     double first, second;  ///< from turn to turn, whatever the swing is about [-]

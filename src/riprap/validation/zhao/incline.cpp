@@ -92,7 +92,7 @@ double swing_frequency(double stiffness) {
 
 /// Lead of a block that slides back over theory: at the turning point the spring is stretched to mu N against the
 /// motion and pushes the block down until it is stretched to mu N the other way. In between the block swings about the
-/// middle: x = x0 (1 - cos w t), x0 = up/w^2, over the way 2 mu g cos/w^2. Zero for a block that stays.
+/// middle: x = x0 (1 - cos w t), x0 = up/w^2, over the distance 2 mu g cos/w^2. Zero for a block that stays.
 struct TurningLead {
     double speed{0};     ///< [m/s]
     double way{0};       ///< [m]
@@ -145,7 +145,7 @@ void judge_slide(const Slide& slide, double friction, double stiffness, CaseRepo
     report.judge({name + "friction work", "J", {}, slide.expected_work, {}}, slide.friction_work, Relative{5e-3});
 }
 
-/// Returns how far a block 0.5 m high slides down in the 2 s after it has stopped, which theory does not let it [m];
+/// Returns the creep of a block 0.5 m high in the 2 s after it has stopped, which is zero in theory [m];
 /// see validation/zhao/incline/README.md.
 double creep_of_tall_block(const CaseSetting& setting) {
     const double height = 0.5, depth = 2500 * height * across / (1.5e8 * (2 / height + 1 / 0.5));
