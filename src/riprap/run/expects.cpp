@@ -237,7 +237,8 @@ std::string verdict_table(const std::vector<ExpectResult>& results, bool is_colo
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
         text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
                             result.value, time, result.low, result.high, result.unit,
-                            tinted(to_string(result.verdict), tint_of(result.verdict), is_coloured));
+                            tinted(result.verdict == Verdict::not_judged ? "not judged" : to_string(result.verdict),
+                                   tint_of(result.verdict), is_coloured));
     }
     for (const ExpectResult& result : results) {
         if (result.verdict == Verdict::failed && std::isnan(result.value)) {
