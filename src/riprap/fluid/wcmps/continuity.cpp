@@ -45,6 +45,25 @@ double after_tearing(const MpsLattice& lattice, double crowding, double neighbou
     return is_bare ? std::max(1.0, concentration) : concentration;
 }
 
+/// s: ratio of what C lacks to |sum W d/r|/n_0 in the second row of water under a flat surface, so that
+/// C + s |sum W d/r|/n_0 is 1 there [-].
+double surface_slope(const WcmpsSettings& settings) {
+    const int reach = static_cast<int>(std::ceil(settings.support_ratio())),
+              reach_z = settings.domain.dimension == 3 ? reach : 0;
+    double lacking = 0, outward = 0;
+    for (int up = 2; up <= reach; ++up) {
+        for (int x = -reach; x <= reach; ++x) {
+            for (int z = -reach_z; z <= reach_z; ++z) {
+                const double r = std::sqrt(up * up + x * x + z * z);
+                const double weight = std::max(0.0, settings.support_ratio() / r - 1);
+                lacking += weight;
+                outward += weight * up / r;
+            }
+        }
+    }
+    return outward > 0 ? lacking / outward : 1;
+}
+
 /// The second half of the last shift, which so is made half before and half after the density that both forces beside
 /// it meet: a shift made at once would take energy from one side only. Returns the energy of place that it takes [J].
 double finish_shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity) {
@@ -62,6 +81,13 @@ double finish_shift(const WcmpsSettings& settings, ParticleState& state, const V
 }
 
 }  // namespace
+
+double fastest(const ParticleState& state) {
+    const double squared = parallel::reduce(
+        state.owned(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        [](double a, double b) { return std::max(a, b); });
+    return std::sqrt(squared);
+}
 
 void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water) {
     for (std::vector<double>* values : {&water.concentration, &water.pressure, &water.pressure_over_concentration}) {
@@ -97,6 +123,8 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
     sum_continuity(settings, state, walls, gravity, s);
     report.shifted = finish_shift(settings, state, gravity);
     const MpsLattice lattice = settings.lattice();
+    const double slope = surface_slope(settings) / lattice.number_density;
+    const double returned = dt * volume_return * fastest(state) / settings.spacing;
     // c_0^2 dt of the source with dt of the Courant number, so that what else shortens a step changes nothing
     const double diffusivity = settings.density_diffusion * settings.courant * settings.sound_speed * settings.spacing;
     const double spread_factor =
@@ -109,7 +137,10 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         const double before = s.water.concentration[i];
         const double spread = dt * spread_factor * s.continuity.diffusion[i];
         const double flown = before - dt * lattice.first_order() * s.continuity.rate[i] + spread;
-        const double after = after_tearing(lattice, s.continuity.crowding[i], s.continuity.neighbours[i], flown);
+        const double crowding = s.continuity.crowding[i];
+        const double closer = flown + returned * (crowding + slope * length - before);
+        const double bound = crowding > surface_limit ? closer : std::max(closer, std::min(1.0, flown));
+        const double after = after_tearing(lattice, crowding, s.continuity.neighbours[i], bound);
         state.density[i] = settings.rest_density * after;
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);

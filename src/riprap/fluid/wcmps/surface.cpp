@@ -23,13 +23,6 @@ SurfaceClass class_alone(const MpsLattice& lattice, double crowding, double neig
     return crowding <= surface_limit && is_open ? SurfaceClass::surface : SurfaceClass::internal;
 }
 
-double fastest(const ParticleState& state) {
-    const double squared = parallel::reduce(
-        state.owned(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
-        [](double a, double b) { return std::max(a, b); });
-    return std::sqrt(squared);
-}
-
 /// Returns the part of a shift that a class allows.
 Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_normal, const Vec3& shift) {
     if (surface == SurfaceClass::splash) {

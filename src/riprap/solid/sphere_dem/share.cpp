@@ -91,10 +91,8 @@ void share_walls(const SphereModel& model, SphereScratch& scratch) {
 }  // namespace
 
 void share_contacts(const SphereModel& model, const SphereState& state, SphereScratch& scratch) {
-    const bool has_several = model.spheres.size() > 0 && model.settings.sharing != contact::Sharing::sum &&
-                             std::ranges::any_of(model.spheres.local, [](const Vec3& x) { return !(x == Vec3{}); });
     scratch.weight.clear();
-    if (has_several) {
+    if (model.spheres.has_clusters && model.settings.sharing != contact::Sharing::sum) {
         share_spheres(model, state, scratch);
         share_walls(model, scratch);
     }

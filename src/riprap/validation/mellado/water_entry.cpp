@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/validation/mellado/cases.hpp"
+#include "riprap/validation/mellado/mean_surface.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 
 namespace riprap::validation::mellado {
@@ -70,6 +71,12 @@ void judge_means(CaseReport& report, const WaterTrial& trial, const BlockEntry& 
 
 void judge_end(CaseReport& report, const WaterTrial& trial, double density, const std::string& run, double spacing) {
     const double end = trial.now(), depth = 0.5, weight = density * 0.01 * gravity;
+    report.judge({run + ": level at the end",
+                  "m",
+                  {},
+                  depth + 0.01 * std::min(density, 1000.0) / 1000 / 0.5,
+                  "volume over width; mean of half a second"},
+                 last_surface(trial, "surface", 0.5), Relative{0.01});
     const std::vector<double>& y = trial.column("block.position.y");
     if (density == 500) {
         report.judge(
@@ -146,6 +153,9 @@ void block_entry(const CaseSetting& setting, CaseReport& report) {
     double fine = 0;
     for (const BlockRun& run : runs) {
         WaterTrial trial(setting, overrides_of(run, spacing));
+        trial.record("surface", [last = run.end - 0.5](const WaterTrial& now) {
+            return now.now() < last ? std::nan("") : mean_surface(now, {}, {0.5, 1.0, 0});
+        });
         trial.run();
         const std::string name = name_of(run);
         judge_means(report, trial, run.entry, name);
