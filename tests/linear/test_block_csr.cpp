@@ -74,6 +74,19 @@ TYPED_TEST(BlockSizes, AnEmptiedMatrixKeepsItsPatternAndGivesNothing) {
     EXPECT_EQ(dot(y, y), 0);
 }
 
+TYPED_TEST(BlockSizes, ANewPatternBeginsWithZeros) {
+    const BlockPattern small = spring_chain<TypeParam::value>(40, 7).pattern();
+    const BlockPattern large = spring_chain<TypeParam::value>(60, 9).pattern();
+    auto a = spring_chain<TypeParam::value>(50, 7);
+    for (const BlockPattern& pattern : {large, small}) {
+        a.set_pattern(pattern);
+        std::vector<double> y(a.size(), 1.0);
+        a.multiply(random_vector(a.size()), y);
+        EXPECT_EQ(dot(y, y), 0);
+        std::fill_n(a.block(0), pattern.entries() * static_cast<std::int64_t>(a.block_numbers), 1.0);
+    }
+}
+
 TEST(VectorOps, ADotHasTheSameBitsWithFourThreadsAndIsEigensToRoundOff) {
     for (const std::size_t size : {1U, 7U, 4096U, 50'001U}) {
         const std::vector<double> a = random_vector(size), b = random_vector(size, 4);

@@ -132,6 +132,29 @@ TEST(Pcg, ANearGuessTakesFewerIterations) {
     EXPECT_LT(2 * solve(a, m, b, near).iterations, solve(a, m, b, far).iterations);
 }
 
+TEST(Pcg, AGuessOfZerosCostsNoProduct) {
+    struct Counting {
+        const BlockCsr<1>& a;
+        mutable int products{0};
+        std::size_t size() const { return a.size(); }
+        void multiply(std::span<const double> x, std::span<double> y) const {
+            ++products;
+            a.multiply(x, y);
+        }
+    };
+    const auto a = laplacian(30);
+    const std::vector<double> b = random_vector(a.size());
+    std::vector<double> x(a.size(), 0.0);
+    NoPreconditioner m;
+    PcgScratch scratch;
+    const Counting counting{a};
+    const SolveReport report = solve_pcg(counting, m, b, x, {}, scratch);
+    EXPECT_TRUE(report.is_converged());
+    EXPECT_EQ(report.first_residual, 1);
+    // one each, and one for the residual of the answer
+    EXPECT_EQ(counting.products, report.iterations + 1);
+}
+
 TEST(Pcg, NothingOnTheRightGivesNothing) {
     const auto a = laplacian(5);
     std::vector<double> x = random_vector(a.size());

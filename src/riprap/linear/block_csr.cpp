@@ -5,6 +5,7 @@
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/wide.hpp"
+#include "riprap/linear/huge_pages.hpp"
 
 namespace riprap::linear {
 namespace {
@@ -18,7 +19,7 @@ inline constexpr std::size_t lanes = B % 4 == 0   ? 4
 template <int B>
 [[maybe_unused]] inline constexpr std::size_t bytes_of_block = BlockCsr<B>::block_numbers * sizeof(double);
 
-/// sum_j A_ij x_j over one row. Processors with AVX-512 are asked for large blocks two ahead, as they fetch ahead of a
+/// sum_j A_ij x_j over one row. Processors with AVX-512 are asked for large blocks four ahead, as they fetch ahead of a
 /// stream to the end of a page only; those with AVX2 alone are slower if asked.
 template <int B>
 void multiply_row(const double* value, const std::int32_t* column, std::int64_t count, const double* x, double* y) {
@@ -30,7 +31,7 @@ void multiply_row(const double* value, const std::int32_t* column, std::int64_t 
             const double* const v = x + std::int64_t{column[k]} * B;
             if constexpr (B == 12 && vector_bytes == 64) {
                 for (std::size_t line = 0; line < bytes_of_block<B>; line += 64) {
-                    __builtin_prefetch(reinterpret_cast<const char*>(value) + 2 * bytes_of_block<B> + line);
+                    __builtin_prefetch(reinterpret_cast<const char*>(value) + 4 * bytes_of_block<B> + line);
                 }
             }
             for (int c = 0; c < B; ++c, value += B) {
@@ -72,8 +73,7 @@ void multiply_row(const double* value, const std::int32_t* column, std::int64_t 
 template <int B>
 void BlockCsr<B>::set_pattern(BlockPattern pattern) {
     pattern_ = std::move(pattern);
-    value_.resize(static_cast<std::size_t>(pattern_.entries()) * block_numbers);
-    set_zero();
+    fill_with_zeros(static_cast<std::size_t>(pattern_.entries()) * block_numbers, value_);
 }
 
 template <int B>

@@ -14,6 +14,8 @@ namespace riprap::linear {
 
 #ifdef RIPRAP_CHOLMOD
 
+bool has_cholmod() { return true; }
+
 namespace {
 
 struct Session {
@@ -87,6 +89,8 @@ SolveReport solve_cholmod(const BlockCsr<B>& a, std::span<const double> b, std::
 }
 
 #else
+
+bool has_cholmod() { return false; }
 
 template <int B>
 SolveReport solve_cholmod(const BlockCsr<B>&, std::span<const double>, std::span<double>) {

@@ -12,13 +12,7 @@
 namespace riprap::linear {
 
 /// Tells whether this program was built with CHOLMOD.
-constexpr bool has_cholmod() {
-#ifdef RIPRAP_CHOLMOD
-    return true;
-#else
-    return false;
-#endif
-}
+bool has_cholmod();
 
 /// Solves A x = b, A symmetric and positive definite: analysis, factors and solution anew in every call, as the pattern
 /// of contacts changes. Without CHOLMOD the status is not_positive_definite and x stays.

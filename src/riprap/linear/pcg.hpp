@@ -84,9 +84,9 @@ SolveStatus iterate(const A& a, M& m, double target, int max_iterations, std::sp
 ///     z = M^-1 r,   p = z + (r.z)/(r.z)_before p,   x += a p,   r -= a A p,   a = r.z/(p.A p).
 ///
 /// Where the recurrence has reached the target, the residual is computed anew from x; where that is still above, the
-/// iteration starts again from x, until it no longer halves. x is the last iterate, whatever the status; where the
-/// status is not_finite it may be useless. Never throws; dots are ordered, so the bits depend on neither threads nor
-/// scratch.
+/// iteration starts again from x, until it no longer halves. A guess of zeros costs no product. x is the last iterate,
+/// whatever the status; where the status is not_finite it may be useless. Never throws; dots are ordered, so the bits
+/// depend on neither threads nor scratch.
 template <LinearOperator A, Preconditioner M>
 SolveReport solve_pcg(const A& a, M& m, std::span<const double> b, std::span<double> x, const PcgSettings& settings,
                       PcgScratch& s) {
@@ -105,7 +105,11 @@ SolveReport solve_pcg(const A& a, M& m, std::span<const double> b, std::span<dou
         a.multiply(x, s.q);
         return std::sqrt(subtract(b, s.q, s.r));
     };
-    double residual = find_residual();
+    const bool is_zero = std::all_of(x.begin(), x.end(), [](double value) { return value == 0; });
+    if (is_zero) {
+        std::copy(b.begin(), b.end(), s.r.begin());
+    }
+    double residual = is_zero ? size : find_residual();
     report.first_residual = residual / size;
     report.status = std::isfinite(residual) ? SolveStatus::converged : SolveStatus::not_finite;
     for (double last = std::numeric_limits<double>::infinity(); report.is_converged() && residual > target;) {
