@@ -25,16 +25,16 @@ void for_cells(const CellBox& box, const F& f) {
     }
 }
 
-/// Conductances of a unit box under a wavy surface of water below air, 1/density between the cells' means; open at the
-/// top, closed elsewhere.
-FaceConductance water_under_air(const std::array<int, 3>& cells, int axes, double ratio) {
+/// Conductances of a unit box, 1/density between the means of cells; open at the top, closed elsewhere.
+/// @param depth_of  distance of a place from the surface, > 0 in water, with z upwards [-]
+template <class Depth>
+FaceConductance water_and_air(const std::array<int, 3>& cells, int axes, double ratio, const Depth& depth_of) {
     FaceConductance a(CellBox(cells, 2, axes));
     const int up = axes - 1;
     const auto density = [&](int i, int j, int k) {
         const double x = (i + 0.5) / cells[0], y = axes == 3 ? (j + 0.5) / cells[1] : 0;
         const double z = ((up == 1 ? j : k) + 0.5) / cells[at(up)], h = 1.0 / cells[at(up)];
-        const double surface = 0.5 + 0.2 * std::sin(9 * x + 4 * y);
-        const double share = std::clamp((surface - z) / h + 0.5, 0.0, 1.0);
+        const double share = std::clamp(depth_of(x, y, z) / h + 0.5, 0.0, 1.0);
         return share * ratio + (1 - share);
     };
     for_cells(a.box, [&](int i, int j, int k, std::int64_t c) {
@@ -53,6 +53,12 @@ FaceConductance water_under_air(const std::array<int, 3>& cells, int axes, doubl
         }
     });
     return a;
+}
+
+/// Water below air under a wavy surface.
+FaceConductance water_under_air(const std::array<int, 3>& cells, int axes, double ratio) {
+    return water_and_air(cells, axes, ratio,
+                         [](double x, double y, double z) { return 0.5 + 0.2 * std::sin(9 * x + 4 * y) - z; });
 }
 
 std::vector<double> random_field(const CellBox& box, unsigned seed) {
@@ -112,6 +118,38 @@ TEST(Multigrid, takes_six_digits_off_white_noise_in_ten_iterations_at_a_density_
         const PoissonReport report = solver.solve(a, random_field(a.box, 7), p, 1e-6, 50);
         EXPECT_LE(report.iterations, 10) << cells[0] << " x " << cells[1] << " x " << cells[2];
         EXPECT_TRUE(report.converged);
+    }
+}
+
+// Story: coarse cells joined the air on both sides of a film thinner than they are. Where a wave folded over, each air
+// pocket cost an iteration or two: 13 in place of 5 in the impact of a dam break on a wall.
+TEST(Multigrid, sees_air_pockets_below_films_thinner_than_its_coarse_cells) {
+    struct Pocket {
+        double x, z, radius;
+    };
+    const std::array<Pocket, 6> pockets{{{0.2, 0.44, 0.12},
+                                         {0.5, 0.5, 0.08},
+                                         {0.64, 0.52, 0.06},
+                                         {0.78, 0.47, 0.1},
+                                         {0.4, 0.2, 0.05},
+                                         {0.9, 0.2, 0.04}}};
+    for (const bool is_plane : {true, false}) {
+        const std::array<int, 3> cells = is_plane ? std::array{128, 128, 1} : std::array{48, 48, 48};
+        const int axes = is_plane ? 2 : 3;
+        const FaceConductance a = water_and_air(cells, axes, 833, [&](double x, double y, double z) {
+            double depth = 0.6 - z;
+            for (const Pocket& pocket : pockets) {
+                depth =
+                    std::min(depth, std::hypot(x - pocket.x, axes == 3 ? y - 0.5 : 0, z - pocket.z) - pocket.radius);
+            }
+            return depth;
+        });
+        PoissonSolver solver;
+        solver.set_operator(a);
+        std::vector<double> p(at(a.box.size), 0.0);
+        const PoissonReport report = solver.solve(a, random_field(a.box, 7), p, 1e-6, 50);
+        EXPECT_TRUE(report.converged);
+        EXPECT_LE(report.iterations, is_plane ? 14 : 19);  // 19 and 21 by sums alone
     }
 }
 

@@ -2,6 +2,7 @@
 // Waves, stones and sponges of the grid fluid: what is refused, with the number and what to change.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "case_fixture.hpp"
@@ -155,6 +156,40 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"three_cells", with(tank, "spacing = 0.05\n", "spacing = 0.6\n"), "3.33 cells of 0.6 m",
                 "four cells at least"}),
     [](const testing::TestParamInfo<Refusal>& refusal) { return refusal.param.name; });
+
+/// Number of the line in `text` that begins the n-th table of this name, from 1.
+int line_of(const std::string& text, const std::string& header, int n) {
+    std::size_t at = text.find(header);
+    for (int i = 1; i < n; ++i) {
+        at = text.find(header, at + 1);
+    }
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+// Story: a wrong second table of a list was blamed on the line of the first.
+TEST(GridTable, that_is_wrong_is_named_by_its_own_line) {
+    const std::string good_wave = "[[fluid.wave]]\ntowards = \"x\"\ndepth = 1.0\nwave = \"solitary\"\nheight = 0.3\n";
+    const std::string low_wave = "[[fluid.wave]]\ntowards = \"-x\"\ndepth = 1.0\nwave = \"solitary\"\nheight = 0.2\n";
+    const std::string stones = "porosity = 0.4\ngrain_size = 0.1\nlinear = 50.0\nquadratic = 2.0\n";
+    const std::string zones = "[[fluid.porous]]\nshape = { polygon = [[4, 0], [6, 0], [6, 1]] }\n" + stones +
+                              "[[fluid.porous]]\nshape = { polygon = [[20, 0], [21, 0], [21, 1]] }\n" + stones;
+    const std::string outflow =
+        "[[fluid.outflow]]\nname = \"out\"\ntowards = \"x\"\nlow = [10.0, 0.0]\nhigh = [10.0, 2.0]\n";
+    const std::string inflow =
+        "[[fluid.inflow]]\nname = \"in\"\ntowards = \"x\"\nlow = [0.0, 0.0]\nhigh = [0.0, 1.0]\nspeed = 0.1\n";
+    const std::string elsewhere =
+        with(with(outflow, "\"out\"", "\"gap\""), "low = [10.0, 0.0]\nhigh = [10.0", "low = [7.0, 0.0]\nhigh = [7.0");
+    struct Wrong {
+        std::string text, header;
+    };
+    for (const Wrong& wrong :
+         {Wrong{tank + good_wave + low_wave, "[[fluid.wave]]"}, Wrong{tank + zones, "[[fluid.porous]]"},
+          Wrong{tank + inflow + outflow + elsewhere, "[[fluid.outflow]]"}}) {
+        const std::vector<std::string> problems = problems_of(wrong.text);
+        ASSERT_EQ(problems.size(), 1U) << wrong.header;
+        EXPECT_THAT(problems.front(), StartsWith(fmt::format("case.toml:{}:", line_of(wrong.text, wrong.header, 2))));
+    }
+}
 
 // Ground and walls go on beyond the water.
 TEST(GridTable, takes_a_fixed_body_that_is_longer_than_the_domain) {

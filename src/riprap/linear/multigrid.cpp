@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "riprap/core/bytes.hpp"
+#include "riprap/linear/multigrid_pieces.hpp"
 
 namespace riprap::linear {
 
@@ -12,8 +13,6 @@ namespace {
 
 /// An axis is coarsened while its mean conductance is at least this share of the largest [-].
 constexpr double least_share = 0.3;
-/// A level of so many cells is not coarsened further.
-constexpr std::int64_t coarsest_cells = 16;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -99,6 +98,42 @@ void weights_beside(const float* c, std::int64_t s, int p, int n, int count, flo
     }
 }
 
+/// Scales the weights of cells that have more than 1 in all to a sum of 1: a cell in a corner of the air that faces
+/// coarse cells of air on two sides and water in its own gets the mean of the air, not twice it less the water.
+void share_weights(const CellBox& box, const std::array<bool, 3>& coarsened,
+                   std::array<std::vector<float>, 3>& weight) {
+    std::array<float*, 3> w{};
+    std::size_t used = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (coarsened[a]) {
+            w[used++] = weight[a].data();
+        }
+    }
+    if (used < 2) {
+        return;
+    }
+    for_rows(box, [&](std::int64_t start, std::int64_t) {
+        float *const x = w[0] + start, *const y = w[1] + start;
+        if (used == 2) {
+#pragma GCC ivdep
+            for (int i = 0; i < box.cells[0]; ++i) {
+                const float scale = 1 / std::max(1.0F, x[i] + y[i]);
+                x[i] *= scale;
+                y[i] *= scale;
+            }
+            return;
+        }
+        float* const z = w[2] + start;
+#pragma GCC ivdep
+        for (int i = 0; i < box.cells[0]; ++i) {
+            const float scale = 1 / std::max(1.0F, x[i] + y[i] + z[i]);
+            x[i] *= scale;
+            y[i] *= scale;
+            z[i] *= scale;
+        }
+    });
+}
+
 /// Adds the conductances of a row of fine faces to the coarse faces that they lie on.
 void add_row(const float* fine, int n, bool along, bool is_coarsened, int faces, float* coarse) {
     if (!is_coarsened) {
@@ -120,10 +155,6 @@ void add_row(const float* fine, int n, bool along, bool is_coarsened, int faces,
     }
 }
 
-/// Distance between coarse centres across face p of n fine ones, over that of the fine cells: 2, less beside a last
-/// cell without a partner.
-float distance_across(int p, int n) { return p >= n ? (n % 2 == 0 ? 2.0F : 1.0F) : p + 1 == n && p > 0 ? 1.5F : 2.0F; }
-
 }  // namespace
 
 void Multigrid::find_weights(Level& fine) {
@@ -144,6 +175,7 @@ void Multigrid::find_weights(Level& fine) {
             }
         });
     }
+    share_weights(fine.box, fine.coarsened, fine.weight);
 }
 
 void Multigrid::coarsen(const Level& fine, Level& coarse) {
@@ -218,6 +250,9 @@ void Multigrid::build(const FaceConductance& fine) {
         const bool any = level.coarsened[0] || level.coarsened[1] || level.coarsened[2];
         if (!any || level.box.cell_count() <= coarsest_cells) {
             level.coarsened = {};
+            if (level.box.cell_count() <= coarsest_cells) {
+                factorise_level(level.box, level.face, level.r);  // which has no residual to hold
+            }
             return;
         }
         find_weights(level);
@@ -233,7 +268,9 @@ void Multigrid::build(const FaceConductance& fine) {
         if (next.box.cells != box.cells || next.box.size != box.size) {
             set_box(next, box);
         }
-        coarsen(levels_[level_count_ - 1], next);
+        const Level& fine_level = levels_[level_count_ - 1];  // the list may have moved
+        coarsen(fine_level, next);
+        part_pieces(fine_level.box, fine_level.face, fine_level.inverse, fine_level.coarsened, next.box, next.face);
         ++level_count_;
     }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "riprap/linear/multigrid.hpp"
+#include "riprap/linear/multigrid_pieces.hpp"
 
 namespace riprap::linear {
 
@@ -10,8 +11,6 @@ namespace {
 
 /// Sweeps of both colours before and after each coarse correction [-].
 constexpr int level_sweeps = 2;
-/// Sweeps of both colours on the coarsest level, half of them in either order [-].
-constexpr int coarsest_sweeps = 8;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
@@ -223,17 +222,13 @@ void Multigrid::prolong(const Level& coarse, Level& fine) {
 
 void Multigrid::cycle(std::size_t l) {
     Level& level = levels_[l];
+    if (l + 1 == level_count_ && level.box.cell_count() <= coarsest_cells) {
+        solve_factorised(level.box, level.r, level.b, level.x);
+        return;
+    }
     start_smooth(level);
     if (l + 1 == level_count_) {
-        for (int i = 1; i < coarsest_sweeps; ++i) {
-            smooth(level, 0);
-            smooth(level, 1);
-        }
-        for (int i = 0; i < coarsest_sweeps; ++i) {
-            smooth(level, 1);
-            smooth(level, 0);
-        }
-        return;
+        return;  // no face is open between any two cells: solved
     }
     Level& next = levels_[l + 1];
     for (int sweep = 1; sweep < level_sweeps; ++sweep) {

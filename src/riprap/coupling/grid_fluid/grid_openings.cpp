@@ -81,8 +81,10 @@ std::vector<KeyProblem> add_openings(GridFluidSettings& settings) {
     std::vector<KeyProblem> problems;
     const int up = up_axis(settings.scene.up);
     std::array<std::vector<OpenSide>, 6> given;
+    std::size_t inflows = 0, outflows = 0;
     for (const OpenSide& opening : settings.scene.openings) {
-        const char* const key = opening.kind == Kind::inflow ? "inflow" : "outflow";
+        const std::string_view key =
+            opening.kind == Kind::inflow ? entry_key("inflow", inflows++) : entry_key("outflow", outflows++);
         Side& side = settings.grid.side[at(opening.side)];
         if (std::string problem = misplaced(settings, opening); !problem.empty()) {
             problems.push_back({key, problem,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "riprap/coupling/grid_fluid/grid_fluid.hpp"
@@ -13,6 +15,10 @@ int up_axis(const Vec3& up);
 
 /// Height of still water at the start, along `up`: the highest surface of the regions [m].
 double still_level(const GridFluidSettings& settings);
+
+/// Returns the key of an entry of a list, "wave[1]" of the second [[fluid.wave]], so that a problem names the line of
+/// its own table. The view lasts as long as the program: a KeyProblem keeps no text of its own for its key.
+std::string_view entry_key(std::string_view list, std::size_t entry);
 
 /// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings);

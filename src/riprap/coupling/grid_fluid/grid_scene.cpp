@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <set>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 
@@ -57,6 +59,13 @@ std::vector<double> edges_along(const GridFluidSettings& settings, double low, d
 }
 
 }  // namespace
+
+std::string_view entry_key(std::string_view list, std::size_t entry) {
+    static std::mutex guard;
+    static std::set<std::string> keys;  // whose entries stay where they are
+    const std::scoped_lock lock(guard);
+    return *keys.insert(fmt::format("{}[{}]", list, entry)).first;
+}
 
 std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     std::vector<KeyProblem> problems;

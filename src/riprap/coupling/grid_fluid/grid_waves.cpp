@@ -112,17 +112,18 @@ double cell_at_surface(const GridFluidSettings& settings, int up, double level, 
 }
 
 /// Tells what a side cannot take of its waves, whatever their theory says; nothing where it can.
-std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAtSide& said, int up, double level) {
+std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAtSide& said, std::string_view key,
+                                int up, double level) {
     const fluid::Domain& domain = settings.scene.domain;
     const double deepest = level - domain.low[up], slack = 1e-6 * settings.spacing;
     const char* const side = said.side % 2 == 0 ? "low" : "high";
     const char axis = "xyz"[said.side / 2];
     if (settings.grid.side[at(said.side)].kind == fluid::grid::SideKind::inflow) {
-        return KeyProblem{"wave", fmt::format("two waves through the {} side of {}", side, axis),
+        return KeyProblem{key, fmt::format("two waves through the {} side of {}", side, axis),
                           "one [[fluid.wave]] to a side; absorb = true lets out what arrives there"};
     }
     if (said.depth > deepest + slack) {
-        return KeyProblem{"wave",
+        return KeyProblem{key,
                           fmt::format("a wave in {:.6g} m of water at the {} side of {}, where {:.6g} m stand above "
                                       "the bottom of the domain",
                                       said.depth, side, axis, deepest),
@@ -130,7 +131,7 @@ std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAt
     }
     if ((said.kind == Kind::boussinesq || said.kind == Kind::irregular) && said.height >= breaking_share * said.depth) {
         return KeyProblem{
-            "wave", fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", said.height, said.depth),
+            key, fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", said.height, said.depth),
             fmt::format("heights below {:.4g} m, {} of the depth", breaking_share * said.depth, breaking_share)};
     }
     return std::nullopt;
@@ -174,13 +175,15 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
     std::vector<KeyProblem> problems;
     const int up = up_axis(settings.scene.up);
     const double level = still_level(settings), gravity = norm(settings.grid.gravity);
-    for (const WavesAtSide& said : settings.scene.waves) {
+    for (std::size_t entry = 0; entry < settings.scene.waves.size(); ++entry) {
+        const WavesAtSide& said = settings.scene.waves[entry];
+        const std::string_view key = entry_key("wave", entry);
         if (settings.scene.up[up] < 1 - 1e-9 || said.side / 2 == up) {
-            problems.push_back({"wave", "waves need gravity down one axis and a side beside it",
+            problems.push_back({key, "waves need gravity down one axis and a side beside it",
                                 "gravity against x, y or z, and 'towards' along another axis"});
             continue;
         }
-        if (const auto problem = unfit(settings, said, up, level)) {
+        if (const auto problem = unfit(settings, said, key, up, level)) {
             problems.push_back(*problem);
             continue;
         }
@@ -189,7 +192,7 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
             if (said.height < least_cells * cell * (1 - 1e-9)) {
                 const double cells = std::floor(100 * said.height / cell * (1 + 1e-9)) / 100;  // 4.99 is not 5
                 problems.push_back(
-                    {"wave",
+                    {key,
                      fmt::format("a wave {:.4g} m high on cells of {:.4g} m: {:.3g} cells over its height", said.height,
                                  cell, cells),
                      fmt::format("at least {} cells: a spacing of {:.4g} m or less", least_cells,
@@ -199,7 +202,7 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
         if (said.absorbs && said.period > 0 && said.kind != Kind::none) {
             const double kd = wave::linear_wave(said.height, said.period, said.depth, gravity).kd();
             if (kd > longest_absorbed) {
-                problems.push_back({"wave", fmt::format("a side cannot absorb waves of kd = {:.3g}", kd),
+                problems.push_back({key, fmt::format("a side cannot absorb waves of kd = {:.3g}", kd),
                                     fmt::format("absorb = false and a [[fluid.sponge]], or waves of kd below {:.3g}",
                                                 longest_absorbed)});
             }
@@ -209,7 +212,7 @@ std::vector<KeyProblem> add_waves(GridFluidSettings& settings) {
                 fluid::grid::wave_side(settings.grid.mesh, said.side, up, level - said.depth, said.depth,
                                        waves_by_theory(said, gravity), said.absorbs);
         } catch (const wave::NoSuchWave& error) {
-            problems.push_back({"wave", error.what(), "a lower wave, a longer period or deeper water"});
+            problems.push_back({key, error.what(), "a lower wave, a longer period or deeper water"});
         }
     }
     return problems;

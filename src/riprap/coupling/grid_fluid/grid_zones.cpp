@@ -69,7 +69,8 @@ double calm_rate(const GridFluidSettings& settings, const CalmBox& box) {
 
 std::vector<KeyProblem> add_zones(GridFluidSettings& settings) {
     std::vector<KeyProblem> problems;
-    for (const Stones& stones : settings.scene.stones) {
+    for (std::size_t entry = 0; entry < settings.scene.stones.size(); ++entry) {
+        const Stones& stones = settings.scene.stones[entry];
         std::vector<ZonePart> parts;
         bool is_there = false;
         for (const geometry::Polyhedron& piece : stones.pieces) {
@@ -87,7 +88,7 @@ std::vector<KeyProblem> add_zones(GridFluidSettings& settings) {
             }
         }
         if (!is_there) {
-            problems.push_back({"porous", "a porous zone that holds the middle of no cell",
+            problems.push_back({entry_key("porous", entry), "a porous zone that holds the middle of no cell",
                                 "a zone in the domain, larger than a cell"});
         }
         settings.grid.porous.push_back({stones.medium, holds});

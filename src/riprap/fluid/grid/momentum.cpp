@@ -64,6 +64,17 @@ Vec3 body_force(const GridSettings& settings, double time) {
 
 namespace {
 
+/// Sum of the rates of all sponges at a face, of water and air alike [1/s].
+double sponge_rate(const GridSettings& settings, int a, const std::array<int, 3>& place) {
+    double rate = 0;
+    for (const Sponge& sponge : settings.sponges) {
+        Vec3 x = settings.mesh.centre(place[0], place[1], place[2]);
+        x[a] = settings.mesh.edge[at(a)][at(place[at(a)])];
+        rate += sponge.rate(x);
+    }
+    return rate;
+}
+
 /// Calls f(index, i, j, k) for cells and the first layer of ghosts.
 template <class F>
 void for_cells_and_beside(const CellBox& box, const F& f) {
@@ -160,11 +171,12 @@ struct Prediction {
         const double start = s.start.velocity(a)[at(f)];
         const double carried = start + (moved - start) / (1 + medium.added_mass);
         const double inertia = (1 + medium.added_mass) * density;
+        const double slowed = inertia * (1 + dt * sponge_rate(settings, a, place));
         const double speed = medium.quadratic > 0 ? filter_speed(settings, s, a, f) : 0;
         const double resistance = medium.porosity * (medium.linear + medium.quadratic * speed);
         const double wall = s.open.has_bodies ? wall_drag(settings, s, a, f, place) : 0;
         const double wall_velocity = s.open.has_bodies ? s.open.body_velocity[at(a)][at(f)] : 0;
-        const double factor = medium.porosity / (inertia + dt * (resistance + wall));
+        const double factor = medium.porosity / (slowed + dt * (resistance + wall));
         predicted = factor * (inertia * carried + dt * (force + wall * wall_velocity));
         // half a cell to a pressure on a side
         const int n = mesh.box.cells[at(a)];

@@ -24,7 +24,7 @@ Resistance resistance_of(const PorousMedium& m) {
 
 MediumFields medium_fields(const GridSettings& settings) {
     MediumFields fields;
-    if (settings.porous.empty() && settings.sponges.empty()) {
+    if (settings.porous.empty()) {
         return fields;
     }
     const Mesh& mesh = settings.mesh;
@@ -52,10 +52,6 @@ MediumFields medium_fields(const GridSettings& settings) {
                 fields.added_mass[at(c)] = r.added_mass;
                 fields.grain_size[at(c)] = zone.medium.grain_size;
             }
-        }
-        for (const Sponge& sponge : settings.sponges) {
-            const double rate = sponge.rate(mesh.centre(place[0], place[1], place[2]));
-            fields.linear[at(c)] += rate / settings.water.kinematic_viscosity;
         }
     });
     return fields;

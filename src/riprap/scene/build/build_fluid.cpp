@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -248,7 +249,23 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
     return true;
 }
 
+<<<<<<< HEAD
 /// Builds a fluid without particles: its settings receive domain, regions and levels.
+=======
+/// Returns the place of a key of the table, or of an entry of a list, "wave[1]"; of the table, where it has neither.
+const SourcePlace& place_of(const Value& table, std::string_view key) {
+    const std::size_t bracket = key.find('[');
+    const Value* given = table.find(key.substr(0, bracket));
+    if (given != nullptr && bracket != std::string_view::npos) {
+        std::size_t entry = 0;
+        std::from_chars(key.data() + bracket + 1, key.data() + key.size(), entry);
+        given = entry < given->items.size() ? &given->items[entry] : given;
+    }
+    return given != nullptr ? given->place : table.place;
+}
+
+/// Builds a fluid that is a field: its settings take over where it is.
+>>>>>>> h26
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     coupling::FieldScene scene;
@@ -257,8 +274,7 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     }
     if constexpr (requires { settings.prepare(scene).size(); }) {
         for (const KeyProblem& problem : settings.prepare(scene)) {
-            const Value* given = table.find(problem.key);
-            build.problem(given != nullptr ? given->place : table.place, problem.message, problem.allowed);
+            build.problem(place_of(table, problem.key), problem.message, problem.allowed);
         }
     } else if constexpr (requires { settings.prepare(scene); }) {
         settings.prepare(scene);
