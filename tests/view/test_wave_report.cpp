@@ -154,7 +154,8 @@ TEST(WaveReport, what_cannot_be_answered_is_refused_with_the_reason) {
     refused({.direction = Vec3{}}, "the waves go nowhere");
     EXPECT_THAT(analyse_waves(run, {.from = 12.0}).why_no_reflection, HasSubstr("less than one period of 1.5 s"));
     EXPECT_THAT(analyse_waves(run, {.period = 0.03}).why_no_reflection, HasSubstr("rows are 0.00998 s apart"));
-    EXPECT_THAT([] { analyse_waves(waves_of(maker, {}), {}); }, ThrowsMessage<BadRequest>(HasSubstr("the run has none")));
+    EXPECT_THAT([] { analyse_waves(waves_of(maker, {}), {}); },
+                ThrowsMessage<BadRequest>(HasSubstr("the run has none")));
 }
 
 TEST(WaveReport, ASingleWaveIsFoundInTheFirstHalfOfTheRunToo) {
