@@ -249,9 +249,6 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
     return true;
 }
 
-<<<<<<< HEAD
-/// Builds a fluid without particles: its settings receive domain, regions and levels.
-=======
 /// Returns the place of a key of the table, or of an entry of a list, "wave[1]"; of the table, where it has neither.
 const SourcePlace& place_of(const Value& table, std::string_view key) {
     const std::size_t bracket = key.find('[');
@@ -264,8 +261,7 @@ const SourcePlace& place_of(const Value& table, std::string_view key) {
     return given != nullptr ? given->place : table.place;
 }
 
-/// Builds a fluid that is a field: its settings take over where it is.
->>>>>>> h26
+/// Builds a fluid without particles: its settings receive domain, regions and levels.
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     coupling::FieldScene scene;
