@@ -79,8 +79,9 @@ BallastBed make_bed(double length, double thickness, std::uint64_t seed) {
     trial.settings = solid::planar_dda::settings_for(length, 0.0015);
     bed.ice_material = trial.add_material({934, 1e10, 0.06}, ballast_joint());
     trial.add_box({-0.5 * length - 0.3, -0.2}, {length + 0.6, 0.2}, true);
-    trial.add_box({-0.5 * length - 0.2, 0}, {0.2, 3 * thickness}, true);
-    trial.add_box({0.5 * length, 0}, {0.2, 3 * thickness}, true);
+    bed.wall_height = 3 * thickness;
+    bed.walls = {trial.add_box({-0.5 * length - 0.2, 0}, {0.2, bed.wall_height}, true),
+                 trial.add_box({0.5 * length, 0}, {0.2, bed.wall_height}, true)};
     bed.first_stone = trial.model.block_count();
     Draw draw(seed);
     const double cell = 1.02 * largest;
@@ -226,10 +227,26 @@ double height_clear_of(const BallastBed& bed, const Shot& shot) {
     return height;
 }
 
+/// Lowers the walls to half of the smallest stone below the surface, where ice that has fallen a little passes them.
+void lower_walls(const BallastBed& bed, PlanarTrial& trial) {
+    const double depth = bed.wall_height - (bed.surface - 0.5 * smallest);
+    for (const std::int32_t wall : bed.walls) {
+        trial.state.y[at(wall)] -= depth;
+    }
+    const auto is_wall = [&bed](std::int32_t block) { return std::ranges::find(bed.walls, block) != bed.walls.end(); };
+    solid::planar_dda::drop_contacts(trial.state, [&](std::size_t k) {  // their lock points went along
+        return is_wall(trial.model.corner_block[at(trial.state.contact_corner[k])]) ||
+               is_wall(trial.model.corner_block[at(trial.state.contact_edge[k])]);
+    });
+}
+
 }  // namespace
 
 Strike strike(const BallastBed& bed, const Shot& shot) {
     PlanarTrial trial = bed.trial;
+    if (shot.velocity.x != 0) {
+        lower_walls(bed, trial);
+    }
     const double reach = shot.corners > 0 ? shot.size.x : 0.5 * shot.size.y;
     const double lowest = shot.is_flat ? reach * std::cos(std::numbers::pi / std::max(3, shot.corners)) : reach;
     // Above the mean surface, and above what stands higher: a spring that begins pressed would throw stones by itself.

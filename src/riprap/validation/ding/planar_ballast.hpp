@@ -19,6 +19,8 @@ struct BallastBed {
     double porosity{0};                   ///< below the surface [-]
     std::vector<geometry::Vec2> start{};  ///< of the stones [m]
     std::vector<std::int32_t> rails{};    ///< blocks that stand for rails; none unless added
+    std::vector<std::int32_t> walls{};    ///< of the box that the stones were poured into
+    double wall_height{0};                ///< of their tops [m]
 };
 
 /// Stones of one packing. Sizes, shapes and places follow from the seed alone.
@@ -56,7 +58,7 @@ struct Shot {
     double after{0.3};                ///< time computed from the touch [s]
 };
 
-/// Throws ice on a copy of the bed.
+/// Throws ice on a copy of the bed. Ice that comes along the bed meets no walls above it: a track has none.
 Strike strike(const BallastBed& bed, const Shot& shot);
 
 }  // namespace riprap::validation::ding

@@ -235,7 +235,7 @@ double line_fit(const std::vector<double>& x, const std::vector<double>& y) {
 }  // namespace
 
 void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
-    const std::vector<BallastBed> beds = beds_of(setting, setting.is_full ? 3 : 1.5, 0.2);
+    const std::vector<BallastBed> beds = beds_of(setting, setting.is_full ? 3 : 1.5, 0.2, 5);
     report_bed(report, beds);
     std::vector<double> speeds, flying, highest, marked, marked_height, crater;
     double worst = 0;
@@ -287,7 +287,7 @@ void planar_train_speed(const CaseSetting& setting, CaseReport& report) {
 }
 
 void planar_incident_angle(const CaseSetting& setting, CaseReport& report) {
-    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2);
+    const std::vector<BallastBed> beds = beds_of(setting, 1.2, 0.2, 5);
     report_bed(report, beds);
     std::vector<Mean> means;
     double worst = 0;
