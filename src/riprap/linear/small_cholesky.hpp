@@ -8,51 +8,11 @@ namespace riprap::linear {
 /// A symmetric block is inverted as positive definite while each pivot is more than this share of its diagonal number.
 inline constexpr double least_pivot = 1e-14;
 
-/// Inverts by sweeps over whole rows, which go through the machine's vectors: twice as fast for B = 12.
-template <int B>
-bool invert_by_sweeps(const double* a, double* inverse) {
-    double m[B][B];  // ends as -A^-1, symmetric at every stage
-    for (int j = 0; j < B; ++j) {
-        for (int i = j; i < B; ++i) {
-            m[i][j] = m[j][i] = a[j * B + i];
-        }
-    }
-    for (int k = 0; k < B; ++k) {
-        if (!(m[k][k] > least_pivot * a[k * B + k])) {
-            return false;
-        }
-        const double scale = 1 / std::sqrt(m[k][k]);
-        double row[B];
-        for (int j = 0; j < B; ++j) {
-            row[j] = scale * m[k][j];
-        }
-        row[k] = 0;
-        for (int i = 0; i < B; ++i) {
-            for (int j = 0; j < B; ++j) {
-                m[i][j] -= row[i] * row[j];
-            }
-        }
-        row[k] = -scale;
-        for (int j = 0; j < B; ++j) {
-            m[k][j] = m[j][k] = scale * row[j];
-        }
-    }
-    for (int j = 0; j < B; ++j) {
-        for (int i = 0; i < B; ++i) {
-            inverse[j * B + i] = -m[j][i];
-        }
-    }
-    return std::isfinite(inverse[0]);
-}
-
 /// Inverts the symmetric positive definite B x B block `a` (columns or rows, it is symmetric; the lower triangle by
 /// columns is read) by A = L L^T, A^-1 = L^-T L^-1. Returns false, `inverse` unusable, where a pivot is not positive:
 /// below `least_pivot` of its diagonal number.
 template <int B>
 bool invert_spd(const double* a, double* inverse) {
-    if constexpr (B % 4 == 0) {
-        return invert_by_sweeps<B>(a, inverse);
-    }
     double l[B][B]{};  // then L^-1, in place
     for (int j = 0; j < B; ++j) {
         double pivot = a[j * B + j];
