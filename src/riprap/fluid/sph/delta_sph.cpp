@@ -223,7 +223,7 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+                double dt, SphScratchData& s, FluidReport& report, const SparseVectors& extra_force) {
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
     settings.viscosity.visit([&](const auto& law) {
