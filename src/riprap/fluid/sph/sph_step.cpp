@@ -77,10 +77,10 @@ void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, Wat
     parallel::for_each(static_cast<std::int64_t>(water.weight.size()), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         water.weight[w] = s.at_walls.weight[w];
-        water.slope[w] = s.at_walls.slope[w];
+        water.slope[w] = s.at_walls.slope.vector(w);
         water.pressure[w] =
             water.weight[w] > 0
-                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment[w])) / water.weight[w])
+                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment.vector(w))) / water.weight[w])
                 : 0;
     });
 }
