@@ -77,11 +77,12 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
     });
 }
 
-/// Number of patches that are swept before their sums at candidates are added up: even shares of all, so few that their
-/// buffers, some 0.3 MB each, are a small part of what millions of particles take. It decides bits of sums that are
-/// kept as floats, so it depends on nothing but the patches.
+/// Number of patches that are swept before their sums at candidates are added up: even shares of all, about a tenth of
+/// them, so that their buffers, some 0.4 MB each, are a small part of what the particles take; as many as keep eight
+/// threads at work, and no more than 32 do. It decides bits of sums that are kept as floats, so it depends on nothing
+/// but the patches.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
-    constexpr std::int64_t most = 32;
+    const std::int64_t most = std::clamp<std::int64_t>(patches / 10, 8, 32);
     const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);
     return (patches + rounds - 1) / rounds;
 }
