@@ -45,7 +45,7 @@ struct Faces {
     /// @returns of the sample of the first layer that is nearest to x
     JointWater opening_at(double x) const {
         fluid::BoundaryParticles walls;
-        walls.position = samples.anchor;
+        walls.position.assign(samples.anchor.begin(), samples.anchor.end());
         const fluid::WendlandC2 kernel(settings.smoothing_length(), 2);
         fluid::WaterAtWalls at_walls;
         at_walls.weight.assign(walls.position.size(), 1);

@@ -161,10 +161,10 @@ TEST(NearSamples, a_body_is_near_once_one_of_its_samples_is) {
 TEST(NearSamples, a_view_shows_what_each_sample_is) {
     Wall wall(3, false);
     SampleSet& set = wall.samples;
-    set.normal[17] = {0, 0, 1};
-    set.depth[17] = 0.25;
-    set.volume[17] = 0.5;
-    set.is_slippery[17] = 1;
+    set.normal.set(17, {0, 0, 1});
+    set.depth.set(17, 0.25);
+    set.volume.set(17, 0.5);
+    set.is_slippery.set(17, 1);
     const std::vector<std::int32_t> numbers{3, 17, 2500};
     const SampleView some(set, numbers), all = set;
     ASSERT_EQ(some.size(), 3);

@@ -34,7 +34,7 @@ Push push_of(const Vec3& box_place, const Vec3& x, const Vec3& velocity = {}, do
     body::Motion motion;
     motion.pose = {{box_place, {}}};
     motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration = {Vec3{}};
-    std::vector<Vec3> force;
+    fluid::SparseVectors force;
     FluidLoads loads;
     PenaltyWalls walls;
     walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings), {}, particles, force, loads);
@@ -88,7 +88,7 @@ Squeeze squeeze(double gap, double above) {
     settings.domain = {{-1, -1, 0}, {1, 1, 0}, {}, 2};
     fluid::ParticleState particles;
     particles.add({0, above, 0}, {}, settings.rest_density, 0);
-    std::vector<Vec3> force;
+    fluid::SparseVectors force;
     FluidLoads loads;
     PenaltyWalls().push(scene.shapes, scene.bodies, motion, {},
                         guard_settings(settings, 0.1 * dp / settings.sound_speed), {}, particles, force, loads);

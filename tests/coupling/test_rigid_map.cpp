@@ -124,7 +124,7 @@ SampleSet every_third(const SampleSet& from, std::vector<std::int32_t>& numbers)
 
 TEST(RigidMap, a_view_of_some_samples_is_placed_and_gathered_as_a_set_of_them_is) {
     Flying f;
-    f.samples.is_slippery[4] = 1;
+    f.samples.is_slippery.set(4, 1);
     std::vector<std::int32_t> numbers;
     const SampleSet copied = every_third(f.samples, numbers);
     const SampleView view(f.samples, numbers);

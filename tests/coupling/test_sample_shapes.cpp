@@ -297,6 +297,16 @@ TEST(SampleShapes, too_many_samples_are_refused_before_they_are_made) {
     EXPECT_THROW(sample(scene, settings_of({-9, -9, -9}, {9, 9, 9})), CaseError);
 }
 
+TEST(SampleShapes, those_of_a_tank_share_most_of_their_values) {
+    Scene scene;
+    scene.add_half_space({0, 0, 1}, 0);
+    scene.add_half_space({1, 0, 0}, 0);
+    scene.add_half_space({0, -1, 0}, -4);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {4, 4, 4}));
+    ASSERT_GT(samples.size(), 10'000);
+    EXPECT_LT(samples.bytes(), 14 * static_cast<std::size_t>(samples.size()));  // 69 without
+}
+
 TEST(SampleShapes, samples_are_the_same_at_any_thread_count) {
     Scene scene;
     scene.add(geometry::dodecahedron(6.1 * dp), {{0.5, 0.5, 0.2}, from_rotation_vector({1, 2, 3})});

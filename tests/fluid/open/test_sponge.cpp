@@ -30,11 +30,11 @@ ParticleState particle(const Vec3& x, const Vec3& v) {
 }
 
 /// One step of the kick: force over mass.
-void kick(ParticleState& state, const std::vector<Vec3>& force, double dt) { state.velocity[0] += dt / 10 * force[0]; }
+void kick(ParticleState& state, const SparseVectors& force, double dt) { state.velocity[0] += dt / 10 * force[0]; }
 
 TEST(Sponge, two_that_overlap_never_turn_water_back) {
     ParticleState state = particle({1, 0, 0}, {3, -1, 0});
-    std::vector<Vec3> force;
+    SparseVectors force(1);
     SpongeWork work;
     push_sponges(std::vector{sponge, sponge}, settings(), state, 100.0, force, work);
     kick(state, force, 100.0);
@@ -45,7 +45,7 @@ TEST(Sponge, two_that_overlap_never_turn_water_back) {
 TEST(Sponge, slows_water_by_the_exact_decay_and_leaves_it_alone_outside) {
     for (const double dt : {0.01, 100.0}) {  // no rate is unstable
         ParticleState state = particle({1, 0, 0}, {3, -1, 0});
-        std::vector<Vec3> force;
+        SparseVectors force(1);
         SpongeWork work;
         push_sponges(std::vector{sponge}, settings(), state, dt, force, work);
         kick(state, force, dt);
@@ -55,7 +55,8 @@ TEST(Sponge, slows_water_by_the_exact_decay_and_leaves_it_alone_outside) {
         EXPECT_NEAR(absorbed_energy(state, dt, work), 0.5 * 10 * 10 * (1 - left * left), 1e-9);
     }
     for (const Vec3& x : {Vec3{-0.1, 0, 0}, Vec3{2.1, 0, 0}, Vec3{1, 1.1, 0}}) {
-        std::vector<Vec3> force{{1, 2, 0}};
+        SparseVectors force(1);
+        force.add(0, {1, 2, 0});
         SpongeWork work;
         push_sponges(std::vector{sponge}, settings(), particle(x, {3, 0, 0}), 0.01, force, work);
         EXPECT_EQ(force[0], (Vec3{1, 2, 0}));
@@ -66,11 +67,11 @@ TEST(Sponge, grows_towards_the_side_that_is_named_and_spares_a_current) {
     Sponge other = sponge;
     other.is_towards_high = false;
     other.velocity = {1, 0, 0};
-    std::vector<Vec3> force;
+    SparseVectors force(1);
     SpongeWork work;
     push_sponges(std::vector{other}, settings(), particle({0.5, 0, 0}, {1, 0, 0}), 0.01, force, work);
     EXPECT_EQ(norm(force[0]), 0);
-    force.clear();
+    force.reset(1);
     push_sponges(std::vector{other}, settings(), particle({0.5, 0, 0}, {2, 0, 0}), 1e-6, force, work);
     EXPECT_NEAR(force[0].x, -10 * 8 * 0.75 * 0.75, 1e-3);
 }

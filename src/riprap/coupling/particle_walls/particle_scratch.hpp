@@ -34,7 +34,7 @@ struct ParticleScratch {
     body::Motion motion;    ///< of all bodies, where the samples were placed last
     FluidLoads held_loads;  ///< of particles pressed against faces and of water in joints
     JointScratch joints;
-    std::vector<Vec3> extra_force;  ///< of penalty walls on particles [N]
+    fluid::SparseVectors extra_force;  ///< of penalty walls and sponges on particles [N]
     fluid::SpongeWork sponge;
 
     std::size_t bytes() const;

@@ -18,6 +18,7 @@ namespace {
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int64_t block_size = 1024;  ///< particles whose pushes are kept together; decides no bit
+static_assert(block_size % fluid::SparseVectors::block_size == 0);
 
 /// Places all parts; those of dry bodies, and of a ground, which is met as one surface, reach nowhere.
 void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
@@ -127,16 +128,15 @@ PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double d
 
 void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
                         std::span<const std::uint8_t> is_dry, const PenaltySettings& settings,
-                        std::span<const double> share, const fluid::ParticleState& particles, std::vector<Vec3>& force,
-                        FluidLoads& loads) {
+                        std::span<const double> share, const fluid::ParticleState& particles,
+                        fluid::SparseVectors& force, FluidLoads& loads) {
     const double within = 2 * settings.reach;  // where a face on the other side may limit the push
     find_grounds(shapes, bodies);
     std::vector<PlacedPart> parts;
     place_parts(shapes, bodies, motion, is_dry, grounds_, within, parts);
     NearParts near_parts;
     near_parts.find(parts, particles.position, settings.domain, within);
-    force.resize(at(particles.size()));
-    count_.resize(at(particles.size()));
+    force.reset(at(particles.size()));
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
     const fluid::PeriodicImages images(settings.domain);
     const auto velocity_at = [&motion](std::int32_t body, const Vec3& x) {
@@ -146,8 +146,6 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     parallel::for_ranges(particles.size(), block_size, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Push>& pushes = blocks_[at(begin / block_size)];
         pushes.clear();
-        std::fill(force.begin() + begin, force.begin() + end, Vec3{});
-        std::fill(count_.begin() + begin, count_.begin() + end, 0);
         std::vector<Touch> touches;
         for (std::int64_t i = begin; i < end; ++i) {
             const std::span<const std::int32_t> near = near_parts.of_block(i / NearParts::block_size);
@@ -183,13 +181,12 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                 const double size =
                     std::min(most, settings.stiffness * overlap - settings.damping * std::min(0.0, closing));
                 const Vec3 push = factor * size * touch.normal;
-                force[at(i)] += push;
-                count_[at(i)] += 1;
+                force.add(at(i), push);
                 pushes.push_back({touch.body, push, touch.place});
             }
         }
     });
-    gather(bodies, motion, particles.size(), loads);
+    gather(bodies, motion, loads);
 }
 
 void PenaltyWalls::find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies) {
@@ -199,25 +196,19 @@ void PenaltyWalls::find_grounds(const geometry::ShapeSet& shapes, const body::Bo
     }
 }
 
-/// On one thread, in the order of the particles; of blocks without pushes nothing is looked at.
-void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
-                          FluidLoads& loads) const {
+/// On one thread, in the order of the particles.
+void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, FluidLoads& loads) const {
     const auto count = at(bodies.size());
     loads.pressure.clear(count, motion.deforms());
     loads.viscous.clear(count, motion.deforms());
-    std::int64_t i = 0;
     for (const std::vector<Push>& pushes : blocks_) {
-        const std::int64_t end = std::min(i + block_size, particles);
-        i = pushes.empty() ? end : i;
-        for (std::size_t k = 0; i < end; ++i) {
-            for (std::int32_t n = 0; n < count_[at(i)]; ++n, ++k) {
-                const auto b = at(pushes[k].body);
-                loads.pressure.force[b] -= pushes[k].force;
-                const Vec3 arm = pushes[k].place - motion.pose[b].position;
-                loads.pressure.torque[b] -= cross(arm, pushes[k].force);
-                if (motion.deforms()) {
-                    loads.pressure.pull[b] += -1.0 * symmetric_product(pushes[k].force, arm);
-                }
+        for (const Push& push : pushes) {
+            const auto b = at(push.body);
+            loads.pressure.force[b] -= push.force;
+            const Vec3 arm = push.place - motion.pose[b].position;
+            loads.pressure.torque[b] -= cross(arm, push.force);
+            if (motion.deforms()) {
+                loads.pressure.pull[b] += -1.0 * symmetric_product(push.force, arm);
             }
         }
     }

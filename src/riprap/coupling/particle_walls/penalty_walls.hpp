@@ -13,6 +13,7 @@
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/sparse_vectors.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::coupling {
@@ -68,19 +69,17 @@ class PenaltyWalls {
     /// @param loads   on each body, as pressure
     void push(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
               std::span<const std::uint8_t> is_dry, const PenaltySettings& settings, std::span<const double> share,
-              const fluid::ParticleState& particles, std::vector<Vec3>& force, FluidLoads& loads);
+              const fluid::ParticleState& particles, fluid::SparseVectors& force, FluidLoads& loads);
 
     /// The pushes of the last call, in the order of the particles, by blocks of them.
     std::span<const std::vector<Push>> pushes() const { return blocks_; }
 
-    std::size_t bytes() const { return bytes_of(count_, blocks_); }
+    std::size_t bytes() const { return bytes_of(blocks_); }
 
  private:
     void find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies);
-    void gather(const body::BodySet& bodies, const body::Motion& motion, std::int64_t particles,
-                FluidLoads& loads) const;
+    void gather(const body::BodySet& bodies, const body::Motion& motion, FluidLoads& loads) const;
 
-    std::vector<std::int32_t> count_;        ///< pushes on each particle
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
     std::vector<body::Ground> grounds_;      ///< found once: ground keeps its shape
     std::optional<std::size_t> parts_;       ///< of all bodies when `grounds_` was found

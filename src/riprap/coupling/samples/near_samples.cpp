@@ -166,6 +166,7 @@ std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Mot
                 : 0;
     });
     std::vector<std::int32_t> numbers;
+    numbers.reserve(at(std::ranges::count(is_near, 1)));
     for (std::size_t i = 0; i < is_near.size(); ++i) {
         if (is_near[i] != 0) {
             numbers.push_back(static_cast<std::int32_t>(i));

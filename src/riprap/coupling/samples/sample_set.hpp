@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "riprap/core/bytes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/ids.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/vec3.hpp"
+#include "riprap/coupling/samples/column.hpp"
 
 namespace riprap::coupling {
 
@@ -18,20 +17,35 @@ namespace riprap::coupling {
 /// once from the shapes, in the order of the bodies; what they are attached to moves them and takes their loads by the
 /// transpose of the same map (rigid: force and torque; deformable: T(x)^T f), so power is conserved.
 struct SampleSet {
-    std::vector<BodyId> body;
-    std::vector<Vec3> anchor;               ///< place in the body frame [m]
-    std::vector<Vec3> normal;               ///< outward, body frame [-]
-    std::vector<double> depth;              ///< below the surface, positive inside [m]
-    std::vector<double> volume;             ///< [m^3]; in 2D [m^2]
-    std::vector<std::uint8_t> is_slippery;  ///< free slip
+    Column<BodyId> body;
+    PlaceColumn anchor;                ///< place in the body frame [m]
+    Column<Vec3> normal;               ///< outward, body frame [-]
+    Column<double> depth;              ///< below the surface, positive inside [m]
+    Column<double> volume;             ///< [m^3]; in 2D [m^2]
+    Column<std::uint8_t> is_slippery;  ///< free slip
 
     std::int64_t size() const { return static_cast<std::int64_t>(anchor.size()); }
-    std::size_t bytes() const { return bytes_of(body, anchor, normal, depth, volume, is_slippery); }
+    /// Calls work(column) with each column.
+    template <class Work>
+    void for_each_column(const Work& work) {
+        work(body);
+        work(anchor);
+        work(normal);
+        work(depth);
+        work(volume);
+        work(is_slippery);
+    }
+    /// Makes it small, once it is complete: most of its values are those of other samples too.
+    void pack() {
+        for_each_column([](auto& column) { column.pack(); });
+    }
+    std::size_t bytes() const {
+        return body.bytes() + anchor.bytes() + normal.bytes() + depth.bytes() + volume.bytes() + is_slippery.bytes();
+    }
 };
 
-/// All samples of a set or those of some numbers, in rising order: a look at them, where a copy would take 69 bytes
-/// each. Entry i is what callers count by; number(i) is its place in the set. The set and the numbers have to outlive
-/// it.
+/// All samples of a set or those of some numbers, in rising order: a look at them, without a copy. Entry i is what
+/// callers count by; number(i) is its place in the set. The set and the numbers have to outlive it.
 class SampleView {
  public:
     SampleView() = default;  ///< of none
@@ -47,8 +61,8 @@ class SampleView {
     std::int64_t size() const { return size_; }
     std::size_t number(std::size_t i) const { return is_whole_ ? i : at(numbers_[i]); }
     BodyId body(std::size_t i) const { return all_->body[number(i)]; }
-    const Vec3& anchor(std::size_t i) const { return all_->anchor[number(i)]; }
-    const Vec3& normal(std::size_t i) const { return all_->normal[number(i)]; }
+    Vec3 anchor(std::size_t i) const { return all_->anchor[number(i)]; }
+    Vec3 normal(std::size_t i) const { return all_->normal[number(i)]; }
     double depth(std::size_t i) const { return all_->depth[number(i)]; }
     double volume(std::size_t i) const { return all_->volume[number(i)]; }
     std::uint8_t is_slippery(std::size_t i) const { return all_->is_slippery[number(i)]; }

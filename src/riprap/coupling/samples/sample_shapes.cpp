@@ -216,25 +216,23 @@ void sort_by_place(const SampleSettings& settings, SampleSet& samples) {
         while (end < samples.body.size() && samples.body[end] == samples.body[begin]) {
             ++end;
         }
-        const std::span<const Vec3> points = std::span(samples.anchor).subspan(begin, end - begin);
+        std::vector<Vec3> points;
+        points.reserve(end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            points.push_back(samples.anchor[i]);
+        }
         for (const std::uint32_t i : fluid::order_by_place(points, settings.domain, settings.spacing)) {
             order.push_back(static_cast<std::uint32_t>(begin) + i);
         }
     }
-    const auto permute = [&order](auto& field) {
-        std::remove_reference_t<decltype(field)> sorted;
-        sorted.reserve(order.size());  // no more: what the seams took, and what growing took, is given back
+    samples.for_each_column([&order](auto& column) {
+        std::remove_reference_t<decltype(column)> sorted;
+        sorted.reserve(order.size());
         for (const std::uint32_t i : order) {
-            sorted.push_back(field[i]);
+            sorted.push_back(column[i]);
         }
-        field = std::move(sorted);
-    };
-    samples.body.shrink_to_fit();
-    permute(samples.anchor);
-    permute(samples.normal);
-    permute(samples.depth);
-    permute(samples.volume);
-    permute(samples.is_slippery);
+        column = std::move(sorted);
+    });
 }
 
 }  // namespace
@@ -273,6 +271,7 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
     }
     share_seams(shapes, bodies, initial, settings, grounds, samples);
     sort_by_place(settings, samples);
+    samples.pack();
     return samples;
 }
 

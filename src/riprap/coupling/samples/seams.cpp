@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -208,24 +211,18 @@ void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
             share[at(i)] = seams.share(owner, to_world(pose, samples.anchor[at(i)]), normal);
         }
     });
-    const auto keep = [&share](auto& field) {
-        std::size_t kept = 0;
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        samples.volume.set(i, samples.volume[i] * share[i]);
+    }
+    samples.for_each_column([&share](auto& column) {
+        std::remove_reference_t<decltype(column)> kept;
         for (std::size_t i = 0; i < share.size(); ++i) {
             if (share[i] > 0) {
-                field[kept++] = field[i];
+                kept.push_back(column[i]);
             }
         }
-        field.resize(kept);
-    };
-    for (std::size_t i = 0; i < share.size(); ++i) {
-        samples.volume[i] *= share[i];
-    }
-    keep(samples.body);
-    keep(samples.anchor);
-    keep(samples.normal);
-    keep(samples.depth);
-    keep(samples.volume);
-    keep(samples.is_slippery);
+        column = std::move(kept);
+    });
 }
 
 }  // namespace riprap::coupling

@@ -33,7 +33,7 @@ class Mps final : public ParticleScheme, public SolvesForBodies {
         return mps::correct_bodies(*settings_, bodies, residual, scratch_.data(), change);
     }
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              std::span<const Vec3> extra_force, FluidReport& report) override {
+              const SparseVectors& extra_force, FluidReport& report) override {
         if (solved_.problem.empty()) {
             kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, solved_, extra_force);
         }

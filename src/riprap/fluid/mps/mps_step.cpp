@@ -87,12 +87,12 @@ Sums operator+(Sums a, const Sums& b) {
 /// energy at mid-step of the explicit schemes, is off by |v_(n+1) - v_n|^2/4, and a pressure that is solved for stops
 /// water that slaps within one step.)
 Sums kick(const MpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt, const MpsScratchData& s,
-          std::span<const Vec3> extra_force) {
+          const SparseVectors& extra_force) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
+        const Vec3 extra = extra_force[i];
         const Vec3 start = s.prediction.start_velocity[i];
         const Vec3 collided = state.velocity[i] - start - dt * (s.prediction.viscous_force[i] / m + gravity);
         state.velocity[i] += (dt / m) * (s.water.pressure_force[i] + extra);
@@ -188,7 +188,7 @@ void load_walls(const MpsSettings& settings, const ParticleState& state, Boundar
 }
 
 void kick_fluid(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force) {
+                double dt, double time, MpsScratch& scratch, MpsReport& report, const SparseVectors& extra_force) {
     MpsScratchData& s = scratch.data();
     const Vec3 g = in_plane(gravity, settings.domain);
     mps::find_pressure_forces(settings, s);
@@ -211,7 +211,7 @@ void kick_fluid(const MpsSettings& settings, ParticleState& state, const Boundar
 }
 
 void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force) {
+                double dt, double time, MpsScratch& scratch, MpsReport& report, const SparseVectors& extra_force) {
     begin_forces(settings, state, walls, gravity, dt, time, scratch, report);
     if (report.problem.empty()) {
         load_walls(settings, state, walls, gravity, dt, time, scratch, report);

@@ -63,13 +63,13 @@ void begin_forces(const MpsSettings& settings, ParticleState& state, const Bound
 void load_walls(const MpsSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, MpsScratch& scratch, MpsReport& report);
 
-/// @param extra_force  on each particle [N]; empty: none
+/// @param extra_force  on each particle [N]
 void kick_fluid(const MpsSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force = {});
+                double dt, double time, MpsScratch& scratch, MpsReport& report, const SparseVectors& extra_force = {});
 
 /// begin_forces, load_walls and kick_fluid in a row, for walls that move as they do.
 void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, MpsScratch& scratch, MpsReport& report, std::span<const Vec3> extra_force = {});
+                double dt, double time, MpsScratch& scratch, MpsReport& report, const SparseVectors& extra_force = {});
 
 /// The water about the walls as begin_forces and load_walls found it, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water);

@@ -29,13 +29,11 @@ double sponge_rate(double gravity, double depth, double length) {
 }
 
 void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& settings, const ParticleState& state,
-                  double dt, std::vector<Vec3>& force, SpongeWork& work) {
+                  double dt, SparseVectors& force, SpongeWork& work) {
     const auto count = state.position.size();
-    force.resize(count);
-    work.force.resize(count);
-    work.before.resize(count);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
+    work.force.reset(count);
+    work.before.reset(count);
+    const auto push = [&](std::size_t i) {
         double rate = 0;  // of all together: their shares could sum to more than the velocity
         Vec3 pull{};
         for (const Sponge& sponge : sponges) {
@@ -43,13 +41,17 @@ void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& setti
             rate += one;
             pull += one * (state.velocity[i] - sponge.velocity);
         }
-        Vec3 sum{};
         if (rate > 0) {
-            sum = (settings.particle_mass * std::expm1(-rate * dt) / (rate * dt)) * pull;
+            const Vec3 sum = (settings.particle_mass * std::expm1(-rate * dt) / (rate * dt)) * pull;
+            force.add(i, sum);
+            work.force.add(i, sum);
+            work.before.add(i, state.velocity[i]);
         }
-        force[i] += sum;
-        work.force[i] = sum;
-        work.before[i] = state.velocity[i];
+    };
+    parallel::for_ranges(state.size(), 16 * SparseVectors::block_size, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            push(static_cast<std::size_t>(i));
+        }
     });
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/sparse_vectors.hpp"
 
 namespace riprap::fluid {
 
@@ -30,12 +30,12 @@ double sponge_rate(double gravity, double depth, double length);
 
 /// Work and impulse of sponges over the last step: Scratch.
 struct SpongeWork {
-    std::vector<Vec3> force, before;  ///< per particle: force [N], velocity before the kick [m/s]
+    SparseVectors force, before;  ///< on particles in sponges [N], and their velocity before the kick [m/s]
 };
 
-/// Adds the forces of all sponges to `force` and notes them in `work`.
+/// Adds the forces of all sponges to `force`, which has room for all particles, and notes them in `work`.
 void push_sponges(std::span<const Sponge> sponges, const ParticleSettings& settings, const ParticleState& state,
-                  double dt, std::vector<Vec3>& force, SpongeWork& work);
+                  double dt, SparseVectors& force, SpongeWork& work);
 
 /// Energy that sponges took from the water over the kick that these forces were part of [J].
 double absorbed_energy(const ParticleState& state, double dt, const SpongeWork& work);

@@ -33,7 +33,7 @@ struct Patch {
 
     std::vector<std::int32_t> blocks;  ///< of candidates that lists name, ascending
     SmallNumbers entries;              ///< lists: place of a cluster in `blocks`, times BoxTree::branches, plus its own
-    std::vector<std::int32_t> start;   ///< of the list of each target cluster, one more at the end
+    SmallNumbers start;                ///< of the list of each target cluster, one more at the end
     std::vector<std::vector<std::int32_t>> watched;  ///< per target block: blocks around, farther than the lists reach
 
     /// List of a cluster of targets.
@@ -42,7 +42,7 @@ struct Patch {
         return {entries, static_cast<std::size_t>(first),
                 static_cast<std::size_t>(start[static_cast<std::size_t>(target) + 1] - first)};
     }
-    std::size_t bytes() const { return entries.bytes() + bytes_of(blocks, start, watched); }
+    std::size_t bytes() const { return entries.bytes() + start.bytes() + bytes_of(blocks, watched); }
 };
 
 /// For every cluster of targets the clusters of candidates that may act on it, ascending. Complete as long as targets

@@ -3,6 +3,7 @@
 
 // A sweep over one patch of targets after the other. For sweep_kernel.hpp.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -53,7 +54,7 @@ void pack_fields(const std::array<FieldView, FieldCount>& fields, const ClusterL
     constexpr std::size_t block_record = FieldCount * cluster_size * BoxTree::branches;
     number_blocks(list, first_patch, end_patch, packed);
     const std::int64_t size = list.candidates().size(), clusters = list.candidates().cluster_count();
-    packed.fields.resize(packed.blocks.size() * block_record);
+    make_room(packed.fields, packed.blocks.size() * block_record);
     parallel::for_each_uneven(static_cast<std::int64_t>(packed.blocks.size()), 16, [&](std::int64_t place) {
         const std::int64_t block = packed.blocks[static_cast<std::size_t>(place)];
         const std::int64_t first = block * BoxTree::branches, end = std::min(clusters, first + BoxTree::branches);
@@ -108,9 +109,9 @@ struct ClusterSweep {
             work.quantum[axis] = Lanes(list.fixed().quantum()[static_cast<int>(axis)]);
         }
         if constexpr (Way::back_sums > 0) {
-            std::vector<float>& back = scratch.buffers->patch_sums[static_cast<std::size_t>(p - first_patch)];
-            back.assign(patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
-            work.back = back.data();
+            work.back = scratch.buffers->patch_sums.data() +
+                        scratch.buffers->patch_begin[static_cast<std::size_t>(p - first_patch)];
+            std::fill_n(work.back, patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
         }
         const std::int64_t first = list.first_cluster(p), end = list.first_cluster(p + 1);
         for (std::int64_t t = first; t < end; ++t) {
@@ -197,7 +198,7 @@ struct ClusterSweep {
     /// Places and fields of the patch's candidates, cluster by cluster.
     void copy_records(const Patch& patch, std::vector<float>& records) const {
         const ClusterPlaces& places = scratch.list.candidates();
-        records.resize(patch.blocks.size() * BoxTree::branches * Patches::record);
+        make_room(records, patch.blocks.size() * BoxTree::branches * Patches::record);
         float* out = records.data();
         for (const std::int32_t block : patch.blocks) {
             const std::int64_t first = std::int64_t{block} * BoxTree::branches;

@@ -44,8 +44,7 @@ ListSearch::ListSearch(const Question& question)
 
 void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch& patch) {
     entries_.clear();
-    patch.start.assign(1, 0);
-    patch.start.reserve(static_cast<std::size_t>(block_count * BoxTree::branches + 1));
+    start_.assign(1, 0);
     patch.watched.resize(static_cast<std::size_t>(block_count));
     for (std::int64_t b = first_block; b < first_block + block_count; ++b) {
         find_around(b);
@@ -53,9 +52,10 @@ void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch&
         const std::int64_t end = std::min((b + 1) * BoxTree::branches, question_.targets.cluster_count());
         for (std::int64_t target = b * BoxTree::branches; target < end; ++target) {
             find(target, entries_);
-            patch.start.push_back(static_cast<std::int32_t>(entries_.size()));
+            start_.push_back(static_cast<std::int32_t>(entries_.size()));
         }
     }
+    patch.start.assign(start_);
     patch.blocks.clear();
     if (question_.is_each_once) {
         for (std::int64_t b = first_block; b < first_block + block_count; ++b) {

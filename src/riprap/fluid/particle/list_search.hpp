@@ -36,7 +36,7 @@ class ListSearch {
 
     Question question_;
     float box_distance_;
-    std::vector<std::int32_t> blocks_, near_blocks_, near_clusters_, entries_;
+    std::vector<std::int32_t> blocks_, near_blocks_, near_clusters_, entries_, start_;
     std::vector<BoxTree::Block> block_boxes_;
     std::vector<std::int32_t> place_of_block_;  ///< in the patch, -1: not named
 };

@@ -62,14 +62,17 @@ class Numbers {
             set(i, k, numbers[k]);
         }
     }
+    void set_vector(std::size_t i, const Vec3& a) requires(N == 3) { set_all(i, {a.x, a.y, a.z}); }
     /// Three of them from number k on.
     Vec3 vector(std::size_t i, std::size_t k = 0) const requires(N >= 3) {
         return {get(i, k), get(i, k + 1), get(i, k + 2)};
     }
 
-    /// Number k of each particle, for sweeps to read or to add to.
+    /// Number k of each particle, for sweeps to read or to add to. Where there are numbers of one particle only, all
+    /// have those.
     FieldView view(std::size_t k = 0) const {
-        return {wide_.empty() ? nullptr : wide_.data() + k, N, narrow_.empty() ? nullptr : narrow_.data() + k};
+        return {wide_.empty() ? nullptr : wide_.data() + k, size() == 1 ? 0 : static_cast<std::int64_t>(N),
+                narrow_.empty() ? nullptr : narrow_.data() + k};
     }
     FieldSink sink(std::size_t k = 0) {
         return {wide_.empty() ? nullptr : wide_.data() + k, N, false, narrow_.empty() ? nullptr : narrow_.data() + k};

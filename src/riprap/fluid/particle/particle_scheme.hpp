@@ -10,6 +10,7 @@
 #include "riprap/fluid/particle/boundary_particles.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/sparse_vectors.hpp"
 
 namespace riprap::fluid {
 
@@ -87,9 +88,9 @@ class ParticleScheme {
     virtual void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) = 0;
     /// Adds the forces of the walls as last loaded, and kicks. Where a particle is not sound afterwards report.problem
     /// says so.
-    /// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
+    /// @param extra_force  on each particle, from penalty walls and the like [N]
     virtual void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                      std::span<const Vec3> extra_force, FluidReport& report) = 0;
+                      const SparseVectors& extra_force, FluidReport& report) = 0;
     /// Returns the scheme as one that solves for its pressure and the accelerations of bodies at once; nullptr where it
     /// does not.
     virtual SolvesForBodies* for_bodies() { return nullptr; }

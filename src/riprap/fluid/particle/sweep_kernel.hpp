@@ -58,10 +58,10 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
                 total[k] = is_first && sums[k].is_fresh ? DoubleFour{} : four_of(sums[k], c * cluster_size, count);
             }
             for (const ClusterList::Mention& mention : mentions) {
-                const float* const part =
-                    &scratch.buffers
-                         ->patch_sums[static_cast<std::size_t>(mention.patch - first_patch)]
-                                     [static_cast<std::size_t>(mention.place * BoxTree::branches + c - first) * stride];
+                const std::size_t begin =
+                    scratch.buffers->patch_begin[static_cast<std::size_t>(mention.patch - first_patch)];
+                const auto cluster = static_cast<std::size_t>(mention.place * BoxTree::branches + c - first);
+                const float* const part = &scratch.buffers->patch_sums[begin + cluster * stride];
                 for (std::size_t k = 0; k < SumCount; ++k) {
                     FloatFour four;
                     __builtin_memcpy(&four, part + k * cluster_size, sizeof four);
@@ -77,13 +77,28 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
     });
 }
 
-/// Number of patches that are swept before their sums at candidates are added up: even shares of all, so few that their
-/// buffers, some 0.3 MB each, are a small part of what millions of particles take. It decides bits of sums that are
-/// kept as floats, so it depends on nothing but the patches.
+/// Number of patches that are swept before their sums at candidates are added up: even shares of all, about a tenth of
+/// them, so that their buffers, some 0.4 MB each, are a small part of what the particles take; as many as keep eight
+/// threads at work, and no more than 32 do. It decides bits of sums that are kept as floats, so it depends on nothing
+/// but the patches.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
-    constexpr std::int64_t most = 32;
+    const std::int64_t most = std::clamp<std::int64_t>(patches / 10, 8, 32);
     const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);
     return (patches + rounds - 1) / rounds;
+}
+
+/// Cuts the buffer of sums at candidates into those of patches from `first_patch` up to `end_patch`.
+/// @param block_record  numbers that a block of candidates takes
+inline void make_room_for_patches(SweepScratchData& scratch, std::int64_t first_patch, std::int64_t end_patch,
+                                  std::size_t block_record) {
+    std::vector<std::size_t>& begin = scratch.buffers->patch_begin;
+    begin.clear();
+    std::size_t room = 0;
+    for (std::int64_t p = first_patch; p < end_patch; ++p) {
+        begin.push_back(room);
+        room += scratch.list.patches()[static_cast<std::size_t>(p)].blocks.size() * block_record;
+    }
+    make_room(scratch.buffers->patch_sums, room);
 }
 
 /// Brings lists up to date and sweeps all patches, some at a time; `add(first, end)` is called after each round.
@@ -97,13 +112,12 @@ void sweep_in_rounds(const Pair& pair, const SweepReach& reach, const SweepSide<
     ClusterSweep<Dim, Pair, Way> sweep{pair, targets.fields, sums, scratch, is_each_once, far};
     const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
     const std::int64_t step = patches_at_a_time(patches);
-    if constexpr (Way::back_sums > 0) {
-        auto& sums_there = scratch.buffers->patch_sums;
-        sums_there.resize(std::max(sums_there.size(), static_cast<std::size_t>(step)));
-    }
     for (std::int64_t first = 0; first < patches; first += step) {
         const std::int64_t end = std::min(patches, first + step);
         sweep.first_patch = first;
+        if constexpr (Way::back_sums > 0) {
+            make_room_for_patches(scratch, first, end, BoxTree::branches * decltype(sweep)::Patches::back_record);
+        }
         pack_fields(candidates.fields, scratch.list, first, end, scratch.buffers->packed);
         parallel::for_each_uneven(end - first, 1, [&](std::int64_t p) { sweep.sweep_patch(first + p); });
         add(first, end);

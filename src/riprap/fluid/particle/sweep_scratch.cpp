@@ -51,10 +51,11 @@ std::size_t SweepLists::bytes() const {
 
 std::size_t SweepScratch::bytes() const {
     const SweepBuffers& buffers = *data_->buffers;
-    const std::size_t own = data_->owns_buffers ? bytes_of(buffers.packed.fields, buffers.packed.blocks,
-                                                           buffers.packed.place, buffers.patch_sums) +
-                                                      buffers.records.bytes()
-                                                : 0;
+    const std::size_t own = data_->owns_buffers
+                                ? bytes_of(buffers.packed.fields, buffers.packed.blocks, buffers.packed.place,
+                                           buffers.patch_sums, buffers.patch_begin) +
+                                      buffers.records.bytes()
+                                : 0;
     return data_->list.bytes() + own;
 }
 

@@ -34,9 +34,18 @@ struct PackedFields {
 /// Buffers that a sweep needs only while it runs: sweeps that follow each other may share them.
 struct SweepBuffers {
     PackedFields packed;
-    std::vector<std::vector<float>> patch_sums;  ///< of some patches' candidates: [place][sum][member]
+    std::vector<float> patch_sums;         ///< of some patches' candidates: [patch][place][sum][member]
+    std::vector<std::size_t> patch_begin;  ///< of each of those patches there
     BufferPool records;
 };
+
+/// Makes room for `count` numbers and none beyond them, whatever they are.
+inline void make_room(std::vector<float>& numbers, std::size_t count) {
+    if (numbers.size() < count) {
+        std::vector<float>().swap(numbers);
+        numbers.resize(count);
+    }
+}
 
 struct SweepScratchData {
     SweepScratchData() = default;

@@ -122,12 +122,13 @@ void make_room_for_density(const SphSettings& settings, std::size_t particles, W
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratchData& s, FluidReport& report) {
     WaterFields& water = s.water;
+    if (s.continuity.rates.size() == 0) {
+        s.exchange_memory_of_rate();
+        s.exchange_memory();
+    }
     s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, water);
     make_room_for_density(settings, state.density.size(), water);
-    if (s.continuity.rates.size() == 0) {
-        s.exchange_memory();
-    }
     sum_continuity(settings, state, walls, gravity, water, s.lists, s.continuity);
     const ContinuitySums& sums = s.continuity;
     const int dimension = settings.domain.dimension;
@@ -179,14 +180,22 @@ void prepare_forces(const SphSettings& settings, const ParticleState& state, con
     const auto count = state.density.size();
     water.pressure.resize(count, settings.is_plain);
     water.volume.resize(count, settings.is_plain);
-    water.dynamic_viscosity.resize(count, settings.is_plain);
+    forces.wall_heat.resize(count, settings.is_plain);
     const PressureLaw pressure_at(settings);
     const double resistance = resistance_of_damping(settings);
-    settings.viscosity.visit([&](const auto& law) {
+    settings.viscosity.visit([&]<class Law>(const Law& law) {
+        water.dynamic_viscosity.resize(Law::follows_strain ? count : 1, settings.is_plain);
+        const auto viscosity = [&](double strain_sum) {
+            return settings.rest_density * law.kinematic(settings, strain_rate(settings, strain_sum));
+        };
+        if (!Law::follows_strain) {
+            water.dynamic_viscosity.set(0, viscosity(0));
+        }
         parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            const double kinematic = law.kinematic(settings, strain_rate(settings, sums.strain[i]));
-            water.dynamic_viscosity.set(i, settings.rest_density * kinematic);
+            if constexpr (Law::follows_strain) {
+                water.dynamic_viscosity.set(i, viscosity(sums.strain[i]));
+            }
             water.volume.set(i, settings.particle_mass / state.density[i]);
             const double damping = resistance * water.damped_share[i] * water.compression_rate[i];
             forces.wall_heat.set(i, damping * water.compression_rate[i]);
@@ -198,9 +207,10 @@ void prepare_forces(const SphSettings& settings, const ParticleState& state, con
 void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                   SphScratchData& s) {
     s.exchange_memory();
-    make_room_for_forces(settings, state.position.size(), s.forces);
     s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     prepare_forces(settings, state, s.continuity, s.water, s.forces);
+    s.exchange_memory_of_rate();
+    make_room_for_forces(settings, state.position.size(), s.forces);
     sum_at_walls(settings, kernel_of(settings), state, walls, s);
     with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, kernel_of(settings), state, law, s); });
     settings.viscosity.visit([&](const auto& law) {
@@ -212,7 +222,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratchData& s) {
-    extrapolate_to_walls(s.at_walls, gravity, walls, s.walls);
+    extrapolate_to_walls(settings, s.at_walls, gravity, walls, s.walls);
     with_viscosity(settings,
                    [&](const auto& law) { find_forces_on_walls(settings, kernel_of(settings), state, walls, law, s); });
     settings.viscosity.visit([&](const auto& law) {
@@ -223,7 +233,7 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+                double dt, SphScratchData& s, FluidReport& report, const SparseVectors& extra_force) {
     with_viscosity(
         settings, [&](const auto& law) { add_forces_from_walls(settings, kernel_of(settings), state, walls, law, s); });
     settings.viscosity.visit([&](const auto& law) {

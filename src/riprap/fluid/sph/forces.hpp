@@ -48,9 +48,9 @@ void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const P
 template <class Kernel, class Law>
 void add_forces_from_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
                            const BoundaryParticles& walls, const Law& law, SphScratchData& s) {
-    const auto u = [&](int axis) { return component(s.walls.mirrored_velocity, axis); };
+    const auto u = [&](std::size_t axis) { return s.walls.mirrored_velocity.view(axis); };
     const SweepSide<9> wall{walls.position,
-                            {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), field(s.walls.grip),
+                            {u(0), u(1), u(2), field(walls.pressure), field(walls.volume), s.walls.grip.view(),
                              component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2)}};
     const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
     const std::array<FieldSink, 4> hold = fresh<4>({s.forces.wall_hold.sink(0), s.forces.wall_hold.sink(1),
@@ -68,22 +68,21 @@ void sum_at_walls(const SphSettings& settings, const Kernel& kernel, const Parti
     const auto v = [&](int axis) { return component(state.velocity, axis); };
     const auto b = [&](std::size_t k) { return s.water.correction.view(k); };
     const auto count = walls.position.size();
-    s.at_walls.weight.resize(count);
-    s.at_walls.pressure.resize(count);
-    for (std::vector<Vec3>* sums : {&s.at_walls.moment, &s.at_walls.velocity, &s.at_walls.slope, &s.at_walls.push}) {
-        sums->resize(count);
+    WaterAtWallSums& at = s.at_walls;
+    at.weight.resize(count, settings.is_plain);
+    at.pressure.resize(count, settings.is_plain);
+    for (Numbers<3>* sums : {&at.moment, &at.velocity, &at.slope, &at.push}) {
+        sums->resize(count, settings.is_plain);
     }
-    const auto x = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
     const WendlandC2 mean(settings.smoothing_length(), settings.domain.dimension);
     add_pair_sums(
         settings, WaterOnWalls<Kernel>{{mean}, {kernel}}, {walls.position, {}},
         {state.position,
          {v(0), v(1), v(2), s.water.pressure.view(), field(state.density), s.water.volume.view(), b(0), b(1), b(2),
           b(3), b(4), b(5)}},
-        fresh<14>({sink(s.at_walls.weight), sink(s.at_walls.pressure), x(s.at_walls.moment, 0), x(s.at_walls.moment, 1),
-                   x(s.at_walls.moment, 2), x(s.at_walls.velocity, 0), x(s.at_walls.velocity, 1),
-                   x(s.at_walls.velocity, 2), x(s.at_walls.slope, 0), x(s.at_walls.slope, 1), x(s.at_walls.slope, 2),
-                   x(s.at_walls.push, 0), x(s.at_walls.push, 1), x(s.at_walls.push, 2)}),
+        fresh<14>({at.weight.sink(), at.pressure.sink(), at.moment.sink(0), at.moment.sink(1), at.moment.sink(2),
+                   at.velocity.sink(0), at.velocity.sink(1), at.velocity.sink(2), at.slope.sink(0), at.slope.sink(1),
+                   at.slope.sink(2), at.push.sink(0), at.push.sink(1), at.push.sink(2)}),
         s.lists.walls_fluid);
 }
 
@@ -93,19 +92,19 @@ template <class Kernel, class Law>
 void find_forces_on_walls(const SphSettings& settings, const Kernel& kernel, const ParticleState& state,
                           BoundaryParticles& walls, const Law& law, SphScratchData& s) {
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto u = [&](int axis) { return component(s.walls.mirrored_velocity, axis); };
+    const auto u = [&](std::size_t axis) { return s.walls.mirrored_velocity.view(axis); };
     std::vector<Vec3>&p = walls.pressure_force, &t = walls.viscous_force;
     p.resize(walls.position.size());
     make_zero(t, walls.position.size());
     if (std::find(walls.is_slippery.begin(), walls.is_slippery.end(), 0) != walls.is_slippery.end()) {
         add_pair_sums(settings, ViscosityOnWalls<Kernel, Law>{kernel, law},
-                      {walls.position, {u(0), u(1), u(2), field(s.walls.grip)}},
+                      {walls.position, {u(0), u(1), u(2), s.walls.grip.view()}},
                       {state.position, {v(0), v(1), v(2), s.water.volume.view(), s.water.dynamic_viscosity.view()}},
                       {sink_component(t, 0), sink_component(t, 1), sink_component(t, 2)}, s.lists.walls_fluid);
     }
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        p[w] = -walls.volume[w] * (walls.pressure[w] * s.at_walls.slope[w] + s.at_walls.push[w]);
+        p[w] = -walls.volume[w] * (walls.pressure[w] * s.at_walls.slope.vector(w) + s.at_walls.push.vector(w));
         t[w] *= walls.volume[w];
     });
 }

@@ -63,12 +63,12 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
 }  // namespace
 
 void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          const Numbers<1>& volume, const ForceSums& found, std::span<const Vec3> extra_force, FluidReport& report) {
+          const Numbers<1>& volume, const ForceSums& found, const SparseVectors& extra_force, FluidReport& report) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
+        const Vec3 extra = extra_force[i];
         const double v = volume[i];
         const Vec3 acceleration = (v * found.pushes.vector(i, ForceSums::at_force) + extra) / m + gravity;
         const Vec3 before = state.velocity[i], after = before + dt * acceleration;

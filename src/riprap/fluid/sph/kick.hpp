@@ -13,7 +13,7 @@ namespace riprap::fluid {
 /// @param volume  V of every particle [m^3]
 /// @param found   force per volume [N/m^3] with its heats
 void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          const Numbers<1>& volume, const ForceSums& found, std::span<const Vec3> extra_force, FluidReport& report);
+          const Numbers<1>& volume, const ForceSums& found, const SparseVectors& extra_force, FluidReport& report);
 
 /// Books impulse and work between fluid and walls from the forces on wall particles.
 void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report);

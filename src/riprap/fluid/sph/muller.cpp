@@ -27,15 +27,15 @@ double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
 void sum_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, SphScratchData& s) {
     const DensitySum pair{Poly6Kernel(settings.support_radius(), settings.domain.dimension)};
     const double scale = 1 / lattice_excess(settings, pair.kernel);
-    s.water.mass.fill(state.position.size(), settings.is_plain, {scale * settings.particle_mass});
-    s.walls.mass.resize(walls.position.size());
+    s.water.mass.fill(1, settings.is_plain, {scale * settings.particle_mass});
+    s.walls.mass.resize(walls.position.size(), settings.is_plain);
     for (std::size_t w = 0; w < s.walls.mass.size(); ++w) {
-        s.walls.mass[w] = scale * settings.rest_density * walls.volume[w];
+        s.walls.mass.set(w, scale * settings.rest_density * walls.volume[w]);
     }
     make_zero(state.density, state.position.size());
     add_pair_sums_within(settings, pair, {state.position, {s.water.mass.view()}}, {sink(state.density)},
                          s.lists.fluid_fluid);
-    add_pair_sums(settings, pair, {state.position, {s.water.mass.view()}}, {walls.position, {field(s.walls.mass)}},
+    add_pair_sums(settings, pair, {state.position, {s.water.mass.view()}}, {walls.position, {s.walls.mass.view()}},
                   {sink(state.density)}, s.lists.fluid_walls);
 }
 
@@ -54,7 +54,7 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
     find_pressure(settings, state, s.water);
     const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
     const auto count = state.position.size();
-    s.water.dynamic_viscosity.fill(count, settings.is_plain, {settings.rest_density * nu});
+    s.water.dynamic_viscosity.fill(1, settings.is_plain, {settings.rest_density * nu});
     s.water.bareness.fill(count, settings.is_plain, {0});
     s.water.correction.fill(count, settings.is_plain, unit_tensor);  // gradients are left as they are
     make_room_for_forces(settings, count, s.forces);
@@ -65,13 +65,13 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratchData& s) {
-    extrapolate_to_walls(s.at_walls, gravity, walls, s.walls);
+    extrapolate_to_walls(settings, s.at_walls, gravity, walls, s.walls);
     with_viscosity(settings,
                    [&](const auto& law) { find_forces_on_walls(settings, spiky(settings), state, walls, law, s); });
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, std::span<const Vec3> extra_force) {
+                double dt, SphScratchData& s, FluidReport& report, const SparseVectors& extra_force) {
     with_viscosity(settings,
                    [&](const auto& law) { add_forces_from_walls(settings, spiky(settings), state, walls, law, s); });
     kick(settings, state, gravity, dt, s.water.volume, s.forces, extra_force, report);

@@ -18,7 +18,7 @@ struct Scheme {
                        const Vec3& gravity, SphScratchData& scratch);
     void (*kick_fluid)(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                        const Vec3& gravity, double dt, SphScratchData& scratch, FluidReport& report,
-                       std::span<const Vec3> extra_force);
+                       const SparseVectors& extra_force);
 };
 
 /// Continuity with density diffusion [Antuono2010], [Fourtakas2019]; pressure, viscosity, walls by extrapolated

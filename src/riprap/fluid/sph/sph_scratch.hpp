@@ -40,7 +40,7 @@ struct WaterFields {
     Numbers<1> bareness;          ///< 1 at the surface, 0 inside the water [-]
     Numbers<1> compression_rate;  ///< -div v [1/s]
     // For the sums of forces.
-    Numbers<1> dynamic_viscosity;  ///< molecular and of eddies [Pa s]
+    Numbers<1> dynamic_viscosity;  ///< molecular and of eddies; one for all where it is the same [Pa s]
     Numbers<9> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
     Numbers<1> mass;               ///< as it enters a sum of density [kg]
 
@@ -69,21 +69,24 @@ struct ForceSums {
 
 /// Sums over the water at every wall particle, which do not depend on how the walls move.
 struct WaterAtWallSums {
-    std::vector<double> weight, pressure;  ///< of WallAverages
-    std::vector<Vec3> moment, velocity;
-    std::vector<Vec3> slope, push;  ///< of PressureOnWalls
-    std::vector<Vec3> stress;       ///< of TransposedOnWalls
+    Numbers<1> weight, pressure;  ///< of WallAverages
+    Numbers<3> moment, velocity;
+    Numbers<3> slope, push;  ///< of PressureOnWalls
+    Numbers<3> stress;       ///< of TransposedOnWalls
 
-    std::size_t bytes() const { return bytes_of(weight, pressure, moment, velocity, slope, push, stress); }
+    std::size_t bytes() const {
+        return weight.bytes() + pressure.bytes() + moment.bytes() + velocity.bytes() + slope.bytes() + push.bytes() +
+               stress.bytes();
+    }
 };
 
 /// Fields of wall particles as the water sees them move.
 struct WallFields {
-    std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
-    std::vector<double> grip;             ///< 0 on slippery walls, else 1
-    std::vector<double> mass;             ///< as it enters a sum of density [kg]
+    Numbers<3> mirrored_velocity;  ///< u_w [m/s]
+    Numbers<1> grip;               ///< 0 on slippery walls, else 1
+    Numbers<1> mass;               ///< as it enters a sum of density [kg]
 
-    std::size_t bytes() const { return bytes_of(mirrored_velocity, grip, mass); }
+    std::size_t bytes() const { return mirrored_velocity.bytes() + grip.bytes() + mass.bytes(); }
 };
 
 struct SphScratchData {
@@ -97,8 +100,10 @@ struct SphScratchData {
     /// Hands memory that the update of density no longer reads to the sums of forces, or takes it back.
     void exchange_memory() {
         continuity.rates.swap(forces.pushes);
-        continuity.diffusion.swap(forces.heat);
+        continuity.diffusion.swap(forces.wall_heat);
     }
+    /// The same with what is no longer read once the fields for the sums of forces are there.
+    void exchange_memory_of_rate() { water.compression_rate.swap(forces.heat); }
     std::size_t bytes() const {
         return continuity.bytes() + water.bytes() + forces.bytes() + at_walls.bytes() + walls.bytes() + lists.bytes();
     }

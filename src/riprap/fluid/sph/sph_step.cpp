@@ -77,10 +77,10 @@ void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, Wat
     parallel::for_each(static_cast<std::int64_t>(water.weight.size()), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         water.weight[w] = s.at_walls.weight[w];
-        water.slope[w] = s.at_walls.slope[w];
+        water.slope[w] = s.at_walls.slope.vector(w);
         water.pressure[w] =
             water.weight[w] > 0
-                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment[w])) / water.weight[w])
+                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment.vector(w))) / water.weight[w])
                 : 0;
     });
 }
@@ -91,14 +91,14 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+                double dt, double time, SphScratch& scratch, FluidReport& report, const SparseVectors& extra_force) {
     scheme_of(settings).kick_fluid(settings, state, walls, in_plane(gravity, settings.domain), dt, scratch.data(),
                                    report, extra_force);
     find_wild_particle(settings, state, time, report);
 }
 
 void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, SphScratch& scratch, FluidReport& report, std::span<const Vec3> extra_force) {
+                double dt, double time, SphScratch& scratch, FluidReport& report, const SparseVectors& extra_force) {
     begin_forces(settings, state, walls, time, scratch, report);
     if (report.problem.empty()) {
         load_walls(settings, state, walls, gravity, scratch);
@@ -127,7 +127,7 @@ void SphFluid::load_walls(const ParticleState& state, BoundaryParticles& walls, 
 }
 
 void SphFluid::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                    std::span<const Vec3> extra_force, FluidReport& report) {
+                    const SparseVectors& extra_force, FluidReport& report) {
     kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, report, extra_force);
 }
 

@@ -63,15 +63,15 @@ void load_walls(const SphSettings& settings, const ParticleState& state, Boundar
 /// report.problem says so.
 /// @param dt           the whole step [s]
 /// @param time         t_n, for the report [s]
-/// @param extra_force  on each particle, from penalty walls and the like [N]; empty: none
+/// @param extra_force  on each particle, from penalty walls and the like [N]
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, SphScratch& scratch, FluidReport& report,
-                std::span<const Vec3> extra_force = {});
+                const SparseVectors& extra_force = {});
 
 /// The three in a row, for walls that move as they do.
 void accelerate(const SphSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, SphScratch& scratch, FluidReport& report,
-                std::span<const Vec3> extra_force = {});
+                const SparseVectors& extra_force = {});
 
 /// SPH as a scheme of a particle fluid.
 class SphFluid final : public ParticleScheme {
@@ -85,7 +85,7 @@ class SphFluid final : public ParticleScheme {
     void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              std::span<const Vec3> extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, FluidReport& report) override;
     std::size_t bytes() const override { return scratch_.bytes(); }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/sph/pair_sums.hpp"
+#include "riprap/fluid/sph/wall_pressure.hpp"
 
 namespace riprap::fluid {
 
@@ -10,33 +11,20 @@ namespace {
 
 WendlandC2 kernel_of(const SphSettings& s) { return WendlandC2(s.smoothing_length(), s.domain.dimension); }
 
-/// u_w = 2 v_w - mean velocity of the water there, and the grip, before walls are told how they move in the end.
-void mirror_velocity(const BoundaryParticles& walls, SphScratchData& s) {
-    s.walls.mirrored_velocity.resize(walls.position.size());
-    s.walls.grip.resize(walls.position.size());
-    const std::vector<Vec3>& velocity = s.at_walls.velocity;
-    parallel::for_each(walls.size(), [&](std::int64_t entry) {
-        const auto w = static_cast<std::size_t>(entry);
-        const double weight = s.at_walls.weight[w];
-        s.walls.mirrored_velocity[w] = weight > 0 ? 2.0 * walls.velocity[w] - velocity[w] / weight : walls.velocity[w];
-        s.walls.grip[w] = walls.is_slippery[w] != 0 ? 0 : 1;
-    });
-}
-
 }  // namespace
 
 void find_transposed_stress(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                             SphScratchData& s) {
     s.water.transposed_stress.fill(state.position.size(), settings.is_plain, {});
-    mirror_velocity(walls, s);
+    mirror_velocity(settings, s.at_walls, walls, s.walls);  // before walls are told how they move in the end
     const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto u = [&](int axis) { return component(s.walls.mirrored_velocity, axis); };
+    const auto u = [&](std::size_t axis) { return s.walls.mirrored_velocity.view(axis); };
     const auto g = [&](std::size_t k) { return s.water.transposed_stress.sink(k); };
     add_pair_sums_within(settings, VelocityGradient{kernel_of(settings)},
                          {state.position, {v(0), v(1), v(2), s.water.volume.view()}},
                          {g(0), g(1), g(2), g(3), g(4), g(5), g(6), g(7), g(8)}, s.lists.fluid_fluid);
     add_pair_sums(settings, VelocityGradientAtWalls{kernel_of(settings)}, {state.position, {v(0), v(1), v(2)}},
-                  {walls.position, {u(0), u(1), u(2), field(walls.volume), field(s.walls.grip)}},
+                  {walls.position, {u(0), u(1), u(2), field(walls.volume), s.walls.grip.view()}},
                   {g(0), g(1), g(2), g(3), g(4), g(5), g(6), g(7), g(8)}, s.lists.fluid_walls);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
@@ -69,21 +57,21 @@ void add_transposed_forces_from_walls(const SphSettings& settings, const Particl
                   {state.position, {v(0), v(1), v(2), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
                   {walls.position,
                    {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
-                    field(walls.volume), field(s.walls.grip)}},
+                    field(walls.volume), s.walls.grip.view()}},
                   {f(0), f(1), f(2), s.forces.wall_heat.sink()}, s.lists.fluid_walls);
 }
 
 void add_transposed_forces_on_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
                                     SphScratchData& s) {
     const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
-    std::vector<Vec3>& sum = s.at_walls.stress;
-    make_zero(sum, walls.position.size());
-    add_pair_sums(settings, TransposedOnWalls{kernel_of(settings)}, {walls.position, {field(s.walls.grip)}},
+    Numbers<3>& sum = s.at_walls.stress;
+    sum.resize(walls.position.size(), settings.is_plain);
+    add_pair_sums(settings, TransposedOnWalls{kernel_of(settings)}, {walls.position, {s.walls.grip.view()}},
                   {state.position, {s.water.volume.view(), t(0), t(1), t(2), t(3), t(4), t(5), t(6), t(7), t(8)}},
-                  {sink_component(sum, 0), sink_component(sum, 1), sink_component(sum, 2)}, s.lists.walls_fluid);
+                  fresh<3>({sum.sink(0), sum.sink(1), sum.sink(2)}), s.lists.walls_fluid);
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        walls.viscous_force[w] += walls.volume[w] * sum[w];
+        walls.viscous_force[w] += walls.volume[w] * sum.vector(w);
     });
 }
 

@@ -10,7 +10,7 @@ namespace riprap::fluid {
 /// The viscosities of SPH: one line registers a viscosity. Beside its word and keys (core/chosen.hpp) it has
 ///
 /// - `double kinematic(settings, strain_rate)`: nu [m^2/s], which bounds the step and goes into the pairs as
-///   mu = rho_0 nu;
+///   mu = rho_0 nu, and `follows_strain`: whether nu depends on the strain rate;
 /// - `Pair pair(settings, kernel)`: one for each kernel that the pressure may have, `WendlandC2` (delta_sph) and
 ///   `SpikyKernel` (Müller's scheme).
 ///

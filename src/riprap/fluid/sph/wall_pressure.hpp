@@ -16,7 +16,11 @@ namespace riprap::fluid {
 ///               given places
 /// @param walls  how they move; receives the pressure
 /// @param seen   receives u_w and the grip
-void extrapolate_to_walls(const WaterAtWallSums& water, const Vec3& gravity, BoundaryParticles& walls,
-                          WallFields& seen);
+void extrapolate_to_walls(const SphSettings& settings, const WaterAtWallSums& water, const Vec3& gravity,
+                          BoundaryParticles& walls, WallFields& seen);
+
+/// Finds u_w and the grip alone.
+void mirror_velocity(const SphSettings& settings, const WaterAtWallSums& water, const BoundaryParticles& walls,
+                     WallFields& seen);
 
 }  // namespace riprap::fluid

@@ -24,7 +24,7 @@ void WcmpsFluid::load_walls(const ParticleState& state, BoundaryParticles& walls
 }
 
 void WcmpsFluid::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                      std::span<const Vec3> extra_force, FluidReport& report) {
+                      const SparseVectors& extra_force, FluidReport& report) {
     kick_fluid(*settings_, state, walls, gravity, span.dt, span.time, scratch_, report, extra_force);
 }
 

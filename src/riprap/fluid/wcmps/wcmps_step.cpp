@@ -41,12 +41,12 @@ Sums operator+(Sums a, const Sums& b) {
 /// the collision c, kinetic energy is m/2 v' v_(n+1): a collision takes m (v c + c^2/2) and half of what the step's
 /// acceleration gives to c, and forces work on the speeds of both steps, (v + v_(n+1))/2.
 void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          const WcmpsScratchData& s, bool collides, std::span<const Vec3> extra_force, WcmpsReport& report) {
+          const WcmpsScratchData& s, bool collides, const SparseVectors& extra_force, WcmpsReport& report) {
     const double m = settings.particle_mass;
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const Vec3 extra = extra_force.empty() ? Vec3{} : extra_force[i];
+        const Vec3 extra = extra_force[i];
         const Vec3 acceleration = (s.forces.force[i] + extra) / m + gravity;
         const Vec3 collision = collides ? s.collisions.change[i] : Vec3{};
         const Vec3 before = state.velocity[i], after = before + collision + dt * acceleration;
@@ -154,7 +154,7 @@ void load_walls(const WcmpsSettings& settings, const ParticleState& state, Bound
 
 void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                 const Vec3& gravity, double dt, double time, WcmpsScratch& scratch, WcmpsReport& report,
-                std::span<const Vec3> extra_force) {
+                const SparseVectors& extra_force) {
     WcmpsScratchData& s = scratch.data();
     const Vec3 g = in_plane(gravity, settings.domain);
     wcmps::add_walls(settings, state, walls, s);
@@ -169,7 +169,7 @@ void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const Bound
 }
 
 void accelerate(const WcmpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                double dt, double time, WcmpsScratch& scratch, WcmpsReport& report, std::span<const Vec3> extra_force) {
+                double dt, double time, WcmpsScratch& scratch, WcmpsReport& report, const SparseVectors& extra_force) {
     begin_forces(settings, state, walls, time, scratch, report);
     if (report.problem.empty()) {
         load_walls(settings, state, walls, gravity, scratch);

@@ -61,15 +61,15 @@ void load_walls(const WcmpsSettings& settings, const ParticleState& state, Bound
                 const Vec3& gravity, WcmpsScratch& scratch);
 
 /// @param dt           the whole step [s]
-/// @param extra_force  on each particle [N]; empty: none
+/// @param extra_force  on each particle [N]
 void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                 const Vec3& gravity, double dt, double time, WcmpsScratch& scratch, WcmpsReport& report,
-                std::span<const Vec3> extra_force = {});
+                const SparseVectors& extra_force = {});
 
 /// begin_forces, load_walls and kick_fluid in a row, for walls that move as they do.
 void accelerate(const WcmpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, WcmpsScratch& scratch, WcmpsReport& report,
-                std::span<const Vec3> extra_force = {});
+                const SparseVectors& extra_force = {});
 
 /// Where a particle lies relative to the free surface [JandaghianShakibaeinia2020].
 enum class SurfaceClass : std::uint8_t {
@@ -91,7 +91,7 @@ class WcmpsFluid final : public ParticleScheme {
     void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              std::span<const Vec3> extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, FluidReport& report) override;
     std::size_t bytes() const override { return scratch_.bytes(); }
 
  private:

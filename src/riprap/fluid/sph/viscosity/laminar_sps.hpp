@@ -33,6 +33,7 @@ struct LaminarSps {
         "resolve";
     static KeyList<LaminarSps> keys();
 
+    static constexpr bool follows_strain = true;
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double smagorinsky{0.12};          ///< C_s [-]
 
