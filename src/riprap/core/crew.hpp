@@ -62,7 +62,7 @@ class Crew {
         void* context;
     };
 
-    /// That of the process. Never destroyed: its threads end with the process.
+    /// Returns the crew of the process, which is never destroyed: its threads end with the process.
     static Crew& of_process();
     /// Runs the job on up to `team` threads, one of them the caller's, who enters with share 0. Where the crew is busy
     /// with the job of another thread, or the caller is of the crew, the caller does it alone.

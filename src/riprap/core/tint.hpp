@@ -7,7 +7,7 @@
 
 namespace riprap {
 
-/// What a word says, for its colour on a terminal: green, red or yellow.
+/// Tells what a word says, for its colour on a terminal: green, red or yellow.
 enum class Tint { good, bad, caution };
 
 /// Whether text written to `out` may carry colours: `out` is a terminal, TERM is not "dumb", and NO_COLOR is unset or

@@ -29,6 +29,11 @@ double shift_of(std::int64_t i, std::int64_t j, std::int64_t k, int axis) {
 struct Count {
     double places{0};  ///< that are filled
     double top{0};     ///< of them, those of the uppermost whole layer
+    Count& operator+=(const Count& other) {
+        places += other.places;
+        top += other.top;
+        return *this;
+    }
 };
 
 /// Asks the lattice, cell by cell.
@@ -112,33 +117,24 @@ std::vector<Sum> sum_over(const Lattice& lattice, std::size_t regions, const Add
                 std::span<Sum>(&of_rows[at(row) * regions], regions));
         }
     });
-    return of_rows;
+    std::vector<Sum> sums(regions);
+    for (std::size_t n = 0; n < of_rows.size(); ++n) {
+        sums[n % regions] += of_rows[n];
+    }
+    return sums;
 }
 
 /// Room of every region below its surface [cells].
 std::vector<double> measure_room(const Survey& survey) {
-    const std::size_t count = survey.regions.size();
-    const std::vector<double> of_rows = sum_over<double>(
-        survey.lattice, count,
+    return sum_over<double>(
+        survey.lattice, survey.regions.size(),
         [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) { survey.add_room(i, j, k, sums); });
-    std::vector<double> room(count, 0);
-    for (std::size_t n = 0; n < of_rows.size(); ++n) {
-        room[n % count] += of_rows[n];
-    }
-    return room;
 }
 
 std::vector<Count> count_places(const Survey& survey) {
-    const std::size_t count = survey.regions.size();
-    const std::vector<Count> of_rows = sum_over<Count>(
-        survey.lattice, count,
+    return sum_over<Count>(
+        survey.lattice, survey.regions.size(),
         [&](std::int64_t i, std::int64_t j, std::int64_t k, auto sums) { survey.add_place(i, j, k, sums); });
-    std::vector<Count> counts(count);
-    for (std::size_t n = 0; n < of_rows.size(); ++n) {
-        counts[n % count].places += of_rows[n].places;
-        counts[n % count].top += of_rows[n].top;
-    }
-    return counts;
 }
 
 }  // namespace
