@@ -175,22 +175,25 @@ std::string answer(const std::string& word) {
     return text;
 }
 
-/// A ball that is in the floor at the start and moves into it.
-std::string bouncing(const std::string& word) {
+/// A ball that is in the floor at the start and moves into it and along it; both materials differ in one property.
+std::string bouncing(const std::string& property, const std::string& rule, const std::string& word) {
     return R"(gravity = [0, 0, -9.81]
 end = 1.0
 [solid]
 method = "sphere_dem"
+rolling = "constant"
 [material.ball]
 density = 1200.0
-normal_stiffness = 1e7
-restitution = 0.9
+friction_coefficient = 0.5
+)" + property +
+           R"( = 0.9
 [material.floor]
 density = 1200.0
-normal_stiffness = 1e7
-restitution = 0.3
+friction_coefficient = 0.5
+)" + property +
+           R"( = 0.3
 [contact]
-restitution_mixing = ")" +
+)" + rule + " = \"" +
            word + R"("
 [[body]]
 name = "floor"
@@ -202,7 +205,7 @@ name = "ball"
 material = "ball"
 shape = { sphere = 0.1 }
 position = [0, 0, 0.0999]
-velocity = [0, 0, -1]
+velocity = [1, 0, -1]
 )";
 }
 
@@ -273,7 +276,10 @@ const std::map<std::string, Scene>& scenes() {
          [](const std::string& word) { return mixing("friction_mixing", "cohesion_mixing", word); }},
         {"contact.cohesion_mixing",
          [](const std::string& word) { return mixing("cohesion_mixing", "friction_mixing", word); }},
-        {"contact.restitution_mixing", bouncing},
+        {"contact.restitution_mixing",
+         [](const std::string& word) { return bouncing("restitution", "restitution_mixing", word); }},
+        {"contact.rolling_mixing",
+         [](const std::string& word) { return bouncing("rolling_friction", "rolling_mixing", word); }},
         {"shape.hull.units",
          [](const std::string& word) { return falling("{ hull = { file = \"p.csv\", units = \"" + word + "\" } }"); }},
         {"shape.armour.unit",

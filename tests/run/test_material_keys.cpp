@@ -33,6 +33,7 @@ end = 1.0
 friction_mixing = "mean"
 cohesion_mixing = "mean"
 restitution_mixing = "mean"
+rolling_mixing = "mean"
 [material.rock]
 density = 2500.0
 normal_stiffness = "20 MPa"
@@ -78,7 +79,7 @@ std::string scene_of(std::string_view method) {
 name = "ball"
 shape = { sphere = 0.2 }
 position = [0, 1.5, 0.199]
-velocity = [0.5, 0, -0.1]
+velocity = [5, 0, -0.1]
 material = "ice"
 )";
     }
@@ -88,11 +89,29 @@ material = "ice"
 /// Values of the ice, each in place of the default or of what the scene gives.
 const std::map<std::string_view, std::string>& tried() {
     static const std::map<std::string_view, std::string> values{
-        {"normal_stiffness", "3e7"}, {"shear_ratio", "0.3"}, {"shear_stiffness", "1e6"},
-        {"friction_angle", "0.2"},   {"cohesion", "1e7"},    {"tensile_strength", "1e7"},
-        {"damping_ratio", "0.3"},    {"torsion", "true"},    {"youngs_modulus", "3e7"},
-        {"poisson_ratio", "0.1"},    {"restitution", "0.8"}, {"friction_coefficient", "0.2"}};
+        {"normal_stiffness", "3e7"}, {"shear_ratio", "0.3"},       {"shear_stiffness", "1e6"},
+        {"friction_angle", "0.2"},   {"cohesion", "1e7"},          {"tensile_strength", "1e7"},
+        {"damping_ratio", "0.3"},    {"torsion", "true"},          {"youngs_modulus", "3e7"},
+        {"poisson_ratio", "0.1"},    {"restitution", "0.8"},       {"friction_coefficient", "0.2"},
+        {"kinetic_share", "0.5"},    {"contact_ratio", "0.9"},     {"rolling_friction", "0.3"},
+        {"spring_stiffness", "3e4"}, {"spring_shear_ratio", "0.9"}};
     return values;
+}
+
+/// Settings with which a method that reads a property has a law that does.
+std::vector<std::string> law_of(Property property, bool is_read) {
+    if (!is_read) {
+        return {};
+    }
+    switch (property) {
+        case Property::rolling_friction:
+            return {"solid.rolling=\"constant\""};
+        case Property::spring_stiffness:
+        case Property::spring_shear_ratio:
+            return {"solid.normal_law=\"linear\""};
+        default:
+            return {};
+    }
 }
 
 template <class Work>
@@ -106,17 +125,17 @@ void for_each_solid(const Work& work) {
 TEST(MaterialKeys, change_the_result_of_the_methods_that_say_so_and_of_no_other) {
     for_each_solid([](std::string_view method, const std::vector<material::PropertyUse>& uses) {
         const std::string text = scene_of(method);
-        const std::string plain = result_of(text, {}, 4);
         for (const auto& [property, key] : material::material_keys()) {
             SCOPED_TRACE(fmt::format("{}, {}", method, key.row.name));
             const bool is_read = std::ranges::find(uses, property, &material::PropertyUse::property) != uses.end();
+            std::vector<std::string> change = law_of(property, is_read);
+            const std::string plain = result_of(text, change, 4);
             std::string changed = text;
             const std::string given = "friction_coefficient = 0.5\n[[body]]";
             if (property == Property::friction) {  // one key of the two
                 changed.replace(changed.find(given), given.size(), "[[body]]");
             }
-            const std::vector<std::string> change{
-                fmt::format("material.ice.{}={}", key.row.name, tried().at(key.row.name))};
+            change.push_back(fmt::format("material.ice.{}={}", key.row.name, tried().at(key.row.name)));
             EXPECT_EQ(result_of(changed, change, 4) != plain, is_read) << (is_read ? "nothing reads it" : "it is read");
         }
     });
@@ -125,12 +144,13 @@ TEST(MaterialKeys, change_the_result_of_the_methods_that_say_so_and_of_no_other)
 TEST(MaterialKeys, of_a_pair_replace_those_of_its_materials) {
     for_each_solid([](std::string_view method, const std::vector<material::PropertyUse>& uses) {
         const std::string text = scene_of(method) + "[[contact.pair]]\nmaterials = [\"rock\", \"ice\"]\n";
-        const std::string plain = result_of(text, {}, 4);
         for (const auto& [property, key] : material::pair_keys()) {
             SCOPED_TRACE(fmt::format("{}, {}", method, key.row.name));
             const bool is_read = std::ranges::find(uses, property, &material::PropertyUse::property) != uses.end();
+            const std::vector<std::string> law = law_of(property, is_read);
             const std::string given = text + fmt::format("{} = {}\n", key.row.name, tried().at(key.row.name));
-            EXPECT_EQ(result_of(given, {}, 4) != plain, is_read) << (is_read ? "nothing reads it" : "it is read");
+            EXPECT_EQ(result_of(given, law, 4) != result_of(text, law, 4), is_read)
+                << (is_read ? "nothing reads it" : "it is read");
         }
     });
 }
@@ -149,7 +169,7 @@ std::vector<std::string> unread(const std::string& text, const std::vector<std::
 TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_do) {
     EXPECT_THAT(
         unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
-        ElementsAre(HasSubstr("case.toml:9:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
+        ElementsAre(HasSubstr("case.toml:10:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
                               "solid.method \"explicit_dda\" does not read it; leave it out, or solid.method = "
                               "\"distance_potential_dem\", \"sphere_dem\"")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.restitution=0.5"}),
@@ -210,6 +230,31 @@ TEST(MaterialKeys, do_not_ask_for_the_mixing_of_what_the_method_does_not_read) {
     EXPECT_EQ(refusal(text, {"material.ice.restitution=0.5"}), "");
     EXPECT_THAT(refusal(text, {"material.ice.restitution=0.5", "solid.method=\"sphere_dem\""}),
                 HasSubstr("lacks 'restitution_mixing'"));
+}
+
+std::string without(std::string text, const std::string& line) { return text.erase(text.find(line), line.size()); }
+
+TEST(MaterialKeys, of_rolling_and_kinetic_friction_are_not_mixed_by_a_rule_that_nobody_gave) {
+    const std::string no_rolling = without(blocks(false, "sphere_dem"), "rolling_mixing = \"mean\"\n"),
+                      no_friction = without(blocks(false, "sphere_dem"), "friction_mixing = \"mean\"\n");
+    const std::string rolls = "material.ice.rolling_friction=0.1", share = "material.ice.kinetic_share=0.5";
+    EXPECT_THAT(refusal(no_rolling, {rolls, "solid.rolling=\"constant\""}),
+                HasSubstr("case.toml:3:1: materials 'rock' and 'ice' differ, and [contact] lacks 'rolling_mixing'"));
+    EXPECT_EQ(refusal(no_rolling, {rolls}), "");  // without a law that reads it
+    EXPECT_THAT(refusal(no_friction, {share}), HasSubstr("case.toml:3:1: materials 'rock' and 'ice' differ, and "
+                                                         "[contact] lacks 'friction_mixing'"));
+    EXPECT_EQ(refusal(no_friction, {share, "solid.method=\"distance_potential_dem\""}), "");
+}
+
+TEST(MaterialKeys, of_a_pair_that_the_chosen_law_does_not_read_are_told) {
+    const std::string pair = blocks(false, "sphere_dem") + "[[contact.pair]]\nmaterials = [\"rock\", \"ice\"]\n";
+    EXPECT_THAT(unread(pair + "spring_stiffness = 1e4\n", {"solid.spheres=\"balls\""}),
+                ElementsAre(HasSubstr("'spring_stiffness' of [[contact.pair]] does nothing here: solid.method "
+                                      "\"sphere_dem\" does not read it with these settings; leave it out")));
+    EXPECT_THAT(unread(pair + "rolling_friction = 0.1\n", {"solid.spheres=\"balls\""}), testing::SizeIs(1));
+    EXPECT_THAT(unread(pair + "contact_ratio = 0.1\n", {"solid.spheres=\"balls\""}), IsEmpty());
+    EXPECT_THAT(refusal(pair + "contact_ratio = -0.1\n"),
+                HasSubstr("case.toml:40:17: contact_ratio of [[contact.pair]]"));
 }
 
 }  // namespace

@@ -23,9 +23,11 @@ struct Material {
     double damping_ratio{0};     ///< xi, fraction of critical contact damping [-]
     bool has_torsion{false};     ///< resist spinning about the contact normal
     // Of bodies made of spheres; empty = those of the method's own keys.
-    std::optional<double> youngs_modulus{};  ///< E [Pa]
-    std::optional<double> poisson_ratio{};   ///< nu [-]
-    std::optional<double> restitution{};     ///< e [-]
+    std::optional<double> youngs_modulus{};    ///< E [Pa]
+    std::optional<double> poisson_ratio{};     ///< nu [-]
+    std::optional<double> restitution{};       ///< e [-]
+    std::optional<double> kinetic_share{};     ///< kinetic over static friction [-]
+    std::optional<double> rolling_friction{};  ///< mu_r, couple over R* F_n [-]
 };
 
 /// Rule by which the values of two materials become one. Codes differ silently here, so it is a key of the case.
@@ -40,14 +42,22 @@ struct PairProperties {
     double tensile_strength{0};
     double damping_ratio{0};
     bool has_torsion{false};
-    std::optional<double> restitution{};  ///< where it is given for the pair; else mixed from the materials [-]
+    // Of spheres; empty = mixed from the materials, or that of the method's own keys where materials have none.
+    std::optional<double> restitution{};         ///< e [-]
+    std::optional<double> kinetic_share{};       ///< kinetic over static friction [-]
+    std::optional<double> rolling_friction{};    ///< mu_r, couple over R* F_n [-]
+    std::optional<double> contact_ratio{};       ///< epsilon of Hertz' dashpot [-]
+    std::optional<double> spring_stiffness{};    ///< of the linear normal spring [N/m]
+    std::optional<double> spring_shear_ratio{};  ///< tangential over normal stiffness of linear springs [-]
 };
 
 /// Materials by id and the resolved table of all pairs.
 struct MaterialSet {
     std::vector<Material> materials;
-    std::vector<PairProperties> pairs;  ///< symmetric, row-major size() x size()
+    std::vector<PairProperties> pairs;     ///< symmetric, row-major size() x size()
+    Mixing friction_mixing{Mixing::mean};  ///< of kinetic shares; mix_pairs applies its own to friction
     Mixing restitution_mixing{Mixing::mean};
+    Mixing rolling_mixing{Mixing::mean};
 
     int size() const { return static_cast<int>(materials.size()); }
     const Material& operator[](MaterialId id) const { return materials[static_cast<std::size_t>(id.value)]; }

@@ -17,7 +17,12 @@ enum class Property : std::uint8_t {
     torsion,
     youngs_modulus,
     poisson_ratio,
-    restitution
+    restitution,
+    kinetic_share,
+    rolling_friction,
+    contact_ratio,
+    spring_stiffness,
+    spring_shear_ratio
 };
 
 /// A property that a physics reads.

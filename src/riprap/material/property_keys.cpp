@@ -63,6 +63,13 @@ std::vector<PropertyKey<To>> surface_keys() {
                                                "Share of critical damping of a contact's dashpot."))},
         {Property::restitution, number(&To::restitution, "restitution", dimension::plain, above(0, 1),
                                        "Coefficient of restitution; that of [solid] when not given.")},
+        {Property::kinetic_share,
+         number(&To::kinetic_share, "kinetic_share", dimension::plain, above(0, 1),
+                "Kinetic over static friction of spheres; that of [solid] when not given. Two materials mix it as "
+                "friction.")},
+        {Property::rolling_friction,
+         number(&To::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
+                "Coefficient of rolling friction of spheres; that of [solid] when not given.")},
         {Property::torsion, mixed(boolean(&To::has_torsion, "torsion",
                                           "Resist spinning about the contact normal, where both materials ask for "
                                           "it."))}};
@@ -100,7 +107,19 @@ std::vector<PropertyKey<Material>> material_keys() {
     return keys;
 }
 
-std::vector<PropertyKey<PairProperties>> pair_keys() { return surface_keys<PairProperties>(); }
+std::vector<PropertyKey<PairProperties>> pair_keys() {
+    using P = PairProperties;
+    std::vector<PropertyKey<P>> keys = surface_keys<P>();
+    keys.push_back({Property::contact_ratio, number(&P::contact_ratio, "contact_ratio", dimension::plain,
+                                                    non_negative(), "That of [solid] when not given.")});
+    keys.push_back({Property::spring_stiffness, number(&P::spring_stiffness, "spring_stiffness", dimension::stiffness,
+                                                       positive(), "That of [solid] when not given.")});
+    keys.push_back({Property::spring_shear_ratio,
+                    number(&P::spring_shear_ratio, "spring_shear_ratio", dimension::plain, positive(),
+                           "Tangential over normal stiffness of linear springs of spheres; `shear_ratio` of [solid] "
+                           "when not given.")});
+    return keys;
+}
 
 bool is_given(const Material& material, Property property) {
     return std::ranges::any_of(material_keys(), [&](const PropertyKey<Material>& key) {

@@ -208,6 +208,8 @@ std::span<const ValidationCase> mellado_cases() {
         ValidationCase{"mellado", "cylinder_entry", "A cylinder falls into deep water at two densities", false,
                        mellado::cylinder_entry},
         ValidationCase{"mellado", "floes_4", "Dam breaks over four beds carry four floes", false, mellado::floes_4},
+        ValidationCase{"mellado", "floes_sph", "The four by SPH with water in the gaps between floes", false,
+                       mellado::floes_sph},
         ValidationCase{"mellado", "floes_9", "Dam breaks over four beds carry nine floes", false, mellado::floes_9},
         ValidationCase{"mellado", "floes_fine", "Four floes over a dry and a wet bed, at 3.26 mm (hours)", true,
                        mellado::floes_fine},

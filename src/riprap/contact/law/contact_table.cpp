@@ -24,8 +24,10 @@ double ratio_of(const ContactMaterial& a, const ContactMaterial& b, double resti
     return allows_pull ? contact_ratio(restitution) : contact_ratio_without_pull(restitution);
 }
 
-ContactPair mix_pair(const ContactMaterial& a, const ContactMaterial& b, NormalLaw law, const ContactMixing& mixing,
-                     bool allows_pull) {
+}  // namespace
+
+ContactPair mixed_pair(const ContactMaterial& a, const ContactMaterial& b, NormalLaw law, const ContactMixing& mixing,
+                       bool allows_pull) {
     const auto kinetic = [](const ContactMaterial& m) {
         return m.kinetic_friction < 0 ? m.static_friction : m.kinetic_friction;
     };
@@ -37,20 +39,18 @@ ContactPair mix_pair(const ContactMaterial& a, const ContactMaterial& b, NormalL
     pair.ratio = ratio_of(a, b, pair.restitution, law, allows_pull);
     pair.static_friction = material::mix(mixing.friction, a.static_friction, b.static_friction);
     pair.kinetic_friction = std::min(pair.static_friction, material::mix(mixing.friction, kinetic(a), kinetic(b)));
-    pair.rolling_friction = material::mix(mixing.friction, a.rolling_friction, b.rolling_friction);
+    pair.rolling_friction = material::mix(mixing.rolling, a.rolling_friction, b.rolling_friction);
     pair.normal_stiffness = material::mix(material::Mixing::harmonic, a.normal_stiffness, b.normal_stiffness);
     pair.shear_ratio = 0.5 * (a.shear_ratio + b.shear_ratio);
     return pair;
 }
-
-}  // namespace
 
 ContactTable::ContactTable(const std::vector<ContactMaterial>& materials, NormalLaw law, const ContactMixing& mixing,
                            bool allows_pull)
     : count_(static_cast<int>(materials.size())) {
     for (const ContactMaterial& a : materials) {
         for (const ContactMaterial& b : materials) {
-            pairs_.push_back(mix_pair(a, b, law, mixing, allows_pull));
+            pairs_.push_back(mixed_pair(a, b, law, mixing, allows_pull));
         }
     }
 }

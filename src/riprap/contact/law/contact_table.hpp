@@ -56,14 +56,24 @@ struct ContactPair {
 struct ContactMixing {
     material::Mixing friction{material::Mixing::mean};
     material::Mixing restitution{material::Mixing::mean};
+    material::Mixing rolling{material::Mixing::mean};
 };
+
+/// Returns what two materials are to each other. Stiffnesses of linear springs mix by the harmonic mean, as springs in
+/// series, their shear ratios by the mean.
+/// @param allows_pull  the force may pull at the end of an impact; else it is cut off at zero and the contact ratio is
+///                     the one that keeps the restitution
+ContactPair mixed_pair(const ContactMaterial& a, const ContactMaterial& b, NormalLaw law, const ContactMixing& mixing,
+                       bool allows_pull);
 
 /// All pairs of materials; symmetric.
 class ContactTable {
  public:
     ContactTable() = default;
-    /// @param allows_pull  the force may pull at the end of an impact; else it is cut off at zero and the contact ratio
-    ///                     is the one that keeps the restitution
+    /// Pairs without any value, to be set.
+    explicit ContactTable(int count)
+        : count_(count), pairs_(static_cast<std::size_t>(count) * static_cast<std::size_t>(count)) {}
+    /// All pairs by mixed_pair.
     ContactTable(const std::vector<ContactMaterial>& materials, NormalLaw law, const ContactMixing& mixing,
                  bool allows_pull);
     /// Replaces one pair.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 
 #include "riprap/core/index.hpp"
@@ -35,8 +36,9 @@ void read_properties(const Value& table, const std::vector<material::PropertyKey
 
 /// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it,
 /// the case must give one.
-template <class Number>
-Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, Number Material::*value,
+/// @param value  of a material, what the rule mixes
+template <class Of>
+Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, const Of& value,
                    material::Property property, Mixing if_alike = Mixing::minimum) {
     if (contact.find(key) != nullptr) {
         return get_word(contact, key, mixing_rules());
@@ -49,7 +51,7 @@ Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key,
         const Material& other = build.model.materials[MaterialId{id}];
         if (first == nullptr) {
             first = &other;
-        } else if (first->*value != other.*value) {
+        } else if (std::invoke(value, *first) != std::invoke(value, other)) {
             build.problem(
                 contact.place,
                 fmt::format("materials '{}' and '{}' differ, and [contact] lacks '{}'", first->name, other.name, key),
@@ -167,10 +169,17 @@ void build_materials(CaseBuild& build) {
 
 void build_contact(CaseBuild& build) {
     const Value& contact = get(build.root, "contact");
-    const Mixing friction = mixing_rule(build, contact, "friction_mixing", &Material::friction, Property::friction);
+    const bool has_share = sim::reads_property(build.model, Property::kinetic_share);
+    const auto sliding = [has_share](const Material& material) {
+        return std::pair(material.friction, has_share ? material.kinetic_share : std::nullopt);
+    };
+    const Mixing friction = mixing_rule(build, contact, "friction_mixing", sliding, Property::friction);
     const Mixing cohesion = mixing_rule(build, contact, "cohesion_mixing", &Material::cohesion, Property::cohesion);
     build.model.materials.restitution_mixing =
         mixing_rule(build, contact, "restitution_mixing", &Material::restitution, Property::restitution, Mixing::mean);
+    build.model.materials.friction_mixing = friction;
+    build.model.materials.rolling_mixing = mixing_rule(build, contact, "rolling_mixing", &Material::rolling_friction,
+                                                       Property::rolling_friction, Mixing::mean);
     material::mix_pairs(build.model.materials, friction, cohesion);
     for (const Value& pair : get(contact, "pair").items) {
         read_pair(build, pair);
@@ -195,10 +204,17 @@ void check_materials(CaseBuild& build) {
     for (const Value& pair : get(contact, "pair").items) {
         find_unread(build, pair, pair_keys, "[[contact.pair]]", unread);
     }
-    for (const auto& key : material_keys) {
-        if (const auto found = unread.find(key.key.row.name); found != unread.end()) {
-            warn_of_unread(build, found->first, key.property, found->second);
+    const auto warn_of = [&](std::string_view key, Property property) {
+        if (const auto found = unread.find(key); found != unread.end()) {
+            warn_of_unread(build, found->first, property, found->second);
+            unread.erase(found);
         }
+    };
+    for (const auto& key : material_keys) {
+        warn_of(key.key.row.name, key.property);
+    }
+    for (const auto& key : pair_keys) {
+        warn_of(key.key.row.name, key.property);
     }
     if (!build.has_all_bodies) {
         return;  // which bodies meet by their faces is not known

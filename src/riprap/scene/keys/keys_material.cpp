@@ -73,7 +73,8 @@ const Table& contact_table() {
         "[contact]",
         "Rules by which the values of two materials become those of a contact. Codes differ silently here, so the "
         "rules must be "
-        "given where materials differ in values that the solid method reads. Stiffness ratio and damping use the mean.",
+        "given where materials differ in values that the solid method reads. Stiffness ratio and damping use the mean, "
+        "the kinetic share friction_mixing.",
         {with_readers({"friction_mixing",
                        {choice(mixing_rules())},
                        "Rule for the friction coefficient; required when materials differ in friction.",
@@ -89,6 +90,11 @@ const Table& contact_table() {
                        "Rule for the restitution of spheres; required when materials differ in it.",
                        {}},
                       Property::restitution),
+         with_readers({"rolling_mixing",
+                       {choice(mixing_rules())},
+                       "Rule for the rolling friction of spheres; required when materials differ in it.",
+                       {}},
+                      Property::rolling_friction),
          {"max_initial_overlap",
           {number(dimension::plain, positive())},
           "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",

@@ -2,6 +2,7 @@
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -126,34 +127,52 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
     return spheres;
 }
 
-contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings) {
-    const contact::ContactMixing mixing{.restitution = materials.restitution_mixing};
-    std::vector<contact::ContactMaterial> all;
-    for (const material::Material& material : materials.materials) {
-        contact::ContactMaterial own;
-        own.youngs_modulus = material.youngs_modulus.value_or(settings.youngs_modulus);
-        own.poisson_ratio = material.poisson_ratio.value_or(settings.poisson_ratio);
-        own.restitution = material.restitution.value_or(settings.restitution);
-        own.rolling_friction = settings.rolling_friction;
-        own.contact_ratio = settings.contact_ratio.value_or(own.contact_ratio);
-        own.normal_stiffness = settings.spring_stiffness;
-        own.shear_ratio = settings.shear_ratio;
-        all.push_back(own);
+namespace {
+
+/// What a material alone says of its contacts, completed by the settings.
+contact::ContactMaterial own_values(const material::Material& material, const SphereDemSettings& settings) {
+    contact::ContactMaterial own;
+    own.youngs_modulus = material.youngs_modulus.value_or(settings.youngs_modulus);
+    own.poisson_ratio = material.poisson_ratio.value_or(settings.poisson_ratio);
+    own.restitution = material.restitution.value_or(settings.restitution);
+    own.rolling_friction = material.rolling_friction.value_or(settings.rolling_friction);
+    own.contact_ratio = settings.contact_ratio.value_or(own.contact_ratio);
+    own.normal_stiffness = settings.spring_stiffness;
+    own.shear_ratio = settings.shear_ratio;
+    return own;
+}
+
+/// Returns the mixed values of two materials, those that the case gives for the pair in place of them.
+contact::ContactPair pair_of(const material::MaterialSet& materials, MaterialId a, MaterialId b,
+                             const SphereDemSettings& settings) {
+    const material::PairProperties& given = materials.pair(a, b);
+    const bool is_hertz = settings.laws.normal == contact::NormalLaw::hertz;
+    std::array two{own_values(materials[a], settings), own_values(materials[b], settings)};
+    for (contact::ContactMaterial& one : two) {
+        one.restitution = given.restitution.value_or(one.restitution);
+        one.rolling_friction = given.rolling_friction.value_or(one.rolling_friction);
+        one.contact_ratio = is_hertz ? given.contact_ratio.value_or(one.contact_ratio) : one.contact_ratio;
+        one.normal_stiffness = given.spring_stiffness.value_or(one.normal_stiffness);
+        one.shear_ratio = given.spring_shear_ratio.value_or(one.shear_ratio);
     }
-    contact::ContactTable table(all, settings.laws.normal, mixing, settings.laws.allows_pull);
+    const contact::ContactMixing mixing{.restitution = materials.restitution_mixing,
+                                        .rolling = materials.rolling_mixing};
+    contact::ContactPair pair =
+        contact::mixed_pair(two[0], two[1], settings.laws.normal, mixing, settings.laws.allows_pull);
+    const auto share = [&](MaterialId id) { return materials[id].kinetic_share.value_or(settings.kinetic_share); };
+    pair.static_friction = given.friction;
+    pair.kinetic_friction =
+        given.kinetic_share.value_or(material::mix(materials.friction_mixing, share(a), share(b))) * given.friction;
+    return pair;
+}
+
+}  // namespace
+
+contact::ContactTable pair_table(const material::MaterialSet& materials, const SphereDemSettings& settings) {
+    contact::ContactTable table(materials.size());
     for (std::int32_t a = 0; a < materials.size(); ++a) {
         for (std::int32_t b = a; b < materials.size(); ++b) {
-            const material::PairProperties& given = materials.pair(MaterialId{a}, MaterialId{b});
-            contact::ContactPair pair = table.pair(MaterialId{a}, MaterialId{b});
-            if (given.restitution) {
-                std::vector<contact::ContactMaterial> two{all[at(a)], all[at(b)]};
-                two[0].restitution = two[1].restitution = *given.restitution;
-                pair = contact::ContactTable(two, settings.laws.normal, mixing, settings.laws.allows_pull)
-                           .pair(MaterialId{0}, MaterialId{1});
-            }
-            pair.static_friction = given.friction;
-            pair.kinetic_friction = settings.kinetic_share * given.friction;
-            table.set_pair(MaterialId{a}, MaterialId{b}, pair);
+            table.set_pair(MaterialId{a}, MaterialId{b}, pair_of(materials, MaterialId{a}, MaterialId{b}, settings));
         }
     }
     return table;

@@ -21,7 +21,12 @@ std::vector<material::PropertyUse> reads_of_spheres(const SphereDemSettings& set
     return {{Property::friction},
             {Property::youngs_modulus, false, is_hertz},
             {Property::poisson_ratio, false, is_hertz},
-            {Property::restitution, false, !settings.contact_ratio}};
+            {Property::restitution, false, !settings.contact_ratio},
+            {Property::kinetic_share},
+            {Property::rolling_friction, false, settings.laws.rolling != contact::RollingLaw::none},
+            {Property::contact_ratio, false, is_hertz},
+            {Property::spring_stiffness, false, !is_hertz},
+            {Property::spring_shear_ratio, false, !is_hertz}};
 }
 
 }  // namespace

@@ -62,6 +62,46 @@ double lightest_face(const SphereModel& model) {
     return least;
 }
 
+/// Impact of a body's smallest sphere that the step has to resolve.
+struct Impact {
+    double modulus, stiffness;         ///< E* [Pa] and k [N/m] of the stiffest pair of materials
+    double radius, mass, beside_face;  ///< R, m and effective mass against a body that is no sphere [m, kg]
+    double speed;                      ///< v [m/s]
+    double flat;                       ///< springs side by side [-]
+    bool operator==(const Impact&) const = default;
+};
+
+double duration_of(const Impact& impact, contact::NormalLaw law) {
+    const double light = std::min(0.5 * impact.mass, impact.beside_face);
+    const bool is_linear = law == contact::NormalLaw::linear;
+    const double alone =
+        is_linear
+            ? contact::linear_contact_time(impact.stiffness, light, 0)
+            : std::min(
+                  contact::hertz_contact_time(impact.modulus, 0.5 * impact.radius, 0.5 * impact.mass, impact.speed),
+                  contact::hertz_contact_time(impact.modulus, impact.radius, impact.beside_face, impact.speed));
+    // N springs side by side: an impact lasts N^(-2/5) as long by Hertz, N^(-1/2) on linear springs.
+    return alone * std::pow(impact.flat, is_linear ? -0.5 : -0.4);
+}
+
+/// Grows with duration_of and takes no power: its square (linear) or its 5/2 th power (Hertz) but for a constant.
+double order_of(const Impact& impact, contact::NormalLaw law) {
+    if (law == contact::NormalLaw::linear) {
+        return std::min(0.5 * impact.mass, impact.beside_face) / (impact.stiffness * impact.flat);
+    }
+    const double lightness =
+        std::min(0.5 * impact.mass / std::sqrt(0.5 * impact.radius), impact.beside_face / std::sqrt(impact.radius));
+    return lightness / (impact.modulus * std::sqrt(impact.speed) * impact.flat);
+}
+
+/// A body by what is least of it; of equal bodies the first.
+struct Least {
+    double value;
+    std::int32_t body;
+};
+
+Least lesser(const Least& a, const Least& b) { return b.value < a.value ? b : a; }
+
 }  // namespace
 
 double rayleigh_time(double radius, double density, double youngs_modulus, double poisson_ratio) {
@@ -70,38 +110,48 @@ double rayleigh_time(double radius, double density, double youngs_modulus, doubl
 }
 
 SphereStep step_limit(const SphereModel& model, const body::BodyState& state, double gravity) {
-    SphereStep step{std::numeric_limits<double>::infinity(), {}, "no sphere can touch another"};
-    const double speed = 2 * fastest(state), face = lightest_face(model);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const contact::NormalLaw law = model.settings.normal;
+    const double fast = 2 * fastest(state), face = lightest_face(model);
+    const bool adds_up =
+        model.settings.sharing == contact::Sharing::dashpots || model.settings.sharing == contact::Sharing::sum;
     std::vector<contact::ContactPair> pairs;
     for (std::int32_t m = 0; m < model.table.size(); ++m) {
         pairs.push_back(stiffest_pair(model, MaterialId{m}));
     }
-    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
-        if (!may_move(model.bodies, at(b)) || model.spheres.count_of(b) == 0) {
-            continue;
-        }
+    const auto is_in = [&](std::int64_t b) {
+        return may_move(model.bodies, at(b)) && model.spheres.count_of(static_cast<std::int32_t>(b)) > 0;
+    };
+    const auto impact_of = [&](std::int64_t b) {
         const double radius = smallest_radius(model.spheres, at(b)), mass = model.bodies.mass[at(b)];
         const contact::ContactPair& pair = pairs[at(model.bodies.material[at(b)].value)];
-        const double v = std::max({speed, std::sqrt(4 * gravity * radius), 1e-6});
-        const double beside_face = mass / (1 + mass / face);  // effective mass against a body that is no sphere
-        double duration = 0;
-        if (model.settings.normal == contact::NormalLaw::linear) {
-            duration = contact::linear_contact_time(pair.normal_stiffness, std::min(0.5 * mass, beside_face), 0);
-        } else {
-            duration = std::min(contact::hertz_contact_time(pair.modulus, 0.5 * radius, 0.5 * mass, v),
-                                contact::hertz_contact_time(pair.modulus, radius, beside_face, v));
-        }
-        // N springs side by side: an impact lasts N^(-2/5) as long by Hertz, N^(-1/2) on linear springs.
-        const bool adds_up =
-            model.settings.sharing == contact::Sharing::dashpots || model.settings.sharing == contact::Sharing::sum;
-        const double flat = adds_up ? model.spheres.flat_count[at(b)] : 1;
-        duration *= std::pow(flat, model.settings.normal == contact::NormalLaw::linear ? -0.5 : -0.4);
-        const double limit = duration / model.settings.steps_per_contact;
-        if (limit < step.limit) {
-            step = {limit, BodyId{b}, "duration of an impact of " + model.bodies.name(BodyId{b})};
-        }
+        return Impact{.modulus = pair.modulus,
+                      .stiffness = pair.normal_stiffness,
+                      .radius = radius,
+                      .mass = mass,
+                      .beside_face = mass / (1 + mass / face),
+                      .speed = std::max({fast, std::sqrt(4 * gravity * radius), 1e-6}),
+                      .flat = adds_up ? static_cast<double>(model.spheres.flat_count[at(b)]) : 1.0};
+    };
+    const auto least_of = [&](const auto& value_of) {
+        const auto one = [&](std::int64_t b) {
+            return is_in(b) ? Least{value_of(impact_of(b)), static_cast<std::int32_t>(b)} : Least{never, 0};
+        };
+        return parallel::reduce(model.bodies.size(), Least{never, 0}, one, lesser);
+    };
+    const Least nearly = least_of([&](const Impact& impact) { return order_of(impact, law); });
+    if (!std::isfinite(nearly.value)) {
+        return {never, {}, "no sphere can touch another"};
     }
-    return step;
+    // Powers are for those that round-off could put first, and only once for all that are alike.
+    const Impact shortest = impact_of(nearly.body);
+    const double duration = duration_of(shortest, law), hardly_longer = nearly.value * (1 + 1e-9);
+    const Least exactly = least_of([&](const Impact& impact) {
+        return impact == shortest ? duration : order_of(impact, law) > hardly_longer ? never : duration_of(impact, law);
+    });
+    const BodyId body{exactly.body};
+    return {exactly.value / model.settings.steps_per_contact, body,
+            "duration of an impact of " + model.bodies.name(body)};
 }
 
 }  // namespace riprap::solid::sphere_dem

@@ -19,6 +19,7 @@ void friction_strips(const CaseSetting& setting, CaseReport& report);
 void block_entry(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void floes_4(const CaseSetting& setting, CaseReport& report);
+void floes_sph(const CaseSetting& setting, CaseReport& report);
 void floes_9(const CaseSetting& setting, CaseReport& report);
 void floes_fine(const CaseSetting& setting, CaseReport& report);
 void floes_none(const CaseSetting& setting, CaseReport& report);

@@ -212,8 +212,10 @@ void judge_order(CaseReport& report, const std::array<Outcome, 4>& outcomes, con
 
 /// Blocks float at rest behind the closed gate.
 void judge_freeboard(CaseReport& report, const CaseSetting& setting, const std::string& folder,
-                     std::span<const std::string> blocks) {
-    FloeRun still{.depth = 0, .end = 1.0, .more = {"body.gate.motion.linear.velocity=[0,0,0]"}};
+                     std::span<const std::string> blocks, FloeRun still = {}) {
+    still.depth = 0;
+    still.end = 1.0;
+    still.more.emplace_back("body.gate.motion.linear.velocity=[0,0,0]");
     const Outcome outcome = run_floes(setting, folder, still);
     const WaterTrial& trial = *outcome.trial;
     // Behind the gate stands what the particles weigh: their level with the blocks afloat.
@@ -240,10 +242,11 @@ void plot_blocks(const CaseSetting& setting, const std::array<Outcome, 4>& outco
     write_plot(setting, name, plot);
 }
 
-std::array<Outcome, 4> run_all(const CaseSetting& setting, CaseReport& report, const std::string& folder, double end) {
+std::array<Outcome, 4> run_all(const CaseSetting& setting, CaseReport& report, const std::string& folder, FloeRun run) {
     std::array<Outcome, 4> outcomes;
+    run.end = std::max(run.end, setting.is_full ? 3.0 : 0.0);
     for (std::size_t k = 0; k < depths.size(); ++k) {
-        const FloeRun run{.depth = depths[k], .end = std::max(end, setting.is_full ? 3.0 : 0.0)};
+        run.depth = depths[k];
         outcomes[k] = run_floes(setting, folder, run);
         judge_flow(report, bed(depths[k]), run, outcomes[k]);
     }
@@ -255,7 +258,7 @@ std::array<Outcome, 4> run_all(const CaseSetting& setting, CaseReport& report, c
 
 void floes_4(const CaseSetting& setting, CaseReport& report) {
     const std::vector<std::string> all{"A1", "A2", "B1", "B2"}, front{"B1", "B2"};
-    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_4", 1.5);
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_4", {});
     judge_excursions(report, outcomes, excursions_4);
     judge_order(report, outcomes, "A2");
     judge_order(report, outcomes, "B2");
@@ -263,9 +266,21 @@ void floes_4(const CaseSetting& setting, CaseReport& report) {
     plot_blocks(setting, outcomes, "floes_4", front);
 }
 
+// The four by sph, with water in the gaps between floes, walls and bed, which the source leaves out.
+void floes_sph(const CaseSetting& setting, CaseReport& report) {
+    const std::vector<std::string> all{"A1", "A2", "B1", "B2"}, front{"B1", "B2"};
+    const FloeRun wet{.fluid = "sph", .more = {"fluid.joint_pressure=true"}};
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_4", wet);
+    judge_excursions(report, outcomes, excursions_4);
+    judge_order(report, outcomes, "A2");
+    judge_order(report, outcomes, "B2");
+    judge_freeboard(report, setting, "floes_4", all, wet);
+    plot_blocks(setting, outcomes, "floes_sph", front);
+}
+
 void floes_9(const CaseSetting& setting, CaseReport& report) {
     const std::vector<std::string> all{"A1", "A2", "A3", "B1", "B2", "B3", "C1", "C2", "C3"}, front{"C1", "C2", "C3"};
-    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_9", 1.5);
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_9", {});
     judge_excursions(report, outcomes, excursions_9);
     judge_freeboard(report, setting, "floes_9", all);
     plot_blocks(setting, outcomes, "floes_9", front);
@@ -288,7 +303,7 @@ void floes_fine(const CaseSetting& setting, CaseReport& report) {
 
 // The same without blocks: computed only in the source, so with blocks against without is all there is to judge.
 void floes_none(const CaseSetting& setting, CaseReport& report) {
-    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_none", 6.0);
+    const std::array<Outcome, 4> outcomes = run_all(setting, report, "floes_none", {.end = 6.0});
     const FloeRun dry{.depth = 0, .end = 0.6};
     const Outcome loaded = run_floes(setting, "floes_4", dry);
     report.judge(

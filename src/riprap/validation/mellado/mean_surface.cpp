@@ -17,12 +17,19 @@ double distance_across(const Vec3& a, const Vec3& b, int up) {
     return norm(d);
 }
 
-/// Largest distance of a body's surface from its centre.
+/// Largest distance of a body's surface from its centre; of a planar one, a slice of one metre, in its plane.
 double reach_of(const sim::Model& model, std::size_t body) {
+    const auto radius = [&](const geometry::ConvexView& shape) {
+        double most = 0;
+        for (int i = 0; i < shape.vertex_count && model.bodies.is_planar; ++i) {
+            most = std::max(most, std::hypot(shape.vertex(i).x, shape.vertex(i).y));
+        }
+        return model.bodies.is_planar ? most : shape.circumradius;
+    };
     double reach = 0;
     for (std::int32_t p = model.bodies.part_begin[body]; p < model.bodies.part_begin[body + 1]; ++p) {
         const body::Part& part = model.bodies.parts[static_cast<std::size_t>(p)];
-        reach = std::max(reach, norm(part.local.position) + model.shapes.view(part.shape).circumradius);
+        reach = std::max(reach, norm(part.local.position) + radius(model.shapes.view(part.shape)));
     }
     return reach;
 }
