@@ -45,11 +45,11 @@ struct Patch {
     /// one core.
     static constexpr std::int64_t size = 32;  ///< blocks of targets
 
-    std::vector<std::int32_t> blocks;     ///< of candidates with clusters that lists name, ascending
-    std::vector<NamedClusters> clusters;  ///< of each of them, those that lists name
-    std::int32_t cluster_count{0};        ///< in all
-    SmallNumbers entries;                 ///< lists: places of clusters
-    SmallNumbers start;                   ///< of the list of each target cluster, one more at the end
+    std::vector<std::int32_t> blocks;                ///< of candidates with clusters that lists name, ascending
+    std::vector<NamedClusters> clusters;             ///< of each of them, those that lists name
+    std::int32_t cluster_count{0};                   ///< in all
+    SmallNumbers entries;                            ///< lists: places of clusters
+    SmallNumbers start;                              ///< of the list of each target cluster, one more at the end
     std::vector<std::vector<std::int32_t>> watched;  ///< per target block: blocks around, farther than the lists reach
 
     /// List of a cluster of targets.
