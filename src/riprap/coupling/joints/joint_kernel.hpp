@@ -29,6 +29,7 @@ struct JointLinks {
 
 /// Gaps between faces that look at each other.
 struct JointGaps {
+    bool is_any;         ///< some are; else there is nothing below
     FourMask are_there;  ///< narrow enough to share a joint
     Four3 across;        ///< n_ij, unit
     Four width;          ///< negative where they overlap [m]
@@ -48,11 +49,17 @@ class JointKernel {
     }
 
     JointLinks link(const JointFour& near) const { return {near.apart, kernel_.slope_over_r(sqrt(near.square))}; }
+    /// Most fours look elsewhere, so that most of the time goes to the others.
     JointGaps gaps(const JointSelf& self, const SampleFour& others, const JointFour& near) const {
+        const FourMask may_be = near.is_there & near.are_facing;
+        if (bits_of(may_be) == 0) {
+            return {};
+        }
         const Four3 both = Four3(self.normal) - others.normal;
         const Four3 n = (Four(1) / sqrt(dot(both, both))) * both;
         const Four width = -dot(near.apart, n) - (Four(self.depth) + others.depth);
-        return {near.is_there & near.are_facing & (width < Four(most_gap * spacing_)), n, width};
+        const FourMask are_there = may_be & (width < Four(most_gap * spacing_));
+        return {bits_of(are_there) != 0, are_there, n, width};
     }
     /// Links with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
     JointLinks closed(const JointFour& near, const JointGaps& gaps) const {
