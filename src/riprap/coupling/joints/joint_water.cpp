@@ -34,6 +34,13 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
     Four3 slope, of_gap;
     Four gap(std::numeric_limits<double>::infinity());
     others.clear();
+    const auto meet = [&](std::int32_t partner) {
+        const bool is_joint = is_loose || partner != still_solid;
+        const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
+        if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
+            others.push_back(partner);
+        }
+    };
     pairs.for_each_joined(index, self, [&](std::size_t number, const JointFour& near) {
         const SampleFour& other = pairs.fours()[number];
         const JointLinks link = kernel.link(near);
@@ -42,20 +49,20 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
         FourMask is_near = near.is_there & (link.slope < zero);
         const JointGaps gaps = kernel.gaps(self, other, near);
         if (gaps.is_any) {
-            const JointLinks touching = kernel.touching(near, gaps), closed = kernel.closed(near, gaps);
+            const JointLinks touching = kernel.touching(near, gaps);
             const Four3 change = (other.volume * touching.slope) * touching.apart - share * link.apart;
             of_gap = of_gap + Four3(select(gaps.are_there, change.x, zero), select(gaps.are_there, change.y, zero),
                                     select(gaps.are_there, change.z, zero));
             gap = select(gaps.are_there & (touching.slope < zero), min(gap, max(gaps.width, zero)), gap);
-            is_near = is_near | (gaps.are_there & (closed.slope < zero));
+            is_near = is_near | kernel.do_closed_meet(near, gaps);
         }
-        for (std::uint32_t left = bits_of(is_near); left != 0; left &= left - 1) {
-            const std::int32_t partner = other.partner[static_cast<std::size_t>(__builtin_ctz(left))];
-            const bool is_joint = is_loose || partner != still_solid;
-            const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
-            if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
-                others.push_back(partner);
-            }
+        std::uint32_t left = bits_of(is_near);
+        if (left != 0 && other.is_of_one_partner()) {
+            meet(other.partner[0]);
+            left = 0;
+        }
+        for (; left != 0; left &= left - 1) {
+            meet(other.partner[static_cast<std::size_t>(__builtin_ctz(left))]);
         }
     });
     return {sum_of(slope), sum_of(of_gap), std::min({gap[0], gap[1], gap[2], gap[3]})};
