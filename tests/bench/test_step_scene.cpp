@@ -51,6 +51,8 @@ TEST(StepScene, WaterWithAndWithoutTheRubbleInItIsTheSame) {
     EXPECT_EQ(with.state.fluid.position, none.state.fluid.position);
     EXPECT_EQ(free_blocks(with), 4 * 4 * 3);
     EXPECT_EQ(free_blocks(none), 0);
+    // Story: water whose blocks are taken away was counted as lost, and the bench stopped in its first step.
+    EXPECT_EQ(take(none, 1).problem, "");
     const auto of_blocks = with.model.particles()->samples.size() - none.model.particles()->samples.size();
     EXPECT_GT(of_blocks, 48);
 }

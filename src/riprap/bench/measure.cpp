@@ -46,11 +46,15 @@ Timing compare_calls(const std::function<void()>& first, const std::function<voi
         call();
         return now(clock) - before;
     };
+    return compare_seconds([&] { return time(first); }, [&] { return time(second); }, pair_count);
+}
+
+Timing compare_seconds(const std::function<double()>& first, const std::function<double()>& second, int pair_count) {
     first();
     second();
     std::vector<double> ratios;
     for (int pair = 0; pair < pair_count; ++pair) {
-        const double seconds_of_first = time(first), seconds_of_second = time(second);
+        const double seconds_of_first = first(), seconds_of_second = second();
         ratios.push_back(seconds_of_first / std::max(1e-9, seconds_of_second));
     }
     return timing_of(std::move(ratios));

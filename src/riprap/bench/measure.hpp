@@ -36,6 +36,9 @@ Timing time_calls(const std::function<void()>& call, const Repeat& repeat = {});
 Timing compare_calls(const std::function<void()>& first, const std::function<void()>& second, int pair_count = 9,
                      Clock clock = Clock::wall);
 
+/// The same of calls that return their own seconds.
+Timing compare_seconds(const std::function<double()>& first, const std::function<double()>& second, int pair_count = 9);
+
 /// Writes "median of 7, spread -1 % +4 %".
 std::string spread(const Timing& timing);
 

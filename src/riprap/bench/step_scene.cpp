@@ -108,7 +108,9 @@ StepScene rubble_in_basin(Rubble rubble, double wet, const StepSize& size) {
     }
     StepScene scene = scene_of(water);
     if (rubble == Rubble::none) {
-        scene.state.fluid = rubble_in_basin(Rubble::in_basin, wet, size).state.fluid;
+        StepScene with_blocks = rubble_in_basin(Rubble::in_basin, wet, size);
+        scene.state.fluid = std::move(with_blocks.state.fluid);
+        scene.state.open = std::move(with_blocks.state.open);  // which knows how many there were
     }
     return scene;
 }

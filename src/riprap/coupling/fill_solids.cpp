@@ -2,13 +2,17 @@
 #include "riprap/coupling/fill_solids.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
+#include "riprap/core/error.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {
 
-FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state)
-    : grounds_(body::find_grounds(bodies, shapes)) {
+FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+                       double farthest)
+    : farthest_(farthest), grounds_(body::find_grounds(bodies, shapes)) {
     const auto at = [](BodyId body) { return static_cast<std::size_t>(body.value); };
     std::vector<std::uint8_t> is_ground(static_cast<std::size_t>(bodies.size()), 0);
     for (const body::Ground& ground : grounds_) {
@@ -25,6 +29,43 @@ FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bo
         parts_.push_back({shapes.view(part.shape),
                           {to_world(pose, part.local.position), pose.orientation * part.local.orientation}});
     }
+    sort_into_cells();
+}
+
+/// Parts much larger than most would make every cell as large as they are: they are asked one by one.
+void FillSolids::sort_into_cells() {
+    constexpr double large = 4;  // times the radius of the part in the middle of all
+    std::vector<double> radii;
+    for (const Placed& part : parts_) {
+        radii.push_back(part.shape.circumradius);
+    }
+    if (radii.empty()) {
+        return;
+    }
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    const double limit = large * *middle;
+    const auto is_small = [limit](const Placed& part) {
+        return std::isfinite(part.shape.circumradius) && part.shape.circumradius <= limit;
+    };
+    small_ = static_cast<std::size_t>(std::stable_partition(parts_.begin(), parts_.end(), is_small) - parts_.begin());
+    std::vector<Vec3> centres;
+    double reach = 0;
+    for (std::size_t k = 0; k < small_; ++k) {
+        centres.push_back(parts_[k].pose.position);
+        reach = std::max(reach, parts_[k].shape.circumradius + farthest_);
+    }
+    if (small_ > 0) {
+        cells_.build(centres, fluid::Domain{}, reach);
+    }
+}
+
+/// Tells whether is(part) holds for any part that x may be in or near.
+template <class Is>
+bool FillSolids::is_any(const Vec3& x, const Is& is) const {
+    return std::any_of(parts_.begin() + static_cast<std::ptrdiff_t>(small_), parts_.end(), is) ||
+           (small_ > 0 &&
+            cells_.view().any_near(x, [&](std::int64_t k) { return is(parts_[static_cast<std::size_t>(k)]); }));
 }
 
 bool FillSolids::contain(const Vec3& x) const {
@@ -33,20 +74,21 @@ bool FillSolids::contain(const Vec3& x) const {
             return true;
         }
     }
-    return std::any_of(parts_.begin(), parts_.end(), [&](const Placed& part) {
+    return is_any(x, [&](const Placed& part) {
         return norm_squared(x - part.pose.position) <= part.shape.circumradius * part.shape.circumradius &&
                geometry::contains(part.shape, to_body(part.pose, x));
     });
 }
 
 bool FillSolids::are_near(const Vec3& x, double distance) const {
+    RIPRAP_ASSERT(distance <= farthest_, "a solid farther away than filling looks");
     for (std::size_t g = 0; g < grounds_.size(); ++g) {
         const Vec3 local = to_body(poses_[g], x);
         if (grounds_[g].field.is_inside(local) || grounds_[g].field.nearest(local, distance)) {
             return true;
         }
     }
-    return std::any_of(parts_.begin(), parts_.end(), [&](const Placed& part) {
+    return is_any(x, [&](const Placed& part) {
         const double reach = part.shape.circumradius + distance;
         if (norm_squared(x - part.pose.position) > reach * reach) {
             return false;

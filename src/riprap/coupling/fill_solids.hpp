@@ -6,14 +6,18 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/core/quat.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::coupling {
 
-/// The solids of a scene as filling sees them: all parts of all bodies, and the surfaces of ground.
+/// The solids of a scene as filling sees them: all parts of all bodies, and the surfaces of ground. Small parts are in
+/// cells, so that what a question costs does not grow with the blocks far away.
 class FillSolids {
  public:
-    FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state);
+    /// @param farthest  no distance is asked for beyond it [m]
+    FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
+               double farthest);
     bool contain(const Vec3& x) const;
     /// True inside of a solid, and outside where a surface is less than `distance` away [m].
     bool are_near(const Vec3& x, double distance) const;
@@ -23,7 +27,14 @@ class FillSolids {
         geometry::ConvexView shape;
         Pose pose;
     };
-    std::vector<Placed> parts_;
+    void sort_into_cells();
+    template <class Is>
+    bool is_any(const Vec3& x, const Is& is) const;
+
+    double farthest_;
+    std::vector<Placed> parts_;  ///< the small ones first
+    std::size_t small_{0};       ///< number of them
+    fluid::CellGrid cells_;      ///< of centres of the small ones
     std::vector<body::Ground> grounds_;
     std::vector<Pose> poses_;  ///< of the grounds
 };

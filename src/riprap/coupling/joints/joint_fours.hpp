@@ -57,6 +57,10 @@ struct SampleFour {
     Four volume{0.0}, depth{0.0};
     std::array<std::int32_t, four_size> member{-1, -1, -1, -1};   ///< numbers in JointPairs::members; -1: none
     std::array<std::int32_t, four_size> partner{-1, -1, -1, -1};  ///< of partner_of
+
+    bool is_of_one_partner() const {
+        return partner[0] == partner[1] && partner[0] == partner[2] && partner[0] == partner[3];
+    }
 };
 
 }  // namespace riprap::coupling

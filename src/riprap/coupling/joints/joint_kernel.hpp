@@ -29,6 +29,7 @@ struct JointLinks {
 
 /// Gaps between faces that look at each other.
 struct JointGaps {
+    bool is_any;         ///< some are; else there is nothing below
     FourMask are_there;  ///< narrow enough to share a joint
     Four3 across;        ///< n_ij, unit
     Four width;          ///< negative where they overlap [m]
@@ -38,7 +39,9 @@ struct JointGaps {
 class JointKernel {
  public:
     explicit JointKernel(const fluid::ParticleSettings& settings)
-        : kernel_(settings.smoothing_length(), settings.domain.dimension), spacing_(settings.spacing) {}
+        : kernel_(settings.smoothing_length(), settings.domain.dimension),
+          spacing_(settings.spacing),
+          square_of_support_(settings.support_radius() * settings.support_radius()) {}
     /// Distance from which on two samples do nothing to each other, brought together or not [m]. Deeper layers of faces
     /// 1.5 to 2 spacings apart would be within the support from a little farther, by less than 1e-4 of the kernel's
     /// slope.
@@ -48,16 +51,24 @@ class JointKernel {
     }
 
     JointLinks link(const JointFour& near) const { return {near.apart, kernel_.slope_over_r(sqrt(near.square))}; }
+    /// Most fours look elsewhere, so that most of the time goes to the others.
     JointGaps gaps(const JointSelf& self, const SampleFour& others, const JointFour& near) const {
+        const FourMask may_be = near.is_there & near.are_facing;
+        if (bits_of(may_be) == 0) {
+            return {};
+        }
         const Four3 both = Four3(self.normal) - others.normal;
         const Four3 n = (Four(1) / sqrt(dot(both, both))) * both;
         const Four width = -dot(near.apart, n) - (Four(self.depth) + others.depth);
-        return {near.is_there & near.are_facing & (width < Four(most_gap * spacing_)), n, width};
+        const FourMask are_there = may_be & (width < Four(most_gap * spacing_));
+        return {bits_of(are_there) != 0, are_there, n, width};
     }
     /// Links with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
-    JointLinks closed(const JointFour& near, const JointGaps& gaps) const {
-        const Four room = min(gaps.width, Four(most_gap * spacing_) - gaps.width);
-        return nearer(near, min(max(room, Four(0)), Four(spacing_)), gaps);
+    JointLinks closed(const JointFour& near, const JointGaps& gaps) const { return nearer(near, shift_of(gaps), gaps); }
+    /// Which of them these links reach: their slope is not zero.
+    FourMask do_closed_meet(const JointFour& near, const JointGaps& gaps) const {
+        const Four3 apart = near.apart + shift_of(gaps) * gaps.across;
+        return gaps.are_there & (dot(apart, apart) < Four(square_of_support_));
     }
     /// The same with faces brought together whole.
     JointLinks touching(const JointFour& near, const JointGaps& gaps) const {
@@ -68,13 +79,18 @@ class JointKernel {
     /// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
     static constexpr double most_gap = 2;
 
+    /// s
+    Four shift_of(const JointGaps& gaps) const {
+        const Four room = min(gaps.width, Four(most_gap * spacing_) - gaps.width);
+        return min(max(room, Four(0)), Four(spacing_));
+    }
     JointLinks nearer(const JointFour& near, Four shift, const JointGaps& gaps) const {
         const Four3 apart = near.apart + shift * gaps.across;
         return {apart, kernel_.slope_over_r(sqrt(dot(apart, apart)))};
     }
 
     fluid::WendlandC2 kernel_;
-    double spacing_;
+    double spacing_, square_of_support_;  ///< [m], [m^2]
 };
 
 }  // namespace riprap::coupling

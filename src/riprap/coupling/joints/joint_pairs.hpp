@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -69,18 +70,11 @@ class JointPairs {
     /// All samples, those that are no members among them.
     const std::vector<SampleFour>& fours() const { return fours_; }
 
-    /// Tells whether is(j) holds for any member j of other solids that member i may meet.
-    template <class F>
-    bool may_meet(std::size_t i, const F& is) const {
-        for (const std::uint32_t entry : entries_of(i)) {
-            const SampleFour& four = fours_[four_of(entry)];
-            for (std::uint32_t left = met_of(entry); left != 0; left &= left - 1) {
-                if (is(at(four.member[static_cast<std::size_t>(__builtin_ctz(left))]))) {
-                    return true;
-                }
-            }
-        }
-        return false;
+    /// Tells whether member i may meet one of some members of other solids.
+    /// @param chosen  of each four, a bit for each of those in it
+    bool may_meet(std::size_t i, std::span<const std::uint8_t> chosen) const {
+        return std::ranges::any_of(entries_of(i),
+                                   [&](std::uint32_t entry) { return (met_of(entry) & chosen[four_of(entry)]) != 0; });
     }
     /// f(number of the four, near) for all fours with members of other solids within JointKernel::reach of member i,
     /// ascending; faces that look at each other are not told of.

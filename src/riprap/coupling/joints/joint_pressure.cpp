@@ -54,7 +54,14 @@ struct JointPressure::Work {
         double pressure;  ///< of the water there [Pa]
     };
 
+    /// What four samples are as parts of the joint with one solid.
+    struct SideFour {
+        std::int32_t other;
+        Four pressure{0.0}, left_to_do{0.0};  ///< as of Side
+    };
+
     void list_sides();
+    void spread_sides();
     void spread_felt();
     /// The piece of a rim that a member is; nothing where it is none.
     RimPiece rim_piece(const SampleView& near, std::size_t member, const fluid::ParticleSettings& settings,
@@ -64,12 +71,17 @@ struct JointPressure::Work {
     double felt_about(std::size_t member, const fluid::ParticleSettings& settings, const Vec3& gravity) const;
     /// Returns the member as part of the joint with `other`; without pressure where it has no part in one.
     Side side_of(std::size_t member, std::int32_t other) const;
+    /// The same of a four.
+    SideFour sides_of_four(std::size_t number, std::int32_t other) const;
     Vec3 force_on(std::size_t member, const JointKernel& kernel) const;
 
     JointPairs pairs;
     std::vector<JointWater> found;         ///< of each member
     std::vector<std::int32_t> side_begin;  ///< of each member in sides, one more at the end
     std::vector<Side> sides;
+    std::vector<std::int32_t> side_four_begin;  ///< of each four in side_fours, one more at the end
+    std::vector<SideFour> side_fours;
+    std::vector<Four> dry_shares;  ///< u of each four where it has no side
     std::vector<FeltFour> felt;
     std::vector<RimPiece> pieces;             ///< of each member
     std::vector<std::vector<RimPiece>> rims;  ///< of each joint
@@ -99,6 +111,41 @@ void JointPressure::Work::list_sides() {
         side_begin.push_back(static_cast<std::int32_t>(sides.size()));
     }
     rims.resize(joints.size());
+}
+
+/// Copies sides into fours, for sums over them.
+void JointPressure::Work::spread_sides() {
+    const std::vector<SampleFour>& fours = pairs.fours();
+    const auto count = static_cast<std::int64_t>(fours.size());
+    std::vector<std::vector<SideFour>> found_at(fours.size());
+    dry_shares.resize(fours.size(), Four(0));
+    parallel::for_each_uneven(count, grain, [&](std::int64_t number) {
+        std::vector<SideFour>& here = found_at[at(number)];
+        Four& dry = dry_shares[at(number)];
+        const SampleFour& four = fours[at(number)];
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            const auto k = static_cast<std::int64_t>(lane);
+            dry.set(k, four.member[lane] >= 0 ? found[at(four.member[lane])].dry_share : 0);
+        }
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            for (auto k = four.member[lane] < 0 ? 0 : side_begin[at(four.member[lane])];
+                 four.member[lane] >= 0 && k < side_begin[at(four.member[lane]) + 1]; ++k) {
+                const Side& side = sides[at(k)];
+                auto place = std::ranges::find(here, side.other, &SideFour::other);
+                if (place == here.end()) {
+                    place = here.insert(here.end(), {side.other, Four(0), dry});
+                }
+                place->pressure.set(static_cast<std::int64_t>(lane), side.pressure);
+                place->left_to_do.set(static_cast<std::int64_t>(lane), side.left_to_do);
+            }
+        }
+    });
+    side_four_begin.assign(1, 0);
+    side_fours.clear();
+    for (const std::vector<SideFour>& here : found_at) {
+        side_fours.insert(side_fours.end(), here.begin(), here.end());
+        side_four_begin.push_back(static_cast<std::int32_t>(side_fours.size()));
+    }
 }
 
 /// Copies what members feel into fours, for sums over it.
@@ -198,6 +245,15 @@ JointPressure::Work::Side JointPressure::Work::side_of(std::size_t member, std::
     return {static_cast<std::int32_t>(member), other, -1, 0, found[member].dry_share};
 }
 
+JointPressure::Work::SideFour JointPressure::Work::sides_of_four(std::size_t number, std::int32_t other) const {
+    for (auto k = at(side_four_begin[number]); k < at(side_four_begin[number + 1]); ++k) {
+        if (side_fours[k].other == other) {
+            return side_fours[k];
+        }
+    }
+    return {other, Four(0), dry_shares[number]};
+}
+
 Vec3 JointPressure::Work::force_on(std::size_t index, const JointKernel& kernel) const {
     if (!found[index].may_be_there) {
         return {};
@@ -208,24 +264,33 @@ Vec3 JointPressure::Work::force_on(std::size_t index, const JointKernel& kernel)
     Side own = side_of(index, still_solid);  // of the partner last met: members come solid by solid
     pairs.for_each_joined(index, self, [&](std::size_t number, const JointFour& near) {
         const SampleFour& other = pairs.fours()[number];
-        Four pressure(0), share(0);
-        for (std::uint32_t left = bits_of(near.is_there); left != 0; left &= left - 1) {
-            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
-            if (other.partner[lane] != own.other) {
-                own = side_of(index, other.partner[lane]);
+        const SideFour others = sides_of_four(number, partner);
+        Four pressure = others.pressure, share = others.left_to_do;
+        if (other.is_of_one_partner()) {
+            own = other.partner[0] == own.other ? own : side_of(index, other.partner[0]);
+            pressure += Four(own.pressure);
+            share += Four(own.left_to_do);
+        } else {
+            for (std::uint32_t left = bits_of(near.is_there); left != 0; left &= left - 1) {
+                const auto lane = static_cast<std::int64_t>(__builtin_ctz(left));
+                own = side_of(index, other.partner[at(lane)]);
+                pressure.set(lane, own.pressure + pressure[lane]);
+                share.set(lane, own.left_to_do + share[lane]);
             }
-            const Side others = side_of(at(other.member[lane]), partner);
-            pressure.set(static_cast<std::int64_t>(lane), own.pressure + others.pressure);
-            share.set(static_cast<std::int64_t>(lane), 0.5 * (own.left_to_do + others.left_to_do));
         }
+        pressure = select(near.is_there, pressure, Four(0));
         if (bits_below(Four(0), pressure) == 0) {
             return;
         }
         const JointLinks link = kernel.link(near);
         const JointGaps gaps = kernel.gaps(self, other, near);
-        const JointLinks closed = kernel.closed(near, gaps);
-        share = select(gaps.are_there, share, Four(0));
         const Four strength = other.volume * pressure;
+        if (!gaps.is_any) {
+            sum = sum - (strength * link.slope) * link.apart;
+            return;
+        }
+        const JointLinks closed = kernel.closed(near, gaps);
+        share = select(gaps.are_there, Four(0.5) * share, Four(0));
         sum = sum - (strength * (Four(1) - share) * link.slope) * link.apart;
         const Four brought = select(gaps.are_there, strength * share * closed.slope, Four(0));
         sum = sum - Four3(select(gaps.are_there, brought * closed.apart.x, Four(0)),
@@ -270,6 +335,7 @@ void JointPressure::Work::find(const SampleView& near, std::span<const Vec3> slo
         const JointWater& water_there = found[at(side.member)];
         side.left_to_do = left_to_do(water_there, water.pressure[at(members[at(side.member)].sample)], side.pressure);
     });
+    spread_sides();
     force.resize(at(near.size()));
     parallel::for_each(near.size(), [&force](std::int64_t i) { force[at(i)] = {}; });
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
@@ -278,7 +344,8 @@ void JointPressure::Work::find(const SampleView& near, std::span<const Vec3> slo
 }
 
 std::size_t JointPressure::Work::bytes() const {
-    std::size_t bytes = pairs.bytes() + bytes_of(found, side_begin, sides, pieces, rims) + bytes_of(felt);
+    std::size_t bytes = pairs.bytes() + bytes_of(found, side_begin, sides, pieces, rims) + bytes_of(felt) +
+                        bytes_of(side_four_begin, side_fours, dry_shares);
     for (const JointWater& at_member : found) {
         bytes += bytes_of(at_member.others);
     }

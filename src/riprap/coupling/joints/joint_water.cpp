@@ -34,6 +34,13 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
     Four3 slope, of_gap;
     Four gap(std::numeric_limits<double>::infinity());
     others.clear();
+    const auto meet = [&](std::int32_t partner) {
+        const bool is_joint = is_loose || partner != still_solid;
+        const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
+        if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
+            others.push_back(partner);
+        }
+    };
     pairs.for_each_joined(index, self, [&](std::size_t number, const JointFour& near) {
         const SampleFour& other = pairs.fours()[number];
         const JointLinks link = kernel.link(near);
@@ -41,21 +48,21 @@ Surroundings look_around(const JointPairs& pairs, std::size_t index, const Joint
         slope = slope + share * link.apart;
         FourMask is_near = near.is_there & (link.slope < zero);
         const JointGaps gaps = kernel.gaps(self, other, near);
-        if (bits_of(gaps.are_there) != 0) {
-            const JointLinks touching = kernel.touching(near, gaps), closed = kernel.closed(near, gaps);
+        if (gaps.is_any) {
+            const JointLinks touching = kernel.touching(near, gaps);
             const Four3 change = (other.volume * touching.slope) * touching.apart - share * link.apart;
             of_gap = of_gap + Four3(select(gaps.are_there, change.x, zero), select(gaps.are_there, change.y, zero),
                                     select(gaps.are_there, change.z, zero));
             gap = select(gaps.are_there & (touching.slope < zero), min(gap, max(gaps.width, zero)), gap);
-            is_near = is_near | (gaps.are_there & (closed.slope < zero));
+            is_near = is_near | kernel.do_closed_meet(near, gaps);
         }
-        for (std::uint32_t left = bits_of(is_near); left != 0; left &= left - 1) {
-            const std::int32_t partner = other.partner[static_cast<std::size_t>(__builtin_ctz(left))];
-            const bool is_joint = is_loose || partner != still_solid;
-            const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
-            if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
-                others.push_back(partner);
-            }
+        std::uint32_t left = bits_of(is_near);
+        if (left != 0 && other.is_of_one_partner()) {
+            meet(other.partner[0]);
+            left = 0;
+        }
+        for (; left != 0; left &= left - 1) {
+            meet(other.partner[static_cast<std::size_t>(__builtin_ctz(left))]);
         }
     });
     return {sum_of(slope), sum_of(of_gap), std::min({gap[0], gap[1], gap[2], gap[3]})};
@@ -67,7 +74,7 @@ double covered(const Vec3& open, const Vec3& water) {
     return square > 0 ? std::max(0.0, -dot(open, water) / square) : 0;
 }
 
-/// Which partners water stands at: loose solids by number + 1, first all others.
+/// Which partners water stands at: loose solids by number + 1, first all others, which are one.
 std::vector<std::uint8_t> find_wet_partners(const JointPairs& pairs, std::size_t bodies,
                                             const fluid::WaterAtWalls& water) {
     std::vector<std::uint8_t> is_wet(bodies + 1, 0);
@@ -79,6 +86,19 @@ std::vector<std::uint8_t> find_wet_partners(const JointPairs& pairs, std::size_t
     return is_wet;
 }
 
+/// Of each four a bit for each member whose partner is wet.
+std::vector<std::uint8_t> find_wet_members(const JointPairs& pairs, std::span<const std::uint8_t> is_partner_wet) {
+    std::vector<std::uint8_t> wet(pairs.fours().size(), 0);
+    parallel::for_each(static_cast<std::int64_t>(wet.size()), [&](std::int64_t number) {
+        const SampleFour& four = pairs.fours()[at(number)];
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            const bool is_wet = four.member[lane] >= 0 && is_partner_wet[at(four.partner[lane] + 1)] != 0;
+            wet[at(number)] = static_cast<std::uint8_t>(wet[at(number)] | (is_wet ? 1U << lane : 0U));
+        }
+    });
+    return wet;
+}
+
 }  // namespace
 
 void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
@@ -87,14 +107,14 @@ void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span
     const std::vector<JointMember>& members = pairs.members();
     const JointKernel kernel(settings);
     found.resize(members.size());
-    const std::vector<std::uint8_t> is_wet = find_wet_partners(pairs, motion.pose.size(), water);
-    const auto is_partner_wet = [&](std::size_t j) { return is_wet[at(partner_of(members[j]) + 1)] != 0; };
+    const std::vector<std::uint8_t> is_partner_wet = find_wet_partners(pairs, motion.pose.size(), water);
+    const std::vector<std::uint8_t> are_wet = find_wet_members(pairs, is_partner_wet);
     parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
         const JointMember& member = members[at(index)];
         JointWater& at_member = found[at(index)];
         // Where both sides are dry, all of the rim is, and the joint presses nothing apart.
-        at_member.may_be_there =
-            pairs.is_at_joint(at(index)) && (is_partner_wet(at(index)) || pairs.may_meet(at(index), is_partner_wet));
+        at_member.may_be_there = pairs.is_at_joint(at(index)) && (is_partner_wet[at(partner_of(member) + 1)] != 0 ||
+                                                                  pairs.may_meet(at(index), are_wet));
         if (!at_member.may_be_there) {
             at_member.weight = 0;
             at_member.dry_share = 1;

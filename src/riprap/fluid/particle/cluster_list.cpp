@@ -168,11 +168,10 @@ void ClusterList::collect_mentions() {
     }
     mentions_.resize(static_cast<std::size_t>(mention_start_.back()));
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-        const std::vector<std::int32_t>& blocks = patches_[p].blocks;
-        for (std::size_t place = 0; place < blocks.size(); ++place) {
-            std::int32_t& next = mention_start_[static_cast<std::size_t>(blocks[place]) + 1];
-            mentions_[static_cast<std::size_t>(next++)] = {static_cast<std::int32_t>(p),
-                                                           static_cast<std::int32_t>(place)};
+        const Patch& patch = patches_[p];
+        for (std::size_t b = 0; b < patch.blocks.size(); ++b) {
+            std::int32_t& next = mention_start_[static_cast<std::size_t>(patch.blocks[b]) + 1];
+            mentions_[static_cast<std::size_t>(next++)] = {static_cast<std::int32_t>(p), patch.clusters[b]};
         }
     }
 }

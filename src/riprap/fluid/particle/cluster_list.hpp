@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,6 +25,19 @@ struct NearClusters {
     }
 };
 
+/// Some of the clusters of a block of candidates, and their places in a list of such clusters that follow each other.
+struct NamedClusters {
+    std::int32_t first;   ///< place of the first of them
+    std::uint16_t named;  ///< bit c: cluster c of the block is one
+
+    bool has(std::int64_t member) const { return (named >> member & 1) != 0; }
+    /// Place of the cluster, if it is one of them.
+    std::int32_t place(std::int64_t member) const {
+        return first + std::popcount(named & ((1U << static_cast<unsigned>(member)) - 1));
+    }
+};
+static_assert(BoxTree::branches == 16, "a bit for each cluster of a block");
+
 /// Some blocks of clusters of targets that follow each other, which one thread sweeps in one go, with everything around
 /// them that may act on them. Where its data are cut depends on the number of targets alone.
 struct Patch {
@@ -31,9 +45,11 @@ struct Patch {
     /// one core.
     static constexpr std::int64_t size = 32;  ///< blocks of targets
 
-    std::vector<std::int32_t> blocks;  ///< of candidates that lists name, ascending
-    SmallNumbers entries;              ///< lists: place of a cluster in `blocks`, times BoxTree::branches, plus its own
-    SmallNumbers start;                ///< of the list of each target cluster, one more at the end
+    std::vector<std::int32_t> blocks;                ///< of candidates with clusters that lists name, ascending
+    std::vector<NamedClusters> clusters;             ///< of each of them, those that lists name
+    std::int32_t cluster_count{0};                   ///< in all
+    SmallNumbers entries;                            ///< lists: places of clusters
+    SmallNumbers start;                              ///< of the list of each target cluster, one more at the end
     std::vector<std::vector<std::int32_t>> watched;  ///< per target block: blocks around, farther than the lists reach
 
     /// List of a cluster of targets.
@@ -42,7 +58,7 @@ struct Patch {
         return {entries, static_cast<std::size_t>(first),
                 static_cast<std::size_t>(start[static_cast<std::size_t>(target) + 1] - first)};
     }
-    std::size_t bytes() const { return entries.bytes() + start.bytes() + bytes_of(blocks, watched); }
+    std::size_t bytes() const { return entries.bytes() + start.bytes() + bytes_of(blocks, clusters, watched); }
 };
 
 /// For every cluster of targets the clusters of candidates that may act on it, ascending. Complete as long as targets
@@ -71,9 +87,9 @@ class ClusterList {
     /// Patches in which lists name a block of candidates, ascending.
     struct Mention {
         std::int32_t patch;
-        std::int32_t place;  ///< in Patch::blocks
+        NamedClusters clusters;
     };
-    /// Patches from `first_patch` up to `end_patch` that name a block.
+    /// Patches from `first_patch` up to `end_patch` that name clusters of a block.
     std::span<const Mention> mentions_in(std::int64_t candidate_block, std::int64_t first_patch,
                                          std::int64_t end_patch) const;
 

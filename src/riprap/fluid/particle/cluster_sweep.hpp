@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -98,9 +99,9 @@ struct ClusterSweep {
         Patches work{pair, {}, records->data(), nullptr, -1, far * 0.0625F * 1.00001F, Lanes(0)};
         const std::int64_t members = list.candidates().size() % cluster_size,
                            last = list.candidates().cluster_count() - 1;
-        if (members != 0 && !patch.blocks.empty() && patch.blocks.back() == last / BoxTree::branches) {
-            work.partial = static_cast<std::int32_t>(
-                (static_cast<std::int64_t>(patch.blocks.size()) - 1) * BoxTree::branches + last % BoxTree::branches);
+        if (members != 0 && !patch.blocks.empty() && patch.blocks.back() == last / BoxTree::branches &&
+            patch.clusters.back().has(last % BoxTree::branches)) {
+            work.partial = patch.clusters.back().place(last % BoxTree::branches);
             for (int lane = 0; lane < lane_count; ++lane) {
                 work.beyond.set(lane, lane % cluster_size < members ? 0.0F : far);
             }
@@ -111,7 +112,7 @@ struct ClusterSweep {
         if constexpr (Way::back_sums > 0) {
             work.back = scratch.buffers->patch_sums.data() +
                         scratch.buffers->patch_begin[static_cast<std::size_t>(p - first_patch)];
-            std::fill_n(work.back, patch.blocks.size() * BoxTree::branches * Patches::back_record, 0.0F);
+            std::fill_n(work.back, static_cast<std::size_t>(patch.cluster_count) * Patches::back_record, 0.0F);
         }
         const std::int64_t first = list.first_cluster(p), end = list.first_cluster(p + 1);
         for (std::int64_t t = first; t < end; ++t) {
@@ -195,26 +196,26 @@ struct ClusterSweep {
         return target;
     }
 
-    /// Places and fields of the patch's candidates, cluster by cluster.
+    /// Places and fields of the clusters that the patch names, one behind the other.
     void copy_records(const Patch& patch, std::vector<float>& records) const {
         const ClusterPlaces& places = scratch.list.candidates();
-        make_room(records, patch.blocks.size() * BoxTree::branches * Patches::record);
+        make_room(records, static_cast<std::size_t>(patch.cluster_count) * Patches::record);
         float* out = records.data();
-        for (const std::int32_t block : patch.blocks) {
-            const std::int64_t first = std::int64_t{block} * BoxTree::branches;
-            const std::int64_t end = std::min(places.cluster_count(), first + BoxTree::branches);
+        for (std::size_t b = 0; b < patch.blocks.size(); ++b) {
+            const std::int64_t first = std::int64_t{patch.blocks[b]} * BoxTree::branches;
             const float* fields = nullptr;
             if constexpr (candidate_fields > 0) {
                 const PackedFields& packed = scratch.buffers->packed;
-                fields =
-                    packed.fields.data() + static_cast<std::size_t>(packed.place[static_cast<std::size_t>(block)]) *
-                                               candidate_fields * cluster_size * BoxTree::branches;
+                const auto place = static_cast<std::size_t>(packed.place[static_cast<std::size_t>(patch.blocks[b])]);
+                fields = packed.fields.data() + place * candidate_fields * cluster_size * BoxTree::branches;
             }
-            for (std::int64_t c = first; c < end; ++c, out += Patches::record) {
-                std::memcpy(out, places.cluster(c), Dim * cluster_size * sizeof(float));
+            for (unsigned left = patch.clusters[b].named; left != 0; left &= left - 1, out += Patches::record) {
+                const auto member = static_cast<std::size_t>(std::countr_zero(left));
+                std::memcpy(out, places.cluster(first + static_cast<std::int64_t>(member)),
+                            Dim * cluster_size * sizeof(float));
                 if constexpr (candidate_fields > 0) {
-                    std::memcpy(out + Dim * cluster_size, fields, candidate_fields * cluster_size * sizeof(float));
-                    fields += candidate_fields * cluster_size;
+                    std::memcpy(out + Dim * cluster_size, fields + member * candidate_fields * cluster_size,
+                                candidate_fields * cluster_size * sizeof(float));
                 }
             }
         }

@@ -2,6 +2,7 @@
 #include "riprap/fluid/particle/list_search.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace riprap::fluid {
 
@@ -38,8 +39,9 @@ struct TargetPlaces {
 ListSearch::ListSearch(const Question& question)
     : question_(question),
       box_distance_(question.distance + question.target_boxes.slack() + question.candidate_boxes.slack()) {
-    const std::int64_t clusters = question.candidates.cluster_count();
-    place_of_block_.assign(static_cast<std::size_t>((clusters + BoxTree::branches - 1) / BoxTree::branches), -1);
+    const auto blocks = static_cast<std::size_t>(question.candidates.block_count());
+    named_.assign(blocks, 0);
+    place_of_block_.assign(blocks, 0);
 }
 
 void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch& patch) {
@@ -59,11 +61,13 @@ void ListSearch::fill(std::int64_t first_block, std::int64_t block_count, Patch&
     patch.blocks.clear();
     if (question_.is_each_once) {
         for (std::int64_t b = first_block; b < first_block + block_count; ++b) {
-            patch.blocks.push_back(static_cast<std::int32_t>(b));  // its own come first, whether named or not
-            place_of_block_[static_cast<std::size_t>(b)] = 0;
+            patch.blocks.push_back(static_cast<std::int32_t>(b));  // its own come first, all of them, named or not
+            const std::int64_t own =
+                std::min<std::int64_t>(BoxTree::branches, question_.targets.cluster_count() - b * BoxTree::branches);
+            named_[static_cast<std::size_t>(b)] = static_cast<std::uint16_t>((1U << static_cast<unsigned>(own)) - 1);
         }
     }
-    number_blocks(patch);
+    number_clusters(patch);
 }
 
 /// Blocks that a block of targets may meet, with their boxes side by side.
@@ -125,27 +129,29 @@ void ListSearch::find(std::int64_t target, std::vector<std::int32_t>& found) {
     found.resize(size);
 }
 
-/// Lists the blocks that the entries name and makes entries places in that list.
-void ListSearch::number_blocks(Patch& patch) {
+/// Lists the clusters that the entries name, block by block, and makes entries places in that list.
+void ListSearch::number_clusters(Patch& patch) {
     for (const std::int32_t cluster : entries_) {
-        const std::int32_t block = cluster / BoxTree::branches;
-        if (place_of_block_[static_cast<std::size_t>(block)] < 0) {
-            place_of_block_[static_cast<std::size_t>(block)] = 0;
-            patch.blocks.push_back(block);
+        std::uint16_t& named = named_[static_cast<std::size_t>(cluster / BoxTree::branches)];
+        if (named == 0) {
+            patch.blocks.push_back(cluster / BoxTree::branches);
         }
+        named = static_cast<std::uint16_t>(named | 1U << static_cast<unsigned>(cluster % BoxTree::branches));
     }
     std::sort(patch.blocks.begin(), patch.blocks.end());
-    for (std::size_t place = 0; place < patch.blocks.size(); ++place) {
-        place_of_block_[static_cast<std::size_t>(patch.blocks[place])] = static_cast<std::int32_t>(place);
+    patch.clusters.clear();
+    patch.cluster_count = 0;
+    for (const std::int32_t block : patch.blocks) {
+        place_of_block_[static_cast<std::size_t>(block)] = static_cast<std::int32_t>(patch.clusters.size());
+        patch.clusters.push_back({patch.cluster_count, named_[static_cast<std::size_t>(block)]});
+        patch.cluster_count += std::popcount(named_[static_cast<std::size_t>(block)]);
+        named_[static_cast<std::size_t>(block)] = 0;
     }
     for (std::int32_t& entry : entries_) {
-        entry = place_of_block_[static_cast<std::size_t>(entry / BoxTree::branches)] * BoxTree::branches +
-                entry % BoxTree::branches;
+        const auto block = static_cast<std::size_t>(entry / BoxTree::branches);
+        entry = patch.clusters[static_cast<std::size_t>(place_of_block_[block])].place(entry % BoxTree::branches);
     }
     patch.entries.assign(entries_);
-    for (const std::int32_t block : patch.blocks) {
-        place_of_block_[static_cast<std::size_t>(block)] = -1;
-    }
 }
 
 }  // namespace riprap::fluid

@@ -32,13 +32,14 @@ class ListSearch {
  private:
     void find_around(std::int64_t target_block);
     void find(std::int64_t target, std::vector<std::int32_t>& found);
-    void number_blocks(Patch& patch);
+    void number_clusters(Patch& patch);
 
     Question question_;
     float box_distance_;
     std::vector<std::int32_t> blocks_, near_blocks_, near_clusters_, entries_, start_;
     std::vector<BoxTree::Block> block_boxes_;
-    std::vector<std::int32_t> place_of_block_;  ///< in the patch, -1: not named
+    std::vector<std::uint16_t> named_;          ///< clusters of every block that the patch names
+    std::vector<std::int32_t> place_of_block_;  ///< in the patch
 };
 
 }  // namespace riprap::fluid

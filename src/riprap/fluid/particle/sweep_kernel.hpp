@@ -58,9 +58,12 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
                 total[k] = is_first && sums[k].is_fresh ? DoubleFour{} : four_of(sums[k], c * cluster_size, count);
             }
             for (const ClusterList::Mention& mention : mentions) {
+                if (!mention.clusters.has(c - first)) {
+                    continue;
+                }
                 const std::size_t begin =
                     scratch.buffers->patch_begin[static_cast<std::size_t>(mention.patch - first_patch)];
-                const auto cluster = static_cast<std::size_t>(mention.place * BoxTree::branches + c - first);
+                const auto cluster = static_cast<std::size_t>(mention.clusters.place(c - first));
                 const float* const part = &scratch.buffers->patch_sums[begin + cluster * stride];
                 for (std::size_t k = 0; k < SumCount; ++k) {
                     FloatFour four;
@@ -88,15 +91,16 @@ inline std::int64_t patches_at_a_time(std::int64_t patches) {
 }
 
 /// Cuts the buffer of sums at candidates into those of patches from `first_patch` up to `end_patch`.
-/// @param block_record  numbers that a block of candidates takes
+/// @param cluster_record  numbers that a cluster of candidates takes
 inline void make_room_for_patches(SweepScratchData& scratch, std::int64_t first_patch, std::int64_t end_patch,
-                                  std::size_t block_record) {
+                                  std::size_t cluster_record) {
     std::vector<std::size_t>& begin = scratch.buffers->patch_begin;
     begin.clear();
     std::size_t room = 0;
     for (std::int64_t p = first_patch; p < end_patch; ++p) {
         begin.push_back(room);
-        room += scratch.list.patches()[static_cast<std::size_t>(p)].blocks.size() * block_record;
+        room += static_cast<std::size_t>(scratch.list.patches()[static_cast<std::size_t>(p)].cluster_count) *
+                cluster_record;
     }
     make_room(scratch.buffers->patch_sums, room);
 }
@@ -116,7 +120,7 @@ void sweep_in_rounds(const Pair& pair, const SweepReach& reach, const SweepSide<
         const std::int64_t end = std::min(patches, first + step);
         sweep.first_patch = first;
         if constexpr (Way::back_sums > 0) {
-            make_room_for_patches(scratch, first, end, BoxTree::branches * decltype(sweep)::Patches::back_record);
+            make_room_for_patches(scratch, first, end, decltype(sweep)::Patches::back_record);
         }
         pack_fields(candidates.fields, scratch.list, first, end, scratch.buffers->packed);
         parallel::for_each_uneven(end - first, 1, [&](std::int64_t p) { sweep.sweep_patch(first + p); });

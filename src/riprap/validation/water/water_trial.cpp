@@ -12,8 +12,6 @@ namespace riprap::validation::water {
 
 namespace {
 
-constexpr double save_every = 60;  ///< [s] of wall-clock time
-
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace

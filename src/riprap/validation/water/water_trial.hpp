@@ -13,7 +13,7 @@
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/validation/registry.hpp"
-#include "riprap/validation/water/saved_trial.hpp"
+#include "riprap/validation/saved_trial.hpp"
 
 namespace riprap::validation::water {
 

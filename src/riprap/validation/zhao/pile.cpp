@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "riprap/core/timer.hpp"
+#include "riprap/validation/saved_trial.hpp"
 #include "riprap/validation/side_view.hpp"
 
 namespace riprap::validation::zhao {
@@ -77,6 +80,41 @@ WindowMeans pass_window(Trial& trial, double& largest_kinetic, PileRun& run) {
     return means;
 }
 
+/// Saves a fall on its way, and takes it up.
+class Keeper {
+ public:
+    Keeper(const CaseSetting& setting, const std::string& name, const sim::Model& model)
+        : path_(setting.results.empty() ? std::filesystem::path()
+                                        : setting.results / fmt::format("{}-{:016x}.trial", name, model.case_hash)) {}
+
+    void take_up(Trial& trial, double& largest_kinetic, PileRun& run) const {
+        TrialRecord record;
+        record.program = path_.empty() ? 0 : program_identity();
+        if (path_.empty() || !take_up_trial(path_, trial.model(), trial.state(), record)) {
+            return;
+        }
+        run.times = record.time;
+        run.kinetic.assign(record.values.begin(), record.values.end() - 3);
+        run.share_of_bound = record.values.end()[-3];
+        run.kinetic_share = record.values.end()[-2];
+        largest_kinetic = record.values.end()[-1];
+    }
+    bool is_due() const { return since_save_.seconds() >= save_every; }
+    void save(const Trial& trial, double largest_kinetic, const PileRun& run) {
+        if (path_.empty()) {
+            return;
+        }
+        TrialRecord record{run.times, run.kinetic, 0, 0, program_identity()};
+        record.values.insert(record.values.end(), {run.share_of_bound, run.kinetic_share, largest_kinetic});
+        save_trial(path_, trial.model(), trial.state(), record);
+        since_save_.restart();
+    }
+
+ private:
+    std::filesystem::path path_;
+    Timer since_save_;
+};
+
 }  // namespace
 
 PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, const std::string& name) {
@@ -85,15 +123,22 @@ PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, con
     std::vector<double> moments{0.5, 1, 2, 3, 4};
     double largest_kinetic = 0;
     draw(trial, setting, name, 0, run);
+    Keeper keeper(setting, name, trial.model());
+    keeper.take_up(trial, largest_kinetic, run);
+    std::erase_if(moments, [&](double moment) { return trial.time() >= moment - 0.5 * rest_window; });
     while (run.kinetic_share >= 1e-6 && trial.time() < trial.model().time.end - 0.5 * rest_window) {
         const WindowMeans means = pass_window(trial, largest_kinetic, run);
         run.kinetic_share = means.kinetic / largest_kinetic;
         run.support = means.support / (norm(trial.model().gravity.value) * trial.report().ledger.mass);
         run.times.push_back(trial.time());
         run.kinetic.push_back(run.kinetic_share);
-        if (!moments.empty() && trial.time() >= moments.front() - 0.5 * rest_window) {
+        const bool is_moment = !moments.empty() && trial.time() >= moments.front() - 0.5 * rest_window;
+        if (is_moment) {
             draw(trial, setting, name, moments.front(), run);
             moments.erase(moments.begin());
+        }
+        if (is_moment || keeper.is_due()) {
+            keeper.save(trial, largest_kinetic, run);
         }
     }
     draw(trial, setting, name, trial.time(), run);

@@ -30,7 +30,8 @@ struct PileRun {
 };
 
 /// Steps until the kinetic energy is below 1e-6 of its largest, at most to the end of the case, and draws the scene
-/// from the side at the paper's moments 0, 0.5, 1, 2, 3 and 4 s, as far as it gets, and at the end.
+/// from the side at the paper's moments 0, 0.5, 1, 2, 3 and 4 s, as far as it gets, and at the end. Where results are
+/// written it is saved once a minute and at those moments, in <results>/<name>-<hash>.trial: a killed one goes on.
 /// @param width  of the square box, whose corner on the floor is the origin [m]
 PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, const std::string& name);
 

@@ -9,7 +9,7 @@
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
-namespace riprap::validation::water {
+namespace riprap::validation {
 
 /// Content of a trial beside its State: the rows so far and the time that they took.
 struct TrialRecord {
@@ -28,6 +28,9 @@ struct TrialRecord {
     }
 };
 
+/// Shortest time between two saves [s] of wall-clock time
+constexpr double save_every = 60;
+
 /// A number that differs between two builds of the program: bits are promised for one build only, so a trial is not
 /// finished by another. 0 where the program cannot read itself.
 std::uint64_t program_identity();
@@ -40,4 +43,4 @@ void save_trial(const std::filesystem::path& path, const sim::Model& model, cons
 /// @returns whether it did. @throws FileError, CheckpointError for a file that is damaged
 bool take_up_trial(const std::filesystem::path& path, const sim::Model& model, sim::State& state, TrialRecord& record);
 
-}  // namespace riprap::validation::water
+}  // namespace riprap::validation

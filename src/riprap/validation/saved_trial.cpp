@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/validation/water/saved_trial.hpp"
+#include "riprap/validation/saved_trial.hpp"
 
 #include <fstream>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/io/checkpoint.hpp"
 
-namespace riprap::validation::water {
+namespace riprap::validation {
 
 std::uint64_t program_identity() {
     static const std::uint64_t identity = [] {
@@ -50,4 +50,4 @@ bool take_up_trial(const std::filesystem::path& path, const sim::Model& model, s
     return true;
 }
 
-}  // namespace riprap::validation::water
+}  // namespace riprap::validation

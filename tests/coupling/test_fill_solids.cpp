@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/fill_solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "coupling/tank_scenes.hpp"
+#include "riprap/geometry/convex_query.hpp"
+
+namespace riprap::coupling {
+namespace {
+
+constexpr double farthest = 0.05;
+
+/// Small blocks of three sizes all over the place, turned at random, a wall that is as large as all of them and a floor
+/// without end.
+test::Scene rubble(std::mt19937& random) {
+    std::uniform_real_distribution<double> place(-1, 1), size(0.05, 0.15);
+    test::Scene scene;
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 turn{3 * place(random), 3 * place(random), 3 * place(random)};
+        scene.add(geometry::cube(size(random)),
+                  {{place(random), place(random), place(random)}, from_rotation_vector(turn)});
+    }
+    scene.add(geometry::box({0.1, 3, 3}), {{1, 0, 0}, {}});
+    scene.add_half_space({0, 0, 1}, -0.9);
+    return scene;
+}
+
+/// Every part asked, one after the other.
+struct Plain {
+    const test::Scene& scene;
+
+    bool contain(const Vec3& x, double distance) const {
+        for (const body::Part& part : scene.bodies.parts) {
+            const auto b = static_cast<std::size_t>(part.body.value);
+            const Pose body{scene.state.position[b], scene.state.orientation[b]};
+            const Pose pose{to_world(body, part.local.position), body.orientation * part.local.orientation};
+            const geometry::ConvexView shape = scene.shapes.view(part.shape);
+            const Vec3 local = to_body(pose, x);
+            if (geometry::contains(shape, local) ||
+                (distance > 0 && geometry::closest_surface_point(shape, local).distance < distance)) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+TEST(FillSolids, in_cells_contain_and_are_near_the_same_as_asked_one_by_one) {
+    std::mt19937 random(7);
+    const test::Scene scene = rubble(random);
+    const FillSolids solids(scene.shapes, scene.bodies, scene.state, farthest);
+    const Plain plain{scene};
+    std::uniform_real_distribution<double> place(-1.5, 1.5);
+    int inside = 0, near = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const Vec3 x{place(random), place(random), place(random)};
+        ASSERT_EQ(solids.contain(x), plain.contain(x, 0));
+        for (const double distance : {0.2 * farthest, farthest}) {
+            ASSERT_EQ(solids.are_near(x, distance), plain.contain(x, distance));
+        }
+        inside += solids.contain(x) ? 1 : 0;
+        near += solids.are_near(x, farthest) ? 1 : 0;
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(near, inside + 200);
+    EXPECT_LT(near, 4000);
+}
+
+}  // namespace
+}  // namespace riprap::coupling
