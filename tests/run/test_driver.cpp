@@ -110,7 +110,9 @@ velocity = [0.0, -0.8]
         report = sim::advance(loaded.model, loaded.state, scratch, dt, sim::Measure::energy);
         ASSERT_TRUE(report.status.ok()) << report.status.text;
         EXPECT_EQ(report.substeps, 1);
-        EXPECT_GT(dt, 2 * sim::step_bound(loaded.model, loaded.state).limit);  // the bound of the fluid
+        if (i > 0) {  // the block starts with a speed of its own: both sides take the first step together
+            EXPECT_GT(dt, 2 * sim::step_bound(loaded.model, loaded.state).limit);  // the bound of the fluid
+        }
     }
     const double passed = report.ledger.fluid.mass * 9.81 * loaded.state.time;  // momentum that gravity has brought
     EXPECT_LT(norm(report.ledger.momentum_residual), 1e-9 * passed);

@@ -150,6 +150,7 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     settle_light_bodies(model, state, fluid, span, since, data, report);
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
+    note_gain(model, state, data.span_loads, span.dt, prediction);
     if (report.intruder.empty()) {
         report.intruder = brought.step.intruder;
     }
@@ -167,6 +168,8 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
     fluid.tidy(state.step);
     data.loads.clear(at(model.bodies.size()), state.bodies.deforms());
     data.prediction.guess = last_accelerations(state.coupling);
+    data.prediction.gained.assign(at(model.bodies.size()), {});
+    data.prediction.moved.assign(at(model.bodies.size()), {});
     for (std::int64_t k = 0; k < cycle.spans; ++k) {
         Outcome outcome = flow(model, state, fluid, cycle.span(k), data, spans.emplace_back(), report);
         if (!outcome.ok()) {
@@ -346,7 +349,8 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     bytes += std::visit(own, data.solids) + std::visit(own, data.fluid);
     const Prediction& prediction = data.prediction;
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
-           prediction.middle.bytes() + bytes_of(prediction.guess, prediction.correction) +
+           prediction.middle.bytes() +
+           bytes_of(prediction.guess, prediction.gained, prediction.moved, prediction.correction) +
            bytes_of(prediction.kinematics.angular_velocity, prediction.kinematics.inverse_inertia,
                     prediction.kinematics.inverse_mass);
 }

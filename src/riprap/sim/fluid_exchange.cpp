@@ -16,6 +16,14 @@ void add_stretching(const coupling::CouplingState& coupling, double ahead, body:
     }
 }
 
+/// Adds the velocity of the earlier spans.
+void add_gained(const Prediction& prediction, body::Motion& motion) {
+    for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
+        motion.velocity[b] += prediction.gained[b].linear;
+        motion.angular_velocity[b] += prediction.gained[b].angular;
+    }
+}
+
 }  // namespace
 
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction) {
@@ -23,22 +31,41 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
     prediction.bodies = state.bodies;
     if (since > 0) {
         solid::drift(bodies, prediction.bodies, span.time, since);
+        for (std::size_t b = 0; b < prediction.moved.size(); ++b) {
+            prediction.bodies.position[b] += prediction.moved[b];
+        }
     }
     update_kinematics(bodies, prediction.bodies, span.time, prediction.kinematics);
-    fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction, span.time,
-                since, span.dt, prediction.now);
+    fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction, span.time, 0,
+                span.dt, prediction.now);
+    add_gained(prediction, prediction.now);
     add_stretching(state.coupling, since, prediction.now);
     solid::drift(bodies, prediction.bodies, span.middle(), 0.5 * span.dt);
+    for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
+        prediction.bodies.position[b] += 0.5 * span.dt * prediction.gained[b].linear;
+    }
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
     predict_middle(model, state, span, since, prediction);
 }
 
 void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since,
                     Prediction& prediction) {
-    const double ahead = since + 0.5 * span.dt;
     fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
-                span.middle(), ahead, span.dt, prediction.middle);
-    add_stretching(state.coupling, ahead, prediction.middle);
+                span.middle(), 0.5 * span.dt, span.dt, prediction.middle);
+    add_gained(prediction, prediction.middle);
+    add_stretching(state.coupling, since + 0.5 * span.dt, prediction.middle);
+}
+
+void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction) {
+    for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
+        if (prediction.kinematics.inverse_mass[b] > 0) {
+            const body::Acceleration a = response(model.bodies, state.coupling, prediction.kinematics, loads, b);
+            const body::Locks locks = body::locks_of(model.bodies, b);
+            prediction.moved[b] += dt * (prediction.gained[b].linear + 0.5 * dt * a.linear);
+            prediction.gained[b].linear += dt * a.linear;
+            prediction.gained[b].angular += dt * locks.free_rotation(a.angular);
+        }
+    }
 }
 
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {

@@ -20,10 +20,14 @@ struct FluidSpan {
 };
 
 /// Predicts the motion of all bodies at the beginning and in the middle of a span that begins `since` seconds after the
-/// State, from its velocities and the guessed accelerations.
+/// State, from its velocities, what they gained over earlier spans and the guessed accelerations.
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
 /// Fills the motion in the middle of the span anew, from the present guess.
 void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
+
+/// Adds the velocity that free bodies gain over a span under the loads of the fluid. The work that spans of the fluid
+/// count, each with its own loads and velocities, is then that of their mean loads over the step of the solids.
+void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction);
 
 /// Returns the accelerations over the last step: the first guess of this one.
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);

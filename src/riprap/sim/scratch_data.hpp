@@ -14,10 +14,13 @@ namespace riprap::sim {
 /// Bodies as they will be at mid-step, which the fluid is told: Scratch.
 struct Prediction {
     std::vector<body::Acceleration> guess;  ///< of free bodies
-    std::vector<Vec3> correction;           ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
-    body::BodyState bodies;                 ///< at mid-step, as they drift there
-    body::BodyKinematics kinematics;        ///< ... there
-    body::Motion now, middle;               ///< at t_n and at mid-step
+    /// Velocity that free bodies took up over the spans of the step that are over, linear and angular [m/s, rad/s].
+    std::vector<body::Acceleration> gained;
+    std::vector<Vec3> moved;          ///< beyond what the velocities of the State move them in that time [m]
+    std::vector<Vec3> correction;     ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
+    body::BodyState bodies;           ///< at mid-step, as they drift there
+    body::BodyKinematics kinematics;  ///< ... there
+    body::Motion now, middle;         ///< at t_n and at mid-step
 };
 
 struct ScratchData {

@@ -135,6 +135,22 @@ std::int64_t steps_across(double span, double dt) {
     return static_cast<std::int64_t>(std::clamp(steps, 0.0, 9e18));
 }
 
+namespace {
+
+/// Bodies that start in water at another speed give it their momentum in the first step. Both sides have to take that
+/// one together: solids that feel the mean of several steps of the water move on while it has stopped them already.
+bool starts_with_a_jolt(const Model& model, const State& state) {
+    for (std::size_t b = 0; state.step == 0 && b < state.bodies.velocity.size(); ++b) {
+        const bool moves = state.bodies.velocity[b] != Vec3{} || state.bodies.angular_momentum[b] != Vec3{};
+        if (moves && model.bodies.drive[b] == body::Drive::free) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
     const Limits limits = limits_of(model, state, scratch.data());
     const double span = (model.time.end - state.time) + state.time_rest;
@@ -145,7 +161,8 @@ TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
     }
     double limit = limits.fluid_leads ? limits.fluid.longest : largest_step(model, limits);
     if (limits.fluid_leads && limits.solids.is_wanted) {
-        limit = std::max(limit, limits.solids.longest);
+        limit = starts_with_a_jolt(model, state) ? std::min(limit, limits.solids.longest)
+                                                 : std::max(limit, limits.solids.longest);
     }
     const double allowed = std::ldexp(limit, -static_cast<int>(state.stepping.halvings));
     const std::int64_t steps = steps_across(span, allowed);

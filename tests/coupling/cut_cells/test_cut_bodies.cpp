@@ -60,6 +60,19 @@ TEST(CutBodies, volume_of_a_turned_block_is_cut_out_exactly) {
     EXPECT_NEAR(closed_volume(settings.mesh, cut), 0.41 * 0.33 * 0.27, 1e-12);
 }
 
+TEST(CutBodies, a_block_thinner_than_the_plane_leaves_no_slits_beside_it) {
+    const GridSettings settings = tank({1, 1, 1}, {10, 10, 1});
+    const CutBodies cut =
+        cut_bodies(settings.mesh, {block({0.41, 0.33, 1 - 1e-6}, {0.52, 0.47, 0.5}, turned(0.7, {0, 0, 1}))});
+    EXPECT_NEAR(closed_volume(settings.mesh, cut), 0.41 * 0.33, 1e-12);
+    for (int a = 0; a < 2; ++a) {
+        for_faces(settings.mesh.box, a, [&](std::int64_t f, int, int, int) {
+            const double open = cut.open.area[at(a)][at(f)];
+            EXPECT_TRUE(open == 0 || open > 1e-3) << open;
+        });
+    }
+}
+
 TEST(CutBodies, closed_areas_and_facets_of_every_cell_add_up_to_nothing) {
     const GridSettings settings = tank({1, 1, 1}, {13, 17, 11});
     const CutBodies cut =

@@ -38,7 +38,7 @@ Cutter::Cutter(const Mesh& mesh) : mesh_(&mesh) {
 }
 
 void Cutter::cut(const GridBody& body, std::int32_t number) {
-    for (const PartPlanes& part : parts_of(body)) {
+    for (const PartPlanes& part : parts_of(body, mesh_->box.axes)) {
         std::array<int, 3> first{}, last{};
         for (int a = 0; a < 3; ++a) {
             first[at(a)] = a < mesh_->box.axes ? mesh_->cell_at(a, part.low[a]) : 0;

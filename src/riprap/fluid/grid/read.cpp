@@ -132,10 +132,14 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
         box, Energy{},
         [&](std::int64_t c, int i, int j, int k) {
             const double mass = scratch.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
-            double square = 0;
+            double square = 0;  // by open areas: a jet out of a narrow gap is not the whole cell beyond
             for (int a = 0; a < box.axes; ++a) {
                 const auto& u = state.velocity[at(a)];
-                square += 0.5 * (std::pow(u[at(c)], 2) + std::pow(u[at(c + box.stride[at(a)])], 2));
+                const auto& area = scratch.room.area[at(a)];
+                const std::int64_t high = c + box.stride[at(a)];
+                const double both = area[at(c)] + area[at(high)];
+                const double share = both > 0 ? area[at(c)] / both : 0.5;
+                square += share * std::pow(u[at(c)], 2) + (1 - share) * std::pow(u[at(high)], 2);
             }
             const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
             double potential = -mass * dot(settings.gravity, settings.mesh.centre(i, j, k));
