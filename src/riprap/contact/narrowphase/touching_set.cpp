@@ -41,12 +41,14 @@ void make_convex(TouchingSet& set) {
         extend(order[at(k)], upper);
     }
     TouchingSet hull;
-    for (int k = 0; k + 1 < count; ++k) {
+    hull.count = count - 1;
+    for (int k = 0; k < hull.count; ++k) {
         hull.vertex[at(k)] = set.vertex[at(chain[at(k)])];
         hull.point[at(k)] = set.point[at(chain[at(k)])];
     }
-    hull.count = count - 1;
-    set = hull;
+    set.count = hull.count;
+    std::copy_n(hull.vertex.begin(), hull.count, set.vertex.begin());
+    std::copy_n(hull.point.begin(), hull.count, set.point.begin());
 }
 
 /// A corner under way through the clipping. The side that leaves it lies on an edge of the subject or of the clip
@@ -103,7 +105,7 @@ int clip(const TouchingSet& subject, const TouchingSet& by, double slack, std::a
             }
         }
         count = kept_count;
-        corners = kept;
+        std::copy_n(kept.begin(), count, corners.begin());
     }
     return count;
 }
