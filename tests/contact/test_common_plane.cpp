@@ -61,6 +61,27 @@ TEST(CommonPlane, the_fast_plane_with_its_fall_back_is_the_exact_one) {
     }
 }
 
+TEST(CommonPlane, features_meet_where_they_have_a_contact) {
+    Dice dice(9);
+    int meeting = 0, missing = 0;
+    for (std::uint64_t k = 0; k < 600; ++k) {
+        // boxes along the axes, half of them a little turned, beside each other by more or less than they are wide
+        const Quat turned = k % 2 == 0 ? Quat{} : turn(dice.point(), 1e-3 * dice());
+        const Hull a(box({1, 0.7, 1}), {}), b(cube(1), {{1.5 * dice(), 1.5 * dice(), 0.999 + 0.002 * dice()}, turned});
+        for (const double tolerance : {1e-9, 1e-3, 0.1}) {
+            for (const CommonPlane& plane :
+                 {CommonPlane{{0, 0, 1}, 0, {}}, common_plane_fast(a.view(), b.view(), {})}) {
+                PlaneContacts found;
+                find_plane_contacts(a.view(), b.view(), plane, tolerance, found);
+                ASSERT_EQ(do_features_meet(a.view(), b.view(), plane, tolerance), found.count > 0) << k;
+                (found.count > 0 ? meeting : missing) += 1;
+            }
+        }
+    }
+    EXPECT_GT(meeting, 1000);
+    EXPECT_GT(missing, 100);
+}
+
 TEST(CommonPlane, the_gap_of_bodies_apart_is_the_distance_of_their_nearest_points) {
     // Corner to corner along the diagonal, and corner to edge.
     const Hull a(cube(1), {});

@@ -126,19 +126,6 @@ TEST(BlockTerms, initial_stress_does_the_work_of_its_strain) {
     EXPECT_NEAR(dot(load, d), -2 * trace(stress * gradient_of(d.data())), 1e-13);
 }
 
-TEST(BlockTerms, springs_summed_by_translation_and_gradient_are_those_of_the_displacement_matrix) {
-    const Mat3 n{{{2, 0.3, -0.2}, {0.3, 3, 0.4}, {-0.2, 0.4, 5}}};
-    Matrix12 plain{}, affine{}, fast{};
-    add_springs(displacement_matrix(arm_a), displacement_matrix(arm_b), n, -1.5, plain.data());
-    ArmMoments arms{};
-    add_arms(arm_a, arm_b, arms);
-    add_affine_springs(arms, n, -1.5, affine.data());
-    bring_to_unknowns(affine, fast.data());
-    for (std::size_t i = 0; i < 144; ++i) {
-        EXPECT_NEAR(fast[i], plain[i], 1e-14) << i;
-    }
-}
-
 /// One contact between rows 0 and 1 whose system is K D = F.
 struct OneContact {
     std::vector<ContactTerm> terms;

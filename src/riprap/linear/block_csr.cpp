@@ -5,7 +5,6 @@
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/wide.hpp"
-#include "riprap/linear/huge_pages.hpp"
 
 namespace riprap::linear {
 namespace {
@@ -73,7 +72,9 @@ void multiply_row(const double* value, const std::int32_t* column, std::int64_t 
 template <int B>
 void BlockCsr<B>::set_pattern(BlockPattern pattern) {
     pattern_ = std::move(pattern);
-    fill_with_zeros(static_cast<std::size_t>(pattern_.entries()) * block_numbers, value_);
+    const std::size_t size = static_cast<std::size_t>(pattern_.entries()) * block_numbers;
+    make_room(size, value_);
+    value_.assign(size, 0.0);
 }
 
 template <int B>

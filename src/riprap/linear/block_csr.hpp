@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "riprap/linear/block_pattern.hpp"
+#include "riprap/linear/huge_pages.hpp"
 
 namespace riprap::linear {
 
@@ -45,11 +46,11 @@ class BlockCsr {
 
     /// Bytes that multiply() moves through memory at least: values, columns and starts once, x and y once.
     double bytes_per_product() const;
-    std::size_t bytes() const { return pattern_.bytes() + bytes_of(value_); }
+    std::size_t bytes() const { return pattern_.bytes() + value_.capacity() * sizeof(double); }
 
  private:
     BlockPattern pattern_;
-    std::vector<double> value_;
+    StreamVector<double> value_;
 };
 
 extern template class BlockCsr<1>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/contact/narrowphase/best_plane.hpp"
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
 #include "riprap/core/index.hpp"
 
@@ -11,46 +12,10 @@ namespace riprap::contact {
 
 namespace {
 
-/// Edges and links shorter or more parallel than this share of the lengths involved give no direction.
-constexpr double parallel = 1e-6;
 constexpr int most_rounds = 20;
 
-/// The best plane so far. A later candidate must win by more than round-off.
-class Best {
- public:
-    Best(const PlacedHull& a, const PlacedHull& b, double margin) : a_(&a), b_(&b), margin_(margin) {}
-
-    void offer(const Vec3& normal, const PlaneFeature& feature) {
-        const double gap = plane_gap(*a_, *b_, normal);
-        if (is_empty_ || gap > plane_.gap + margin_) {
-            plane_ = {normal, gap, feature, false};
-            is_empty_ = false;
-        }
-    }
-    /// Offers the one of +-direction that points from A to B, both where that cannot be told.
-    void offer_axis(const Vec3& direction, const PlaneFeature& feature) {
-        const double length = norm(direction);
-        const Vec3 n = direction / length;
-        const Vec3 link = b_->centre - a_->centre;
-        const double along = dot(n, link);
-        if (along > -parallel * norm(link)) {
-            offer(n, feature);
-        }
-        if (along < parallel * norm(link)) {
-            offer(-n, feature);
-        }
-    }
-    const CommonPlane& plane() const { return plane_; }
-
- private:
-    const PlacedHull *a_, *b_;
-    double margin_;
-    CommonPlane plane_{};
-    bool is_empty_{true};
-};
-
 /// Planes parallel to the faces around the nearest corners.
-void offer_faces(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+void offer_faces(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, BestPlane& best) {
     for (const std::int32_t f : a.topology->faces_around(va)) {
         best.offer(a.normals[at(f)], {PlaneKind::face_a, f, -1});
     }
@@ -59,27 +24,15 @@ void offer_faces(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std:
     }
 }
 
-/// Number of the edge between two corners.
-std::int32_t edge_between(const HullTopology& hull, std::int32_t v, std::int32_t w) {
-    for (std::size_t e = 0; e < hull.edges.size(); ++e) {
-        const HullEdge& edge = hull.edges[e];
-        if ((edge.from == v && edge.to == w) || (edge.from == w && edge.to == v)) {
-            return static_cast<std::int32_t>(e);
-        }
-    }
-    return -1;
-}
-
 /// Planes parallel to one edge of each of the two nearest corners.
-void offer_edge_pairs(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+void offer_edge_pairs(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, BestPlane& best) {
     for (const std::int32_t wa : a.topology->neighbours(va)) {
         const Vec3 ea = a.vertices[at(wa)] - a.vertices[at(va)];
         for (const std::int32_t wb : b.topology->neighbours(vb)) {
             const Vec3 eb = b.vertices[at(wb)] - b.vertices[at(vb)];
             const Vec3 n = cross(ea, eb);
-            if (norm_squared(n) > parallel * parallel * norm_squared(ea) * norm_squared(eb)) {
-                best.offer_axis(
-                    n, {PlaneKind::edges, edge_between(*a.topology, va, wa), edge_between(*b.topology, vb, wb)});
+            if (norm_squared(n) > least_sine * least_sine * norm_squared(ea) * norm_squared(eb)) {
+                best.offer_axis(n, {PlaneKind::edges, wa, wb});
             }
         }
     }
@@ -87,7 +40,7 @@ void offer_edge_pairs(const PlacedHull& a, const PlacedHull& b, std::int32_t va,
 
 /// Across the link of the nearest corners, whole or without its part along an edge. Only for bodies apart: where they
 /// overlap the link points the other way.
-void offer_links(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, Best& best) {
+void offer_links(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std::int32_t vb, BestPlane& best) {
     const Vec3 link = b.vertices[at(vb)] - a.vertices[at(va)];
     const double length = norm(link);
     if (!(length > 0)) {
@@ -98,7 +51,7 @@ void offer_links(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std:
         for (const std::int32_t w : hull.topology->neighbours(v)) {
             const Vec3 e = normalized(hull.vertices[at(w)] - hull.vertices[at(v)]);
             const Vec3 n = link - dot(link, e) * e;
-            if (norm(n) > parallel * length) {
+            if (norm(n) > least_sine * length) {
                 best.offer(normalized(n), {PlaneKind::link, -1, -1});
             }
         }
@@ -182,7 +135,7 @@ Vec3 feature_normal(const PlacedHull& a, const PlacedHull& b, const PlaneFeature
         case PlaneKind::edges: {
             const Vec3 ea = direction(a, feature.a), eb = direction(b, feature.b);
             const Vec3 n = cross(ea, eb);
-            if (norm_squared(n) <= parallel * parallel * norm_squared(ea) * norm_squared(eb)) {
+            if (norm_squared(n) <= least_sine * least_sine * norm_squared(ea) * norm_squared(eb)) {
                 return {};
             }
             return dot(n, b.centre - a.centre) < 0 ? normalized(-n) : normalized(n);
@@ -200,18 +153,28 @@ CommonPlane common_plane_fast(const PlacedHull& a, const PlacedHull& b, const Ve
     n = norm_squared(n) > 0 ? normalized(n) : Vec3{0, 0, 1};
     const double margin = 1e-12 * (norm(b.centre - a.centre) + std::abs(plane_gap(a, b, n)));
     CommonPlane plane{n, -1e300, {}, false};
+    std::int32_t last_a = -1, last_b = -1;
+    bool was_apart = false;
     for (int round = 0; round < most_rounds; ++round) {
         const std::int32_t va = support_vertex(a, plane.normal), vb = support_vertex(b, -plane.normal);
-        Best best(a, b, margin);
+        const bool is_apart = dot(b.vertices[at(vb)] - a.vertices[at(va)], plane.normal) > 0;
+        if (va == last_a && vb == last_b && is_apart == was_apart) {
+            break;  // the same candidates again
+        }
+        last_a = va;
+        last_b = vb;
+        was_apart = is_apart;
+        BestPlane best(a, b, va, vb, margin);
         offer_faces(a, b, va, vb, best);
         offer_edge_pairs(a, b, va, vb, best);
-        if (dot(b.vertices[at(vb)] - a.vertices[at(va)], plane.normal) > 0) {
+        if (is_apart) {
             offer_links(a, b, va, vb, best);
         }
-        if (best.plane().gap <= plane.gap + margin) {
+        const CommonPlane& found = best.plane();
+        if (found.gap <= plane.gap + margin) {
             break;
         }
-        plane = best.plane();
+        plane = found;
     }
     return plane;
 }

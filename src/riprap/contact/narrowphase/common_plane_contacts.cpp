@@ -47,6 +47,23 @@ struct Sides {
     std::int32_t id_b(int i) const { return set_b.vertex[at(i)]; }
 };
 
+Sides sides_of(const PlacedHull& a, const PlacedHull& b, const Vec3& n, double tolerance) {
+    const PlaneAxes axes = axes_across(n, a.is_half_space() ? b.centre : a.centre);
+    Sides sides{a, b, n, {}, {}};
+    if (!a.is_half_space()) {
+        sides.set_a = touching_set(a, n, tolerance, axes);
+    }
+    if (!b.is_half_space()) {
+        sides.set_b = touching_set(b, -n, tolerance, axes);
+    }
+    return sides;
+}
+
+/// What lies this far outside of an edge still counts as on it [m].
+double slack_of(const PlacedHull& a, const PlacedHull& b, double tolerance) {
+    return 1e-9 * (norm(b.centre - a.centre) + tolerance) + 1e-6 * tolerance;
+}
+
 void add(PlaneContacts& found, const Vec3& on_a, const Vec3& on_b, std::uint64_t feature) {
     if (found.count < most_plane_contacts) {
         found.contacts[at(found.count++)] = {on_a, on_b, dot(found.normal, on_b - on_a), 0, feature};
@@ -216,20 +233,12 @@ void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonP
     found.normal = plane.normal;
     found.area = 0;
     found.count = 0;
-    const Vec3& n = plane.normal;
-    const PlaneAxes axes = axes_across(n, a.is_half_space() ? b.centre : a.centre);
-    Sides sides{a, b, n, {}, {}};
-    if (!a.is_half_space()) {
-        sides.set_a = touching_set(a, n, tolerance, axes);
-    }
-    if (!b.is_half_space()) {
-        sides.set_b = touching_set(b, -n, tolerance, axes);
-    }
+    const Sides sides = sides_of(a, b, plane.normal, tolerance);
     if (a.is_half_space() || b.is_half_space()) {
         add_half_space(sides, tolerance, found);
         return;
     }
-    const double slack = 1e-9 * (norm(b.centre - a.centre) + tolerance) + 1e-6 * tolerance;
+    const double slack = slack_of(a, b, tolerance);
     const int count_a = sides.set_a.count, count_b = sides.set_b.count;
     if (count_a > 2 || count_b > 2) {
         add_polygon(sides, slack, found);
@@ -251,6 +260,15 @@ void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonP
 }
 
 bool do_features_meet(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance) {
+    if (!a.is_half_space() && !b.is_half_space()) {
+        const Sides sides = sides_of(a, b, plane.normal, tolerance);
+        const bool is_a_subject = sides.set_b.count > 2;
+        const TouchingSet &subject = is_a_subject ? sides.set_a : sides.set_b,
+                          &by = is_a_subject ? sides.set_b : sides.set_a;
+        if (by.count > 2 && has_corner_inside(subject, by, slack_of(a, b, tolerance))) {
+            return true;  // most faces that meet do so there
+        }
+    }
     PlaneContacts found;
     find_plane_contacts(a, b, plane, tolerance, found);
     return found.count > 0;

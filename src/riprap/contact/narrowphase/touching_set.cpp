@@ -41,12 +41,14 @@ void make_convex(TouchingSet& set) {
         extend(order[at(k)], upper);
     }
     TouchingSet hull;
-    for (int k = 0; k + 1 < count; ++k) {
+    hull.count = count - 1;
+    for (int k = 0; k < hull.count; ++k) {
         hull.vertex[at(k)] = set.vertex[at(chain[at(k)])];
         hull.point[at(k)] = set.point[at(chain[at(k)])];
     }
-    hull.count = count - 1;
-    set = hull;
+    set.count = hull.count;
+    std::copy_n(hull.vertex.begin(), hull.count, set.vertex.begin());
+    std::copy_n(hull.point.begin(), hull.count, set.point.begin());
 }
 
 /// A corner under way through the clipping. The side that leaves it lies on an edge of the subject or of the clip
@@ -72,6 +74,20 @@ Corner meet(const Corner& from, const PlanePoint& point, int k, int clip_count) 
     return corner;
 }
 
+/// The height of points above side k of a polygon, positive inside.
+class Side {
+ public:
+    Side(const TouchingSet& polygon, int k)
+        : from_(polygon.point[at(k)]),
+          along_(polygon.point[at((k + 1) % polygon.count)] - from_),
+          length_(std::sqrt(dot(along_, along_))) {}
+    double operator()(const PlanePoint& q) const { return cross(along_, q - from_) / length_; }
+
+ private:
+    PlanePoint from_, along_;
+    double length_;
+};
+
 /// Sutherland and Hodgman's clipping of a point, segment or polygon by a convex polygon [Sutherland1974].
 int clip(const TouchingSet& subject, const TouchingSet& by, double slack, std::array<Corner, most_corners>& corners) {
     int count = subject.count;
@@ -79,9 +95,7 @@ int clip(const TouchingSet& subject, const TouchingSet& by, double slack, std::a
         corners[at(i)] = {subject.point[at(i)], i, -1, i, 0, -1};
     }
     for (int k = 0; k < by.count && count > 0; ++k) {
-        const PlanePoint p = by.point[at(k)], edge = by.point[at((k + 1) % by.count)] - p;
-        const double length = std::sqrt(dot(edge, edge));
-        const auto height = [&](const PlanePoint& q) { return cross(edge, q - p) / length; };  // positive inside
+        const Side height(by, k);
         std::array<Corner, most_corners> kept;
         int kept_count = 0;
         const int sides = count > 2 ? count : count - 1;  // a segment has one side, a point none
@@ -103,7 +117,7 @@ int clip(const TouchingSet& subject, const TouchingSet& by, double slack, std::a
             }
         }
         count = kept_count;
-        corners = kept;
+        std::copy_n(kept.begin(), count, corners.begin());
     }
     return count;
 }
@@ -130,6 +144,19 @@ TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, double tol
         make_convex(set);
     }
     return set;
+}
+
+bool has_corner_inside(const TouchingSet& subject, const TouchingSet& by, double slack) {
+    std::uint64_t inside = (std::uint64_t{1} << subject.count) - 1;
+    for (int k = 0; k < by.count && inside != 0; ++k) {
+        const Side height(by, k);
+        for (int i = 0; i < subject.count; ++i) {
+            if (!(height(subject.point[at(i)]) >= -slack)) {
+                inside &= ~(std::uint64_t{1} << i);
+            }
+        }
+    }
+    return inside != 0;
 }
 
 CommonPolygon intersect(const TouchingSet& a, const TouchingSet& b, double slack) {

@@ -56,4 +56,8 @@ struct CommonPolygon {
 /// Intersects two convex sets of which at least one is a polygon, points within `slack` of an edge included [m].
 CommonPolygon intersect(const TouchingSet& a, const TouchingSet& b, double slack);
 
+/// Tells whether a corner of `subject` lies inside of `by`, a polygon, as intersect() sees it: it is a corner of the
+/// intersection then.
+bool has_corner_inside(const TouchingSet& subject, const TouchingSet& by, double slack);
+
 }  // namespace riprap::contact

@@ -50,12 +50,12 @@ struct Scratch {
     affine::PlacedBlocks placed;
     affine::ContactFinder finder;
     std::vector<ContactTerm> contacts;     ///< one for every contact point found
-    std::vector<std::uint8_t> is_moved;    ///< contacts that the last round of the iteration changed
     affine::BlockContactHistory old;       ///< its buffers are those of the next history
     std::vector<std::int32_t> row, block;  ///< row of a block, -1 = fixed; block of a row
     Equations equations;
     const std::vector<affine::BlockContact>& found() const { return finder.found(); }
     SolidTimes times;
+    double solve_time{0};                             ///< of times.contact_loads, spent in solutions [s]
     std::vector<std::pair<Vec3, Vec3>> point_forces;  ///< arm [m] and force [N] of every fixed point, after the step
 };
 

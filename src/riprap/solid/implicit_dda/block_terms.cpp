@@ -136,63 +136,6 @@ void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const
     }
 }
 
-void add_affine_springs(const ArmMoments& moments, const Mat3& stiffness, double factor, double* block) {
-    // Columns of both factors written out to twelve numbers, so that a column of the block is one product of vectors.
-    double n[3][12], m[4][12];
-    for (std::size_t row = 0; row < 12; ++row) {
-        for (int j = 0; j < 3; ++j) {
-            n[j][row] = factor * stiffness(static_cast<int>(row % 3), j);
-        }
-        for (std::size_t b = 0; b < 4; ++b) {
-            m[b][row] = moments[4 * (row / 3) + b];
-        }
-    }
-    for (std::size_t b = 0; b < 4; ++b) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            double* const column = block + 12 * (3 * b + j);
-            for (std::size_t row = 0; row < 12; ++row) {
-                column[row] += m[b][row] * n[j][row];
-            }
-        }
-    }
-}
-
-namespace {
-
-/// Brings twelve numbers of translation and gradient to the unknowns. Each unknown moves one entry, or two: rotations
-/// by opposite entries of the gradient, shears by half of both.
-template <class Entry, class Write>
-void to_unknowns(const Entry& in, const Write& write) {
-    write(0, [&](auto r) { return in(0, r); });
-    write(1, [&](auto r) { return in(1, r); });
-    write(2, [&](auto r) { return in(2, r); });
-    write(3, [&](auto r) { return in(8, r) - in(10, r); });
-    write(4, [&](auto r) { return in(9, r) - in(5, r); });
-    write(5, [&](auto r) { return in(4, r) - in(6, r); });
-    write(6, [&](auto r) { return in(3, r); });
-    write(7, [&](auto r) { return in(7, r); });
-    write(8, [&](auto r) { return in(11, r); });
-    write(9, [&](auto r) { return 0.5 * in(6, r) + 0.5 * in(4, r); });
-    write(10, [&](auto r) { return 0.5 * in(10, r) + 0.5 * in(8, r); });
-    write(11, [&](auto r) { return 0.5 * in(5, r) + 0.5 * in(9, r); });
-}
-
-}  // namespace
-
-void bring_to_unknowns(const Matrix12& affine, double* block) {
-    Matrix12 columns;
-    to_unknowns([&](std::size_t c, std::size_t r) { return affine[12 * c + r]; },
-                [&](std::size_t c, const auto& entry) {
-                    for (std::size_t r = 0; r < 12; ++r) {
-                        columns[12 * c + r] = entry(r);
-                    }
-                });
-    for (std::size_t c = 0; c < 12; ++c) {
-        to_unknowns([&](std::size_t r, std::size_t) { return columns[12 * c + r]; },
-                    [&](std::size_t r, const auto& entry) { block[12 * c + r] = entry(std::size_t{0}); });
-    }
-}
-
 Vector12 times(const Matrix12& a, const Vector12& x) {
     Vector12 y{};
     for (std::size_t c = 0; c < 12; ++c) {

@@ -49,25 +49,6 @@ void add_initial_stress(const Mat3& stress, double volume, Vector12& out);
 void add_springs(const DisplacementMatrix& a, const DisplacementMatrix& b, const Mat3& stiffness, double factor,
                  double* block);
 
-/// Sum of (1, r_a) (1, r_b)^T over contact points of one stiffness, row by row [-, m, m^2].
-using ArmMoments = std::array<double, 16>;
-inline void add_arms(const Vec3& arm_a, const Vec3& arm_b, ArmMoments& moments) {
-    const std::array<double, 4> left{1, arm_a.x, arm_a.y, arm_a.z}, right{1, arm_b.x, arm_b.y, arm_b.z};
-    for (std::size_t a = 0; a < 4; ++a) {
-        for (std::size_t b = 0; b < 4; ++b) {
-            moments[4 * a + b] += left[a] * right[b];
-        }
-    }
-}
-
-/// Adds the sum of add_springs in other unknowns: rows and columns count 3 a + i, a = 0 the
-/// translation i, a = 1, 2, 3 the entry (i, a) of the displacement gradient. T is linear in (1, r), so that points of
-/// one stiffness, as those of a face are, cost 16 multiplications each; bring_to_unknowns() follows once, when all
-/// contacts of a block are in.
-void add_affine_springs(const ArmMoments& moments, const Mat3& stiffness, double factor, double* block);
-/// block = the 12 x 12 numbers of `affine` brought to the unknowns.
-void bring_to_unknowns(const Matrix12& affine, double* block);
-
 /// y = A x
 Vector12 times(const Matrix12& a, const Vector12& x);
 inline double dot(const Vector12& a, const Vector12& b) {

@@ -67,9 +67,11 @@ std::vector<SceneProblem> ImplicitDda::problems_of(const SolidScene& scene, cons
 }
 
 std::size_t ImplicitDda::Scratch::bytes() const {
-    return loads.bytes() + engine.equations.matrix.bytes() + engine.equations.pcg.bytes() +
+    const implicit_dda::Equations& equations = engine.equations;
+    return loads.bytes() + equations.matrix.bytes() + equations.pcg.bytes() +
+           equations.sides.capacity() * sizeof(implicit_dda::SideSum) +
            bytes_of(pull, engine.placed.vertices, engine.placed.normals, engine.found(), engine.contacts,
-                    engine.equations.right, engine.equations.solution, engine.equations.diagonal);
+                    equations.pairs, equations.right, equations.solution, equations.diagonal);
 }
 
 namespace {

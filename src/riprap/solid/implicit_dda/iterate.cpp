@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/timer.hpp"
 #include "riprap/solid/implicit_dda/stages.hpp"
 
 namespace riprap::solid::implicit_dda {
@@ -22,39 +23,40 @@ struct Round {
     double unsettled{0};       ///< largest change of a friction [N]
 };
 
-/// Takes gap and slip of a contact from the solution and its mode from them.
-Round update_contact(const OpenCloseRule& rule, std::int64_t number, Scratch& scratch) {
-    ContactTerm& c = scratch.contacts[at(number)];
-    evaluate(scratch.equations, c);
-    const double friction = c.trial.friction;
-    const Vec3 direction = c.trial.direction;
-    const ContactMode mode = c.trial.mode;
+/// Takes gaps and slips of a pair from the solution and its modes from them; the pair is stale where they change it.
+Round update_pair(const OpenCloseRule& rule, std::int64_t number, Scratch& scratch) {
+    Equations& equations = scratch.equations;
+    const PairTerm& pair = equations.pairs[at(number)];
+    const PairMotion motion(pair, equations.solution);
     Round round;
-    if (update_mode(c.springs, rule, c.trial)) {
-        round.changed = number;
-    } else if (c.trial.mode == ContactMode::slide) {
-        round.unsettled = norm(c.trial.friction * c.trial.direction - friction * direction);
+    bool is_stale = false;
+    for (std::int32_t i = pair.first; i < pair.end; ++i) {
+        ContactTerm& c = scratch.contacts[at(i)];
+        evaluate(motion, c);
+        const double friction = c.trial.friction;
+        const Vec3 direction = c.trial.direction;
+        if (update_mode(c.springs, rule, c.trial)) {
+            round.changed = i;
+            is_stale = true;
+        } else if (c.trial.mode == ContactMode::slide) {
+            round.unsettled =
+                std::max(round.unsettled, norm(c.trial.friction * c.trial.direction - friction * direction));
+        }
+        is_stale = is_stale || c.trial.mode == ContactMode::slide;
+        round.push = std::max(round.push, -c.springs.normal * c.trial.gap);
     }
-    scratch.is_moved[at(number)] = c.trial.mode != mode || c.trial.mode == ContactMode::slide ? 1 : 0;
-    round.push = std::max(0.0, -c.springs.normal * c.trial.gap);
+    equations.is_stale[at(number)] = is_stale ? 1 : 0;
     return round;
 }
 
-/// Updates all contacts by the solution; rows of those that have changed are stale then.
 Round update_contacts(const OpenCloseRule& rule, Scratch& scratch) {
-    scratch.is_moved.resize(scratch.contacts.size());
-    const Round all = parallel::reduce(
-        static_cast<std::int64_t>(scratch.contacts.size()), Round{},
-        [&](std::int64_t i) { return update_contact(rule, i, scratch); },
+    return parallel::reduce(
+        static_cast<std::int64_t>(scratch.equations.pairs.size()), Round{},
+        [&](std::int64_t pair) { return update_pair(rule, pair, scratch); },
         [](const Round& x, const Round& y) {
             return Round{std::max(x.changed, y.changed), std::max(x.push, y.push), std::max(x.unsettled, y.unsettled)};
-        });
-    for (std::size_t i = 0; i < scratch.contacts.size(); ++i) {
-        if (scratch.is_moved[i] != 0) {
-            mark_stale(scratch.contacts[i], scratch.equations);
-        }
-    }
-    return all;
+        },
+        256);
 }
 
 }  // namespace
@@ -64,7 +66,9 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
     const OpenCloseRule rule{0, 0, settings.slide_tolerance};
     for (report.open_close = 1; report.open_close <= 2 * settings.open_close; ++report.open_close) {
         assemble(scratch.contacts, equations);
+        Laps laps;
         const linear::SolveReport solved = solve(settings.solve, equations);
+        laps.end(scratch.solve_time);
         report.solver_iterations += solved.iterations;
         if (equations.singular_row >= 0) {
             report.singular = scratch.block[at(equations.singular_row)];

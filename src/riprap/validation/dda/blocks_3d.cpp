@@ -172,8 +172,9 @@ void rocking_3d(const CaseSetting&, CaseReport& report) {
         const double b = size.half_width, h = size.half_height, radius = std::hypot(b, h), alpha = std::atan(b / h);
         const double p2 = 3 * gravity / (4 * radius), start = 0.5 * alpha;
         ImplicitTrial trial;
-        // Stiff against the block: the tilt under its own weight is far below the tilt it starts with.
-        add_material(trial.system, {2500, 5e10, 0.2}, {1e9, 1e9, false, 2});
+        // Housner's block and floor are rigid: stiffer springs change the next peak by less than 1 %, at any step from
+        // 0.05 to 0.5 ms. Those of 1e9 and 1e8 N/m a corner give a part of the impact back (1.080 and 1.155 of it).
+        add_material(trial.system, {2500, 5e10, 0.2}, {1e10, 1e10, false, 2});
         trial.system.gravity = {0, 0, -gravity};
         add_block(trial.system, trial.state.blocks, {.shape = add_half_space(trial.system, {0, 0, 1}, 0)});
         // Turned about its lower edge at x = b, towards +x.
@@ -213,11 +214,7 @@ void rocking_3d(const CaseSetting&, CaseReport& report) {
         const double ratio = 1 - 1.5 * std::sin(alpha) * std::sin(alpha);
         const double lifted = std::cos(alpha) + ratio * ratio * (std::cos(alpha - start) - std::cos(alpha));
         const double next = alpha - std::acos(std::min(1.0, lifted));
-        report.judge(
-            {name + "next peak", "rad", {}, next, {}}, peak, 0.98 * next, 1.02 * next,
-            CloseBand{0.85 * next, 1.15 * next,
-                      "Housner's impact is plastic; penalty springs give a part of it back, by their stiffness "
-                      "and the step"});
+        report.judge({name + "next peak", "rad", {}, next, {}}, peak, 0.98 * next, 1.02 * next);
     }
 }
 
