@@ -94,7 +94,7 @@ Equations equations_of(const std::vector<ContactTerm>& terms) {
 
 /// The matrix as 36 x 36 numbers, point by point.
 std::vector<double> plain_matrix(const std::vector<ContactTerm>& terms) {
-    std::vector<double> k(36 * 36, 0);
+    std::vector<double> k(std::size_t{36} * 36, 0);
     for (std::size_t i = 0; i < 36; ++i) {
         k[37 * i] = 100;
     }

@@ -112,8 +112,8 @@ struct PairSum {
     }
 
  private:
-    PointStiffness stiffness_{};
     ArmSum arms_a_, arms_b_, arms_ab_;
+    PointStiffness stiffness_{};
     bool is_empty_{true};
 };
 
