@@ -101,7 +101,9 @@ template <class T>
 std::vector<T> array(const std::string& xml, const std::string& name) {
     const std::string bytes = array_bytes(xml, name);
     std::vector<T> values(bytes.size() / sizeof(T));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    if (!values.empty()) {
+        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    }
     return values;
 }
 

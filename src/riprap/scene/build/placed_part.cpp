@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/build/placed_part.hpp"
 
+#include "riprap/core/error.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::scene {
@@ -24,6 +25,7 @@ std::int32_t face_before(const PlacedPart& part, const Vec3& x, double distance)
 
 PlacedSolids::PlacedSolids(const CaseBuild& build, const std::vector<std::uint8_t>& is_dry, const Vec3& low,
                            const Vec3& high) {
+    RIPRAP_ASSERT(is_dry.size() == static_cast<std::size_t>(build.model.bodies.size()), "is_dry is of all bodies");
     for (const body::Part& part : build.model.bodies.parts) {
         if (is_dry[static_cast<std::size_t>(part.body.value)] != 0) {
             continue;
