@@ -42,8 +42,28 @@ TEST(Pile, whose_fall_was_cut_off_goes_on_to_the_same_bits) {
     EXPECT_EQ(taken_up.times, whole.times);
     EXPECT_EQ(taken_up.kinetic, whole.kinetic);
     EXPECT_EQ(taken_up.share_of_bound, whole.share_of_bound);
+    EXPECT_EQ(taken_up.support, whole.support);
+    EXPECT_EQ(taken_up.energy_error, whole.energy_error);
     EXPECT_EQ(taken_up.mean_height, whole.mean_height);
     EXPECT_EQ(taken_up.fall, whole.fall);
+    std::filesystem::remove_all(setting.results);
+}
+
+// Story: a fall that had ended was taken up at its end, with no support and no energy.
+TEST(Pile, whose_fall_has_ended_says_the_same_again) {
+    CaseSetting setting;
+    setting.folder = "validation/zhao/cubes_in_box";
+    setting.results = std::filesystem::temp_directory_path() / "riprap_test_pile_ended";
+    std::filesystem::remove_all(setting.results);
+    const auto fall = [&] {  // the moment 0.5 s is in its last window
+        Trial trial = trial_of(setting, std::vector<std::string>{"body.cube.repeat.counts=[1,1,2]", "end=0.505"});
+        return fall_to_rest(trial, 0.004, setting, "pile");
+    };
+    const PileRun first = fall(), again = fall();
+    EXPECT_GT(first.support, 0.5);
+    EXPECT_EQ(again.support, first.support);
+    EXPECT_EQ(again.energy_error, first.energy_error);
+    EXPECT_EQ(again.max_potential, first.max_potential);
     std::filesystem::remove_all(setting.results);
 }
 

@@ -88,7 +88,7 @@ Timing times_as_long(Run& longer, Run& shorter) {
                          pairs_of_batches, Clock::processor);
 }
 
-/// The same of what the water takes of them.
+/// Compares the time that the water takes of the steps of both.
 Timing times_as_long_for_water(Run& longer, Run& shorter) {
     const ThreadScope scope(1);
     const auto water_of = [](Run& run) {

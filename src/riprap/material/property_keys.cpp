@@ -110,10 +110,13 @@ std::vector<PropertyKey<Material>> material_keys() {
 std::vector<PropertyKey<PairProperties>> pair_keys() {
     using P = PairProperties;
     std::vector<PropertyKey<P>> keys = surface_keys<P>();
-    keys.push_back({Property::contact_ratio, number(&P::contact_ratio, "contact_ratio", dimension::plain,
-                                                    non_negative(), "That of [solid] when not given.")});
-    keys.push_back({Property::spring_stiffness, number(&P::spring_stiffness, "spring_stiffness", dimension::stiffness,
-                                                       positive(), "That of [solid] when not given.")});
+    keys.push_back(
+        {Property::contact_ratio,
+         number(&P::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
+                "Contact ratio of the Hertz dashpot; from the restitution or that of [solid] when not given.")});
+    keys.push_back({Property::spring_stiffness,
+                    number(&P::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
+                           "Normal stiffness of linear springs of spheres; that of [solid] when not given.")});
     keys.push_back({Property::spring_shear_ratio,
                     number(&P::spring_shear_ratio, "spring_shear_ratio", dimension::plain, positive(),
                            "Tangential over normal stiffness of linear springs of spheres; `shear_ratio` of [solid] "

@@ -59,7 +59,7 @@ Sides sides_of(const PlacedHull& a, const PlacedHull& b, const Vec3& n, double t
     return sides;
 }
 
-/// What lies this far outside of an edge still counts as on it [m].
+/// Returns the distance outside of an edge within which a point counts as on it [m].
 double slack_of(const PlacedHull& a, const PlacedHull& b, double tolerance) {
     return 1e-9 * (norm(b.centre - a.centre) + tolerance) + 1e-6 * tolerance;
 }

@@ -54,7 +54,7 @@ struct JointPressure::Work {
         double pressure;  ///< of the water there [Pa]
     };
 
-    /// What four samples are as parts of the joint with one solid.
+    /// Four samples as parts of the joint with one solid.
     struct SideFour {
         std::int32_t other;
         Four pressure{0.0}, left_to_do{0.0};  ///< as of Side
@@ -71,7 +71,7 @@ struct JointPressure::Work {
     double felt_about(std::size_t member, const fluid::ParticleSettings& settings, const Vec3& gravity) const;
     /// Returns the member as part of the joint with `other`; without pressure where it has no part in one.
     Side side_of(std::size_t member, std::int32_t other) const;
-    /// The same of a four.
+    /// Returns a four as parts of the joint with `other`.
     SideFour sides_of_four(std::size_t number, std::int32_t other) const;
     Vec3 force_on(std::size_t member, const JointKernel& kernel) const;
 

@@ -77,7 +77,8 @@ const Table& contact_table() {
         "the kinetic share friction_mixing.",
         {with_readers({"friction_mixing",
                        {choice(mixing_rules())},
-                       "Rule for the friction coefficient; required when materials differ in friction.",
+                       "Rule for the friction coefficient and the kinetic share of spheres; required when materials "
+                       "differ in either that the solid method reads.",
                        {}},
                       Property::friction),
          with_readers({"cohesion_mixing",

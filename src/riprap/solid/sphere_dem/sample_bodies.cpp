@@ -129,7 +129,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
 
 namespace {
 
-/// What a material alone says of its contacts, completed by the settings.
+/// Returns the contact values of a material, completed by the settings.
 contact::ContactMaterial own_values(const material::Material& material, const SphereDemSettings& settings) {
     contact::ContactMaterial own;
     own.youngs_modulus = material.youngs_modulus.value_or(settings.youngs_modulus);

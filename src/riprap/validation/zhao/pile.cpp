@@ -126,7 +126,10 @@ PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, con
     Keeper keeper(setting, name, trial.model());
     keeper.take_up(trial, largest_kinetic, run);
     std::erase_if(moments, [&](double moment) { return trial.time() >= moment - 0.5 * rest_window; });
-    while (run.kinetic_share >= 1e-6 && trial.time() < trial.model().time.end - 0.5 * rest_window) {
+    const auto goes_on = [&] {
+        return run.kinetic_share >= 1e-6 && trial.time() < trial.model().time.end - 0.5 * rest_window;
+    };
+    while (goes_on()) {
         const WindowMeans means = pass_window(trial, largest_kinetic, run);
         run.kinetic_share = means.kinetic / largest_kinetic;
         run.support = means.support / (norm(trial.model().gravity.value) * trial.report().ledger.mass);
@@ -137,7 +140,8 @@ PileRun fall_to_rest(Trial& trial, double width, const CaseSetting& setting, con
             draw(trial, setting, name, moments.front(), run);
             moments.erase(moments.begin());
         }
-        if (is_moment || keeper.is_due()) {
+        // Not at its end: support and ledger are those of the last window, which a fall that is taken up passes anew.
+        if (goes_on() && (is_moment || keeper.is_due())) {
             keeper.save(trial, largest_kinetic, run);
         }
     }
