@@ -88,6 +88,7 @@ class BestPlane {
             if (is_empty_ || gap[i] > plane_.gap + margin_) {
                 plane_ = {{x_[i], y_[i], z_[i]}, gap[i], feature_[i], false};
                 is_empty_ = false;
+                has_edges_ = false;
             }
         }
         count_ = 0;

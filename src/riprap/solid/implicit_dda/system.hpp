@@ -40,7 +40,7 @@ struct PairTerm {
     std::int64_t entry_ab, entry_ba;  ///< places of the off-diagonal blocks; -1 = none
 };
 
-/// What the closed contact points of a pair do to one of the two blocks.
+/// Springs and loads of the closed contact points of a pair on one of its blocks.
 struct alignas(64) SideSum {
     OwnSprings springs{};
     std::array<double, 12> load{};  ///< f_i (1, r) of forces at zero displacement, row by row [N, N m]
