@@ -295,6 +295,9 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
             warn_of_waves_over_depth(build, *waves, scene);
         }
     }
+    if constexpr (std::is_same_v<Settings, coupling::HydrostaticSettings>) {
+        warn_of_regions_at_faces(build, get(table, "region"), settings);
+    }
     note_cells(build, settings);
     build.model.fluid = settings;
 }

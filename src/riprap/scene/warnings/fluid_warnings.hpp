@@ -7,6 +7,7 @@
 
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
 namespace riprap::scene {
@@ -49,6 +50,9 @@ void warn_of_hollow_ground(CaseBuild& build, const fluid::Domain& domain);
 
 /// Sides whose waves are for less water than stands there: below their bed is no solid.
 void warn_of_waves_over_depth(CaseBuild& build, const Value& waves, const coupling::FieldScene& scene);
+
+/// A region of still water that ends at a face of a body that may move, in one line for all.
+void warn_of_regions_at_faces(CaseBuild& build, const Value& regions, const coupling::HydrostaticSettings& settings);
 
 /// Settings of the scheme that do not go together.
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);
