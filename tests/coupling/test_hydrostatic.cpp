@@ -93,6 +93,19 @@ TEST(Hydrostatic, a_dam_on_a_watertight_joint_is_pushed_but_not_lifted) {
     EXPECT_NEAR(loads.pressure.force[0].z, 0, 1e-9 * rho * g);
 }
 
+// Story: the region ended at the face, and its water was there or not by the strain of the block.
+TEST(Hydrostatic, a_dam_that_strains_away_from_its_region_by_less_than_a_joint_keeps_its_thrust) {
+    const double thrust = dam(Uplift::none).loads().pressure.force[0].x;
+    for (const double way : {-4e-3, 4e-3}) {
+        StillWater water = dam(Uplift::none);
+        water.scene.state.position[0].x += way;
+        EXPECT_NEAR(water.loads().pressure.force[0].x, thrust, 1e-9 * thrust) << way;
+    }
+    StillWater water = dam(Uplift::none);
+    water.scene.state.position[0].x += 6e-3;
+    EXPECT_EQ(water.loads().pressure.force[0].x, 0);
+}
+
 TEST(Hydrostatic, linear_uplift_is_half_of_the_full_one_under_a_dam) {
     const double lift = dam(Uplift::linear).loads().pressure.force[0].z;
     EXPECT_NEAR(lift, 0.5 * rho * g * 2, 1e-9 * rho * g * 2);

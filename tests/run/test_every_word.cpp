@@ -219,7 +219,9 @@ std::string ground(const std::string& shape) {
 /// Water on a grid that is let go beside stones, with waves through its low side.
 std::string grid_water(const std::string& wave, const std::string& closure, const std::string& more = "absorb = true") {
     const bool is_stokes = wave == "regular" || wave == "second_order";  // too short to be absorbed
-    const std::string times = is_stokes ? "period = 1.9\n" : "period = 6.0\n" + more + "\n";
+    const std::string height = wave == "none" ? "" : "height = 0.12\n",
+                      period = wave == "irregular" ? "period = 6.0\n" : "";
+    const std::string size = height + (is_stokes ? "period = 1.9\n" : period + more + "\n");
     return R"(dimension = 2
 gravity = [0, -9.81]
 end = 1.0
@@ -241,9 +243,8 @@ box = { low = [0, 0], high = [3, 0.4] }
 [[fluid.wave]]
 towards = "x"
 depth = 0.4
-height = 0.12
-)" + times +
-           R"(wave = ")" + wave +
+)" + size + R"(wave = ")" +
+           wave +
            R"("
 [[fluid.porous]]
 box = { low = [2.5, 0], high = [3.5, 0.3] }

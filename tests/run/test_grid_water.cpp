@@ -92,6 +92,16 @@ TEST(GridWater, a_box_that_is_pushed_gives_its_momentum_once_where_water_takes_s
     EXPECT_NEAR(after_a_millisecond("planar_dda"), speed, 0.05 * speed);
 }
 
+// Story: cells that the surface cuts counted the water of both regions, and the overlap stood up to a cell too high.
+TEST(GridWater, where_two_regions_overlap_is_there_once) {
+    const std::string one = with_key(floating_box(0.7, 500), "high = [1.0, 0.4]", "high = [1.0, 0.41]");
+    Walk walk(with_key(one, "box = { low = [0.0, 0.0], high = [1.0, 0.41] }",
+                       "box = { low = [0.0, 0.0], high = [0.61, 0.41] }\n[[fluid.region]]\n"
+                       "box = { low = [0.3, 0.0], high = [1.0, 0.41] }"));
+    walk.go(1);
+    EXPECT_NEAR(walk.simulation.report().ledger.fluid.mass, 1000 * 0.41, 1e-7);
+}
+
 TEST(GridWater, the_water_that_a_box_displaces_rises_and_none_is_lost) {
     Walk walk(floating_box(0.45, 500));
     walk.go(60);

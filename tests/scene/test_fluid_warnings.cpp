@@ -224,5 +224,32 @@ TEST(FluidWarnings, the_room_for_water_is_that_outside_of_solids_and_counts_once
     EXPECT_NEAR(room(more), 1.0 + 0.5 * 0.1 + 0.2 * 0.6, 1e-12);
 }
 
+// Story: once a block had slid by micrometres the water of a region that ended at its face was gone.
+TEST(FluidWarnings, a_region_of_still_water_that_ends_at_a_face_of_a_block_is_told) {
+    const auto warnings_of = [](const char* end) {
+        return test::read(std::string(R"(gravity = [0.0, 0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+[[body]]
+name = "block"
+material = "rock"
+shape = { cube = 1.0 }
+[fluid]
+method = "hydrostatic"
+spacing = 0.1
+domain = { low = [-5, -5, -5], high = [5, 5, 5] }
+[[fluid.region]]
+box = { low = [-5, -5, -5], high = [)") +
+                          end + ", 5, 5] }\nlevel = 1.0\n")
+            .warnings;
+    };
+    const auto told = testing::Contains(testing::HasSubstr("case.toml:14:1: the region ends at a face of 'block'"));
+    EXPECT_THAT(warnings_of("-0.5"), told);
+    EXPECT_THAT(warnings_of("-0.4"), testing::Not(told));
+    EXPECT_THAT(warnings_of("5"), testing::Not(told));
+}
+
 }  // namespace
 }  // namespace riprap::scene

@@ -132,6 +132,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"level_above_the_domain", with(tank, "level = 1.0", "level = 5.0"),
                 "the level 5 m lies above its region, which ends at 2 m", "a level in the region"},
         Refusal{"idle_side", wave("wave = \"none\"\n"), "a side that neither makes nor absorbs waves", "absorb = true"},
+        Refusal{"crest_of_a_sea", wave("wave = \"irregular\"\nheight = 0.3\nperiod = 3.0\ncrest_time = 2.0\n"),
+                "wave = \"irregular\" has no use for 'crest_time'", "leave 'crest_time' out"},
+        Refusal{"ramp_of_one_wave", wave("wave = \"solitary\"\nheight = 0.3\nramp = 2.0\n"),
+                "wave = \"solitary\" has no use for 'ramp'", "leave 'ramp' out"},
         Refusal{"wave_without_height", wave("wave = \"solitary\"\n"), "a wave without 'height'", "the height"},
         Refusal{"wave_without_period", wave("wave = \"regular\"\nheight = 0.3\n"), "a regular wave without 'period'",
                 "the period"},
@@ -151,6 +155,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "[[fluid.porous]] lacks 'linear'", "mu_1 or alpha"},
         Refusal{"sponge_inside_out", tank + "[[fluid.sponge]]\ntowards = \"x\"\nlow = [9.0, 0.0]\nhigh = [8.0, 2.0]\n",
                 "the sponge reaches from 9 m to 8 m along x", "low below high"},
+        Refusal{"sponge_elsewhere", tank + "[[fluid.sponge]]\ntowards = \"x\"\nlow = [11.0, 0.0]\nhigh = [12.0, 2.0]\n",
+                "the sponge lies outside the domain: from 11 m to 12 m along x", "from 0 m to 10 m"},
+        Refusal{"sponge_in_a_current",
+                tank + "[[fluid.sponge]]\ntowards = \"x\"\nlow = [8.0, 0.0]\nhigh = [10.0, 2.0]\n"
+                       "velocity = [0.1, 0.0]\n",
+                "a current in a sponge of water on a grid", "leave 'velocity' out"},
         Refusal{"courant_above_its_bound", with(tank, "spacing = 0.05\n", "spacing = 0.05\ncourant = 0.6\n"), "0.6",
                 "0.5"},
         Refusal{"three_cells", with(tank, "spacing = 0.05\n", "spacing = 0.6\n"), "3.33 cells of 0.6 m",
@@ -194,6 +204,20 @@ TEST(GridTable, that_is_wrong_is_named_by_its_own_line) {
 // Ground and walls go on beyond the water.
 TEST(GridTable, takes_a_fixed_body_that_is_longer_than_the_domain) {
     EXPECT_THAT(problems_of(with(tank, "box = [0.5, 0.5]", "box = [12.0, 0.5] }\nfixed = true\n#")), IsEmpty());
+}
+
+// Story: waves for half of the water came in over all of it, as fast below their bed as at it, and nothing said so.
+TEST(GridTable, warns_of_waves_for_less_water_than_stands_at_the_side) {
+    const std::string shallow = with(wave("wave = \"solitary\"\nheight = 0.25\n"), "depth = 1.0", "depth = 0.5");
+    const auto mark = testing::Contains(HasSubstr("case.toml:18:1: waves in 0.5 m of water at the low side of x"));
+    EXPECT_THAT(read(shallow).warnings, mark);
+    const std::string bed =
+        "[[body]]\nname = \"bed\"\nmaterial = \"rock\"\nfixed = true\n"
+        "shape = { box = [4.0, 1.0] }\nposition = [0.0, 0.0]\n";
+    EXPECT_THAT(read(with(shallow, "[fluid]", bed + "[fluid]")).warnings,
+                testing::Not(testing::Contains(HasSubstr("waves in 0.5 m"))));
+    EXPECT_THAT(read(wave("wave = \"solitary\"\nheight = 0.25\n")).warnings,
+                testing::Not(testing::Contains(HasSubstr("waves in"))));
 }
 
 TEST(GridTable, takes_a_wave_of_five_cells) {

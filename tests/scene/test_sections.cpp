@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <array>
 #include <numeric>
 
@@ -103,12 +105,44 @@ analysis = "bar.ana"
     }
 }
 
+TEST(Sections, a_load_acts_on_the_block_that_its_point_lies_in_or_on) {
+    const std::string section = head + R"([[section]]
+name = "rock"
+material = "rock"
+outline = [[0, 0], [4, 0], [3, 3], [0, 2]]
+lines = [[[2, 0], [2, 3]]]
+fixed_points = [[3.0, 1.0]]
+[[section.load]]
+at = [1.0, 2.3333333333333335]        # on the slope of the top
+force = [100.0, -2000.0]
+start = 0.5
+ramp = 2.0
+)";
+    const LoadedCase loaded = read(section);
+    ASSERT_EQ(loaded.model.loads.size(), 1U);
+    const body::PointLoad& load = loaded.model.loads[0];
+    const auto b = static_cast<std::size_t>(load.body.value);
+    EXPECT_LT(loaded.state.bodies.position[b].x, 2);
+    EXPECT_LT(norm(loaded.state.bodies.position[b] + load.point - Vec3{1, 7.0 / 3, 0}), 1e-12);
+    EXPECT_EQ(load.force, (Vec3{100, -2000, 0}));
+    EXPECT_EQ(load.start, 0.5);
+    EXPECT_EQ(load.ramp, 2);
+    EXPECT_THAT(loaded.notes, Contains(HasSubstr(fmt::format("acts on 'rock[{}]'", b))));
+    EXPECT_THAT(problems_of(with(section, "[1.0, 2.3333333333333335]", "[1.0, 2.4]")),
+                ElementsAre(AllOf(StartsWith("case.toml:16:6:"), HasSubstr("the load acts on no block"))));
+    EXPECT_THAT(problems_of(with(section, "[1.0, 2.3333333333333335]", "[3.0, 1.0]")),
+                ElementsAre(HasSubstr("which does not follow forces")));
+    EXPECT_THAT(problems_of(section + "stop = 0.25\n"), ElementsAre(HasSubstr("a load from 0.5 s to 0.25 s")));
+}
+
 TEST(Sections, bad_input_is_refused_with_its_place) {
     const std::string plain = head + "[[section]]\nname = \"s\"\nmaterial = \"rock\"\n";
     EXPECT_THAT(problems_of(plain + "outline = [[0, 0], [1, 1], [1, 0], [0, 1]]\n"),
                 ElementsAre(AllOf(StartsWith("case.toml:12:"), HasSubstr("meet"))));
     EXPECT_THAT(problems_of(plain + "outline = [[0, 0], [1, 0], [1, 1], [0, 1]]\nholes = [[2, 2]]\n"),
                 ElementsAre(HasSubstr("the hole at (2, 2) lies in no block")));
+    EXPECT_THAT(problems_of(plain + "outline = [[0, 0], [1, 0], [1, 1], [0, 1]]\nfixed_points = [[0.5, -1]]\n"),
+                ElementsAre(AllOf(StartsWith("case.toml:9:"), HasSubstr("the fixed point at (0.5, -1) lies in no"))));
     EXPECT_THAT(problems_of(plain + "outline = [[0, 0], [1, 0], [1, 1], [0, 1]]\n"
                                     "lines = [[[0, 0.5], [1, 0.5]], [[0, 0.50001], [1, 0.50001]]]\n"),
                 ElementsAre(HasSubstr("sliver")));

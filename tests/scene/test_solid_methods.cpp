@@ -77,16 +77,33 @@ ends = [[0.0, 0.5], [0.0, 1.5]]
 stiffness = 1e6
 )";
 
-TEST(SolidMethods, a_contact_stiffness_beyond_what_blocks_can_carry_is_refused_at_the_method) {
+TEST(SolidMethods, a_contact_stiffness_beyond_what_blocks_can_carry_is_refused_at_its_key) {
     for (const std::string method : {"explicit_dda", "implicit_dda"}) {
         const std::string text = minimal_case + "[solid]\nmethod = \"" + method + "\"\nyoungs_modulus = 1e9\n";
         EXPECT_THAT(problems_of(text + "contact_stiffness = 1e12\n"), IsEmpty());
         EXPECT_THAT(problems_of(text + "contact_stiffness = 1e18\n"),
-                    ElementsAre(AllOf(HasSubstr("case.toml:11:10:"), HasSubstr("contact_stiffness is 1e+18 N/m"),
+                    ElementsAre(AllOf(HasSubstr("case.toml:13:21:"), HasSubstr("contact_stiffness is 1e+18 N/m"),
                                       HasSubstr("at most"))));
     }
-    EXPECT_THAT(problems_of(planar_case, {"solid.youngs_modulus=1e9", "solid.contact_stiffness=1e18"}),
-                testing::Contains(AllOf(HasSubstr("case.toml:8:10:"), HasSubstr("contact stiffness 1e+18 N/m"))));
+    const std::string planar =
+        with(planar_case, "[[body]]", "youngs_modulus = 1e9\ncontact_stiffness = 1e18\n[[body]]");
+    EXPECT_THAT(problems_of(planar),
+                testing::Contains(AllOf(HasSubstr("case.toml:10:21:"), HasSubstr("contact_stiffness is 1e+18 N/m"))));
+}
+
+// Story: a stiffness of 1 N/m was taken, and blocks sank through the ground without a word.
+TEST(SolidMethods, a_contact_stiffness_that_carries_no_block_is_refused_at_its_key) {
+    for (const std::string method : {"explicit_dda", "implicit_dda"}) {
+        EXPECT_THAT(problems_of(minimal_case + "[solid]\nmethod = \"" + method + "\"\ncontact_stiffness = 1.0\n"),
+                    ElementsAre(AllOf(HasSubstr("case.toml:12:21: contact_stiffness is 1 N/m"),
+                                      HasSubstr("'block' sinks in by more than its radius"), HasSubstr("at least"))));
+    }
+    // 2500 kg a metre over the radius of the cube that stands for a square of 1 m
+    const auto with_stiffness = [](const char* value) {
+        return with(planar_case, "[[body]]", std::string("contact_stiffness = ") + value + "\n[[body]]");
+    };
+    EXPECT_THAT(problems_of(with_stiffness("28e3")), ElementsAre(HasSubstr("at least 2.83e+04 N/m")));
+    EXPECT_THAT(problems_of(with_stiffness("29e3")), IsEmpty());
 }
 
 TEST(SolidMethods, a_bolt_is_tied_to_points_of_two_bodies_one_of_which_moves) {
@@ -97,7 +114,9 @@ TEST(SolidMethods, a_bolt_is_tied_to_points_of_two_bodies_one_of_which_moves) {
     EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "\"block\", \"roof\"", "\"roof\", \"roof\"")),
                 ElementsAre(HasSubstr("case.toml:20:10: a bolt that holds nothing")));
     EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "[0.0, 0.5]", "[0.0, 0.7]")),
-                ElementsAre(HasSubstr("case.toml:21:8: the point does not lie in 'block'")));
+                ElementsAre(HasSubstr("case.toml:21:8: the point does not lie in 'block' but in no body")));
+    EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "[0.0, 0.5]", "[0.0, 1.6]")),
+                ElementsAre(HasSubstr("case.toml:21:8: the point does not lie in 'block' but in 'roof'")));
     EXPECT_THAT(problems_of(planar_case + with(bolt_lines, "[0.0, 0.5]", "[0.0, 1.5]")),
                 ElementsAre(HasSubstr("case.toml:21:8: a bolt without length")));
     EXPECT_THAT(problems_of(planar_case + bolt_lines + "pretension = 2e6\n"),

@@ -44,11 +44,11 @@ struct Scene {
         mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
         settings.elasticity = {1e8, 0.25, 1e7};
     }
-    void add(const Pose& pose, ShapeId shape, body::Drive drive, double release = INFINITY) {
+    void add(const Pose& pose, ShapeId shape, body::Drive drive, double release = INFINITY, double density = 2000) {
         body::NewBody block;
         block.name = "block";
         block.material = MaterialId{0};
-        block.density = 2000;
+        block.density = density;
         block.drive = drive;
         block.release_time = release;
         block.pose = pose;
@@ -91,6 +91,17 @@ TYPED_TEST(AffineBodies, AHalfSpaceIsWhereItsBodyIs) {
     EXPECT_LT(lowest, -0.1);   // it falls
     EXPECT_GT(lowest, -0.13);  // until the floor throws it back
     EXPECT_LT(norm(turned.state.position[1] - rotate(turn, plain.state.position[1])), 1e-9);
+}
+
+TYPED_TEST(AffineBodies, ABodyWithADensityOfItsOwnHasItsMassAndInertia) {
+    Scene<TypeParam> scene;
+    scene.add({}, scene.shapes.add_convex(geometry::cube(1), false, nullptr), body::Drive::free, INFINITY, 500);
+    scene.state.angular_momentum[0] = {0, 0, 500.0 / 6};  // 1 rad/s
+    const SolidReport report = scene.step();
+    EXPECT_NEAR(report.kick.mass, 500, 1e-9);
+    EXPECT_NEAR(scene.state.angular_momentum[0].z, 500.0 / 6, 1e-6);
+    const double turned = scene.state.orientation[0].z;
+    EXPECT_NEAR(2 * turned, scene.dt, 1e-9);
 }
 
 TYPED_TEST(AffineBodies, ABlockIsHeldOnceItIsReleased) {

@@ -261,6 +261,7 @@ std::span<const ValidationCase> grid_cases() {
                        grid::wave_propagation},
         ValidationCase{"grid", "overtopping", "Steady flow over a broad crest", false, grid::overtopping},
         ValidationCase{"grid", "run_up", "A solitary wave runs up a slope (Synolakis)", false, grid::run_up},
+        ValidationCase{"grid", "wall_run_up", "Solitary waves against an upright wall", false, grid::wall_run_up},
         ValidationCase{"grid", "oscillating_cylinder", "A cylinder swings in viscous fluid: noise of its force", false,
                        grid::oscillating_cylinder},
         ValidationCase{"grid", "moving_square", "A square starts in a closed box (SPHERIC 6)", false,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/coupling/cut_cells/cut_bodies.hpp"
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
+#include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/surface.hpp"
@@ -155,6 +157,31 @@ TEST(CutCells, a_block_on_a_bed_feels_the_uplift_of_an_open_joint) {
         EXPECT_NEAR(load.force().y / weight, 1, 1e-9);
         EXPECT_NEAR(load.torque.z / weight, 0, 1e-9);
     }
+}
+
+// Story: the sides of the domain are its floor and walls, and a block that stood on one was pressed on it by the water
+// above, as if glued: it weighed what it and that water weigh.
+TEST(CutCells, a_block_on_a_side_of_the_domain_feels_the_uplift_of_an_open_joint) {
+    GridSettings settings = tank({1, 1, 0.1}, {20, 20, 1});
+    settings.side[3].kind = SideKind::open;
+    for (const double x : {0.5, 0.512, 0.15}) {  // on faces of cells, across them, against a wall
+        for (const double overlap : {0.0, 1e-4, 0.02}) {
+            const std::vector<GridBody> bodies{block({0.3, 0.2, 0.1}, {x, 0.1 - overlap, 0.05})};
+            const CutBodies cut = cut_bodies(settings.mesh, bodies);
+            GridState state = make_state(settings, [](const Vec3& p) { return p.y < 0.75; });
+            GridScratch scratch;
+            set_open_shares(settings, state, scratch, cut.open);
+            advance(settings, state, scratch, stable_step(settings, state, scratch));
+            const GridLoad load = cut_loads(settings, state, scratch, bodies, cut)[0];
+            const double displaced = 1000 * 9.81 * 0.3 * (0.2 - overlap) * 0.1;
+            EXPECT_NEAR(load.force().y / displaced, 1, 1e-9) << x << " " << overlap;
+            EXPECT_NEAR(load.force().x / displaced, 0, 1e-9) << x << " " << overlap;
+            EXPECT_LT(largest_speed(settings, state, scratch), 1e-10);
+        }
+    }
+    const std::vector<GridBody> pile{block({0.3, 0.4, 0.1}, {0.5, 0.1, 0.05})};  // goes on below the domain
+    const CutBodies cut = cut_bodies(settings.mesh, pile);
+    EXPECT_TRUE(std::all_of(cut.facets.begin(), cut.facets.end(), moves_fluid));
 }
 
 TEST(CutBodies, what_a_moving_face_displaces_does_not_depend_on_where_it_lies_in_a_cell) {

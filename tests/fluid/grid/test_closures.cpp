@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "fluid/grid/tank.hpp"
 #include "riprap/fluid/grid/surface_tension.hpp"
@@ -24,6 +25,33 @@ TEST(PorousClosure, drop_of_pressure_of_crushed_rock_is_that_worked_out_by_hand)
     rock.closure = PorousClosure::ding;
     rock.keulegan_carpenter = 7.5;
     EXPECT_NEAR(drop(), 2.2300 + 2 * 54.526, 4e-2);
+}
+
+TEST(PorousClosure, adds_its_mass_to_water_that_is_pushed_through_stones) {
+    constexpr double n = 0.45, rate = 0.2;
+    for (const auto& [closure, added] : {std::pair{PorousClosure::ding, 0.5},
+                                         {PorousClosure::van_gent, 0.34 * (1 - n) / n},
+                                         {PorousClosure::engelund, 0.34 * (1 - n) / n}}) {
+        GridSettings settings = tank({1, 0.1, 0.1}, {20, 2, 1});
+        settings.has_surface = false;
+        settings.gravity = {};
+        settings.water.kinematic_viscosity = 0;
+        settings.tolerance = 1e-10;
+        PorousMedium stones{n, 0.02, 0, 0, 0.5};
+        stones.closure = closure;
+        settings.porous.push_back({stones, [](const Vec3& x) { return x.x > 0.3 && x.x < 0.7; }});
+        settings.side[0].kind = SideKind::inflow;
+        settings.side[0].inflow = [](const Vec3&, double time) { return Inflow{{rate * time, 0, 0}, 1}; };
+        settings.side[1].kind = SideKind::open;
+        GridState state = make_state(
+            settings, [](const Vec3&) { return 1.0; }, [](const Vec3&) { return Vec3{}; });
+        GridScratch scratch;
+        for (int i = 0; i < 10; ++i) {
+            advance(settings, state, scratch, 0.01);
+        }
+        const auto p = [&](int i) { return state.pressure[at(settings.mesh.box.index(i, 0, 0))]; };
+        EXPECT_NEAR((p(8) - p(12)) / 0.2, (1 + added) * 1000 / n * rate, 1e-6 * 1000 / n * rate);
+    }
 }
 
 TEST(GridConstants, a_step_lets_viscosity_spread_over_less_than_explicit_diffusion_bears) {

@@ -314,7 +314,7 @@ TEST(PlanarDda, NumbersThatCannotBeComputedWithAreNamed) {
     EXPECT_TRUE(problems_of(Blocks().model).empty());
     const auto problems = problems_of(blocks.model);
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_EQ(problems[0].message, "contact stiffness -1 N/m");
+    EXPECT_EQ(problems[0].message, "contact_stiffness is -1 N/m");
     blocks.model.joints.push_back(blocks.model.joints[0]);
     EXPECT_EQ(problems_of(blocks.model).size(), 1u) << "the stiffness of another pair is the same";
     blocks.model.joints.pop_back();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "riprap/coupling/cut_cells/cutter.hpp"
+#include "riprap/coupling/cut_cells/side_facets.hpp"
 
 namespace riprap::coupling {
 
@@ -50,7 +51,7 @@ void find_displacement(const std::vector<CutFacet>& facets, const std::vector<Gr
                        fluid::grid::OpenShares& open) {
     open.displacement.assign(open.volume.size(), 0.0);
     for (const CutFacet& facet : facets) {
-        if (open.volume[at(facet.cell)] > 0) {
+        if (open.volume[at(facet.cell)] > 0 && moves_fluid(facet)) {
             open.displacement[at(facet.cell)] -= dot(bodies[at(facet.body)].velocity_at(facet.place()), facet.area);
         }
     }

@@ -38,7 +38,9 @@ Cutter::Cutter(const Mesh& mesh) : mesh_(&mesh) {
 }
 
 void Cutter::cut(const GridBody& body, std::int32_t number) {
-    for (const PartPlanes& part : parts_of(body, mesh_->box.axes)) {
+    const std::vector<PartPlanes> parts = parts_of(body, mesh_->box.axes);
+    note_sides(parts, number);
+    for (const PartPlanes& part : parts) {
         std::array<int, 3> first{}, last{};
         for (int a = 0; a < 3; ++a) {
             first[at(a)] = a < mesh_->box.axes ? mesh_->cell_at(a, part.low[a]) : 0;
@@ -52,6 +54,23 @@ void Cutter::cut(const GridBody& body, std::int32_t number) {
             }
         }
         find_distances(part, body, number, first, last);
+    }
+}
+
+void Cutter::note_sides(const std::vector<PartPlanes>& parts, std::int32_t number) {
+    on_sides_.resize(std::max(on_sides_.size(), at(number + 1)), 0);
+    std::uint8_t& bits = on_sides_[at(number)];
+    bits = 0xff;
+    for (const PartPlanes& part : parts) {
+        for (int a = 0; a < mesh_->box.axes; ++a) {
+            const auto& edge = mesh_->edge[at(a)];
+            if (part.low[a] < edge.front() - 0.5 * mesh_->h(a, 0)) {
+                bits = static_cast<std::uint8_t>(bits & ~(1U << (2 * a)));
+            }
+            if (part.high[a] > edge.back() + 0.5 * mesh_->h(a, mesh_->box.cells[at(a)] - 1)) {
+                bits = static_cast<std::uint8_t>(bits & ~(1U << (2 * a + 1)));
+            }
+        }
     }
 }
 
@@ -160,14 +179,27 @@ void Cutter::find_distances(const PartPlanes& part, const GridBody& body, std::i
     }
 }
 
-CutBodies Cutter::finish(const std::vector<GridBody>& bodies) && {
-    show_filled_cells();
-    show_faces();
+void Cutter::sort_facets() {
     std::stable_sort(out_.facets.begin(), out_.facets.end(), [](const CutFacet& a, const CutFacet& b) {
         return std::tie(a.body, a.cell) < std::tie(b.body, b.cell);
     });
+}
+
+/// Adds what bodies show on sides of the domain, after joints have been closed for the others.
+void Cutter::show_sides() {
+    if (!side_facets_.empty()) {
+        out_.facets.insert(out_.facets.end(), side_facets_.begin(), side_facets_.end());
+        sort_facets();
+    }
+}
+
+CutBodies Cutter::finish(const std::vector<GridBody>& bodies) && {
+    show_filled_cells();
+    show_faces();
+    sort_facets();
     close_shares();
     close_joints();
+    show_sides();
     find_displacement(out_.facets, bodies, out_.open);
     find_joints();
     list_near_faces();

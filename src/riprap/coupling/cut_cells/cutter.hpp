@@ -27,6 +27,7 @@ class Cutter {
         double area;     ///< [m^2]
         std::array<Vec3, 3> middle;
     };
+    void note_sides(const std::vector<PartPlanes>& parts, std::int32_t number);
     void cut_cell(const PartPlanes& part, std::int32_t number, const std::array<int, 3>& place);
     void add_face(const geometry::Polyhedron& piece, const std::vector<std::int32_t>& face, std::int32_t number,
                   const std::array<int, 3>& place);
@@ -37,6 +38,8 @@ class Cutter {
     void show_faces();
     void close_shares();
     void close_joints();
+    void show_sides();
+    void sort_facets();
     bool is_joint(std::int64_t cell) const;
     bool is_narrow(int a, std::int64_t cell) const;
     void find_joints();
@@ -49,6 +52,8 @@ class Cutter {
     std::vector<std::int32_t> touched_;                 ///< body in a cell; -1 none, -2 several
     std::vector<std::array<int, 3>> filled_cells_;
     std::vector<OnFace> on_faces_;
+    std::vector<std::uint8_t> on_sides_;  ///< of each body, a bit for each side of the domain that it may lie on
+    std::vector<CutFacet> side_facets_;
     std::vector<geometry::Plane> across_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "riprap/coupling/cut_cells/cell_sides.hpp"
 #include "riprap/coupling/cut_cells/cutter.hpp"
+#include "riprap/coupling/cut_cells/side_facets.hpp"
 
 namespace riprap::coupling {
 
@@ -27,7 +28,7 @@ void Cutter::show_filled_cells() {
         const Vec3 centre = mesh_->centre(place[0], place[1], place[2]);
         for_faces_of(box, place, [&](int a, std::int64_t face, int p, bool is_below) {
             const bool is_on_rim = p == (is_below ? box.cells[at(a)] : 0);
-            if (is_on_rim || filled_[at(is_below ? face : face - box.stride[at(a)])] == number) {
+            if (!is_on_rim && filled_[at(is_below ? face : face - box.stride[at(a)])] == number) {
                 return;
             }
             const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -37,10 +38,10 @@ void Cutter::show_filled_cells() {
             v[c] = 0.5 * mesh_->h(c, place[at(c)]);
             const double half = 0.5 * mesh_->face_area(a, place[0], place[1], place[2]);
             const auto axis = static_cast<std::int8_t>(a);
-            on_faces_.push_back(
-                {face, number, axis, is_below, false, half, middles(middle - u - v, middle + u - v, middle + u + v)});
-            on_faces_.push_back(
-                {face, number, axis, is_below, false, half, middles(middle - u - v, middle + u + v, middle - u + v)});
+            on_faces_.push_back({face, number, axis, is_below, is_on_rim, half,
+                                 middles(middle - u - v, middle + u - v, middle + u + v)});
+            on_faces_.push_back({face, number, axis, is_below, is_on_rim, half,
+                                 middles(middle - u - v, middle + u + v, middle - u + v)});
         });
     }
 }
@@ -61,15 +62,19 @@ void Cutter::show_faces() {
             (on_faces_[end].is_below ? below : above) += on_faces_[end].area;
         }
         const double net = below - above, most = std::max(below, above);
-        if (std::abs(net) > closed_tolerance * most && !first.is_on_rim) {
-            const bool is_below = net > 0;
+        const bool is_below = net > 0;
+        const int side = 2 * first.axis + (is_below ? 1 : 0);
+        const bool is_shown = !first.is_on_rim || (on_sides_[at(first.body)] >> side & 1) != 0;
+        if (std::abs(net) > closed_tolerance * most && is_shown) {
             const std::int64_t stride = mesh_->box.stride[at(first.axis)];
+            const std::int64_t cell =
+                is_below != first.is_on_rim ? first.face : first.face - stride;  // inside on a rim
             for (std::size_t k = i; k < end; ++k) {
                 if (on_faces_[k].is_below == is_below) {
                     Vec3 area{};
                     area[first.axis] = net / most * on_faces_[k].area;
-                    out_.facets.push_back(
-                        {first.body, is_below ? first.face : first.face - stride, area, on_faces_[k].middle, -1});
+                    (first.is_on_rim ? side_facets_ : out_.facets)
+                        .push_back({first.body, cell, area, on_faces_[k].middle, first.is_on_rim ? on_side : -1});
                 }
             }
         }

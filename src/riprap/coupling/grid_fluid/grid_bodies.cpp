@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
@@ -144,11 +145,38 @@ bool meets(const geometry::Polyhedron& piece, const Vec3& low, const Vec3& high)
            most.z > low.z;
 }
 
+/// Adds what of a convex piece lies outside of another, as convex pieces that do not overlap.
+void add_outside(geometry::Polyhedron piece, const geometry::Polyhedron& other,
+                 std::vector<geometry::Polyhedron>& outside) {
+    for (const auto& face : other.faces) {
+        geometry::CutPieces cut = geometry::cut_convex(piece, geometry::face_plane(other.vertices, face));
+        if (!cut.above.faces.empty()) {
+            outside.push_back(std::move(cut.above));
+        }
+        if (cut.below.faces.empty()) {
+            return;
+        }
+        piece = std::move(cut.below);
+    }
+}
+
+/// Takes out of pieces what earlier regions have filled: the first one counts where they overlap.
+void take_out(const std::vector<geometry::Polyhedron>& filled, std::vector<geometry::Polyhedron>& pieces) {
+    for (const geometry::Polyhedron& other : filled) {
+        std::vector<geometry::Polyhedron> outside;
+        for (geometry::Polyhedron& piece : pieces) {
+            add_outside(std::move(piece), other, outside);
+        }
+        pieces = std::move(outside);
+    }
+}
+
 /// Water of the regions in a cell, solids taken out where they cut it [m^3].
 double water_in(const GridFluidSettings& settings, const std::vector<GridBody>& bodies, const Vec3& low,
                 const Vec3& high, bool is_cut) {
     const auto cell = geometry::moved(geometry::box(high - low), Pose{(low + high) * 0.5, Quat{}});
     double sum = 0;
+    std::vector<geometry::Polyhedron> filled;  // by the regions so far
     for (const FillRegion& region : settings.scene.regions) {
         std::vector<geometry::Polyhedron> wet;
         if (region.pieces.empty()) {
@@ -163,9 +191,12 @@ double water_in(const GridFluidSettings& settings, const std::vector<GridBody>& 
             if (!piece.faces.empty() && std::isfinite(region.level)) {
                 piece = geometry::clip_convex(piece, {settings.scene.up, region.level});
             }
-            if (piece.faces.empty()) {
-                continue;
-            }
+        }
+        std::erase_if(wet, [](const geometry::Polyhedron& piece) { return piece.faces.empty(); });
+        std::vector<geometry::Polyhedron> added = wet;
+        take_out(filled, added);
+        filled.insert(filled.end(), std::make_move_iterator(wet.begin()), std::make_move_iterator(wet.end()));
+        for (const geometry::Polyhedron& piece : added) {
             sum += volume_of(piece);
             for (std::size_t b = 0; is_cut && b < bodies.size(); ++b) {
                 for (const geometry::Polyhedron& part : bodies[b].parts) {

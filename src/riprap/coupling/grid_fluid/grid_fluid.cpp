@@ -8,6 +8,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/coupling/added_mass.hpp"
+#include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
@@ -51,7 +52,7 @@ std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSe
     for (const CutFacet& facet : cut.facets) {
         const double area = norm(facet.area);
         whole[at(facet.body)] += area;
-        wet[at(facet.body)] += area * (facet.joint < 0 ? water.fraction[at(facet.cell)] : 0);
+        wet[at(facet.body)] += area * (facet.joint < 0 && moves_fluid(facet) ? water.fraction[at(facet.cell)] : 0);
     }
     for (std::size_t b = 0; b < count; ++b) {
         double volume = 0;
@@ -108,7 +109,7 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
     const Vec3 g = fluid::grid::body_force(settings, water.time);
     std::vector<std::int64_t> cells;
     for (const CutFacet& facet : cut.facets) {
-        if (s.open.volume[at(facet.cell)] > 0) {
+        if (s.open.volume[at(facet.cell)] > 0 && moves_fluid(facet)) {
             cells.push_back(facet.cell);
         }
     }
@@ -134,7 +135,7 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
         }
     }
     for (const CutFacet& facet : cut.facets) {
-        if (s.open.volume[at(facet.cell)] > 0) {
+        if (s.open.volume[at(facet.cell)] > 0 && moves_fluid(facet)) {
             const std::size_t k = number(facet.cell);
             for (int a = 0; a < mesh.box.axes; ++a) {
                 for (const Vec3& x : facet.middle) {

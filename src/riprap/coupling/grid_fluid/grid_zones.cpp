@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Zones of stones, and boxes where waves die.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/geometry/triangle_field.hpp"
@@ -65,6 +68,24 @@ double calm_rate(const GridFluidSettings& settings, const CalmBox& box) {
     return 7 * std::sqrt(norm(settings.grid.gravity) * depth) / (box.high[box.axis] - box.low[box.axis]);
 }
 
+/// Tells why a sponge would do nothing; nothing where it does.
+std::optional<KeyProblem> idle_sponge(const GridFluidSettings& settings, const CalmBox& box, std::string_view key) {
+    const fluid::Domain& domain = settings.scene.domain;
+    for (int a = 0; a < domain.dimension; ++a) {
+        if (!(box.high[a] > domain.low[a] && box.low[a] < domain.high[a])) {
+            return KeyProblem{
+                key,
+                fmt::format("the sponge lies outside the domain: from {} m to {} m along {}", box.low[a], box.high[a],
+                            "xyz"[a]),
+                fmt::format("a box that meets it, which reaches from {} m to {} m", domain.low[a], domain.high[a])};
+        }
+    }
+    if (box.rate == 0 && norm(settings.grid.gravity) == 0) {
+        return KeyProblem{key, "no rate follows for a sponge without gravity", "a rate in 1/s"};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<KeyProblem> add_zones(GridFluidSettings& settings) {
@@ -93,7 +114,12 @@ std::vector<KeyProblem> add_zones(GridFluidSettings& settings) {
         }
         settings.grid.porous.push_back({stones.medium, holds});
     }
-    for (const CalmBox& box : settings.scene.calm) {
+    for (std::size_t entry = 0; entry < settings.scene.calm.size(); ++entry) {
+        const CalmBox& box = settings.scene.calm[entry];
+        if (auto problem = idle_sponge(settings, box, entry_key("sponge", entry))) {
+            problems.push_back(std::move(*problem));
+            continue;
+        }
         const double rate = box.rate > 0 ? box.rate : calm_rate(settings, box);
         settings.grid.sponges.push_back({[box, rate, axes = settings.scene.domain.dimension](const Vec3& x) {
             for (int a = 0; a < axes; ++a) {

@@ -116,7 +116,9 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
         const Vec3 place = center + middle_of(arms);
         const HydrostaticSettings::Basin* basin = nearest_basin(*settings_, place);
         const double share = cover.empty() ? 1 : cover[at(index)];
-        const bool is_open = share >= 1 && basin != nullptr && distance_from(*basin, *settings_, place) > 0;
+        // a face on the side of a region stays wet as its block strains
+        const double slack = lies_on_share * settings_->spacing;
+        const bool is_open = share >= 1 && basin != nullptr && distance_from(*basin, *settings_, place) > slack;
         if (basin == nullptr || share <= 0) {
             return;
         }

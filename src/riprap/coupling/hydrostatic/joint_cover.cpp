@@ -133,9 +133,9 @@ std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
 
 bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
                      const Panel& panel) {
-    constexpr double gap = 0.05;  // of a panel: closer than that faces lie on each other
     const Vec3 outward = rotate(motion.pose[at(panel.body)].orientation, panel.normal);
-    return is_covered(scene, motion, panel.body, middle_of(motion, panel) + (gap * settings.spacing) * outward);
+    return is_covered(scene, motion, panel.body,
+                      middle_of(motion, panel) + (lies_on_share * settings.spacing) * outward);
 }
 
 std::vector<double> joint_shares(const FluidScene& scene, const HydrostaticSettings& settings,

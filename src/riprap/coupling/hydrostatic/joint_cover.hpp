@@ -7,6 +7,9 @@
 
 namespace riprap::coupling {
 
+/// Faces that are nearer to each other, or to the side of a region, than this share of a panel lie on it [-].
+inline constexpr double lies_on_share = 0.05;
+
 /// Cuts the faces of all bodies that forces may move into panels no longer than `size` to either side [m]; faces stay
 /// whole where it is infinite. Faces between parts of one body and end faces of planar prisms are left out.
 std::vector<HydrostaticFluid::Panel> cut_faces(const FluidScene& scene, double size);

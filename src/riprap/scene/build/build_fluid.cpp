@@ -261,6 +261,19 @@ const SourcePlace& place_of(const Value& table, std::string_view key) {
     return given != nullptr ? given->place : table.place;
 }
 
+/// Says how many cells a grid has.
+template <class Settings>
+void note_cells(CaseBuild& build, const Settings& settings) {
+    if constexpr (requires { settings.grid.mesh.box.cells; }) {
+        const auto& box = settings.grid.mesh.box;
+        if (!settings.grid.mesh.edge[0].empty()) {
+            build.notes.push_back(fmt::format(
+                "the grid of the water: {} x {}{} cells, the narrowest {:.4g} m wide", box.cells[0], box.cells[1],
+                box.axes == 3 ? fmt::format(" x {}", box.cells[2]) : "", settings.grid.mesh.smallest_width()));
+        }
+    }
+}
+
 /// Builds a fluid without particles: its settings receive domain, regions and levels.
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
@@ -278,7 +291,14 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     if (table.find("domain") != nullptr) {  // a fluid with a domain cuts solids into its cells
         check_lengths(build, scene.domain);
         warn_of_hollow_ground(build, scene.domain);
+        if (const Value* waves = table.find("wave")) {
+            warn_of_waves_over_depth(build, *waves, scene);
+        }
     }
+    if constexpr (std::is_same_v<Settings, coupling::HydrostaticSettings>) {
+        warn_of_regions_at_faces(build, get(table, "region"), settings);
+    }
+    note_cells(build, settings);
     build.model.fluid = settings;
 }
 

@@ -4,9 +4,28 @@
 #include <cmath>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/load_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
 namespace riprap::scene {
+
+bool check_times(CaseBuild& build, const Value& load) {
+    const double start = get_number(load, "start");
+    const Value* stop = load.find("stop");
+    if (stop == nullptr || stop->as_number() > start) {
+        return true;
+    }
+    build.problem(stop->place, fmt::format("a load from {} s to {} s", start, stop->as_number()), "stop after start");
+    return false;
+}
+
+body::PointLoad load_on(BodyId body, const Value& load) {
+    body::PointLoad read{.body = body, .force = get_vector(load, "force")};
+    read.start = get_number(load, "start");
+    read.ramp = get_number(load, "ramp");
+    read.stop = get_number_or(load, "stop", read.stop);
+    return read;
+}
 
 bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body, std::int64_t copies) {
     if (body.drive != body::Drive::free && !std::isfinite(body.release_time)) {
@@ -15,10 +34,7 @@ bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body
         return false;
     }
     for (const Value& one : loads.items) {
-        const double start = get_number(one, "start");
-        if (const Value* stop = one.find("stop"); stop != nullptr && stop->as_number() <= start) {
-            build.problem(stop->place, fmt::format("a load from {} s to {} s", start, stop->as_number()),
-                          "stop after start");
+        if (!check_times(build, one)) {
             return false;
         }
     }
@@ -35,14 +51,11 @@ bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body
 void add_loads(CaseBuild& build, const Value& loads, BodyId body, const Pose& pose, double scale) {
     const Vec3 center = build.state.bodies.position[static_cast<std::size_t>(body.value)];
     for (const Value& one : loads.items) {
-        body::PointLoad load{.body = body, .force = get_vector(one, "force")};
+        body::PointLoad load = load_on(body, one);
         if (const Value* at = one.find("at")) {
             const Vec3 place = pose.position + rotate(pose.orientation, scale * to_vector(*at));
             load.point = rotate_back(pose.orientation, place - center);
         }
-        load.start = get_number(one, "start");
-        load.ramp = get_number(one, "ramp");
-        load.stop = get_number_or(one, "stop", load.stop);
         build.model.loads.push_back(load);
     }
 }

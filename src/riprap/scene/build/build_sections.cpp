@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/convex_pieces.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/recipe_blocks.hpp"
 #include "riprap/scene/build/section_files.hpp"
+#include "riprap/scene/build/section_loads.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 
 namespace riprap::scene {
@@ -19,8 +21,6 @@ using geometry::Vec2;
 
 namespace {
 
-Vec2 to_point(const Value& pair) { return {pair.items[0].as_number(), pair.items[1].as_number()}; }
-
 /// Content of a section.
 struct Section {
     Polygon outline;  ///< empty where it is among the lines
@@ -30,14 +30,6 @@ struct Section {
     std::vector<PlanarJoint> fixed;  ///< points and lines of which each point holds its block
     std::vector<Vec2> measured, loaded;
     std::vector<geometry::DdaLoadHistory> loads;
-};
-
-/// One block as it stands.
-struct Block {
-    Polygon corners;
-    std::vector<Polygon> pieces;
-    /// A point well inside.
-    Vec2 middle() const { return geometry::moments_of(pieces.front()).centroid; }
 };
 
 void add_lines(const Value& table, Section& section) {
@@ -137,15 +129,8 @@ std::optional<Section> read_section(CaseBuild& build, const Value& table, Materi
     return section;
 }
 
-/// The block that a point lies in; -1 = none.
-std::int64_t block_at(const std::vector<Block>& blocks, const Vec2& x) {
-    const auto found =
-        std::find_if(blocks.begin(), blocks.end(), [&x](const Block& block) { return is_inside(block.corners, x); });
-    return found == blocks.end() ? -1 : found - blocks.begin();
-}
-
 /// Tells whether a point of the line lies in the block.
-bool is_held(const Block& block, const PlanarJoint& line) {
+bool is_held(const SectionBlock& block, const PlanarJoint& line) {
     constexpr int samples = 64;  // a line crosses a block or does not; short cuts of a corner do not hold it
     for (int i = 0; i <= samples; ++i) {
         if (is_inside(block.corners, line.begin + (static_cast<double>(i) / samples) * (line.end - line.begin))) {
@@ -156,13 +141,13 @@ bool is_held(const Block& block, const PlanarJoint& line) {
 }
 
 /// Cuts the section and leaves out what lies outside and in holes.
-std::optional<std::vector<Block>> cut(CaseBuild& build, const Value& table, const Section& section) {
+std::optional<std::vector<SectionBlock>> cut(CaseBuild& build, const Value& table, const Section& section) {
     const auto made =
         geometry::cut_by_lines(section.lines, {.snap = section.snap, .sliver = get_number(table, "sliver")});
     if (!accept(build, made, table.place)) {
         return std::nullopt;
     }
-    std::vector<Block> blocks;
+    std::vector<SectionBlock> blocks;
     for (const Polygon& corners : made.value().blocks) {
         blocks.push_back({corners, geometry::convex_pieces(corners)});
         if (blocks.back().pieces.empty()) {
@@ -173,7 +158,8 @@ std::optional<std::vector<Block>> cut(CaseBuild& build, const Value& table, cons
         }
     }
     const auto& outline = section.outline;
-    std::erase_if(blocks, [&](const Block& block) { return !outline.empty() && !is_inside(outline, block.middle()); });
+    std::erase_if(blocks,
+                  [&](const SectionBlock& block) { return !outline.empty() && !is_inside(outline, block.middle()); });
     const std::size_t whole = blocks.size();
     for (const Vec2& hole : section.holes) {
         const std::int64_t i = block_at(blocks, hole);
@@ -184,10 +170,16 @@ std::optional<std::vector<Block>> cut(CaseBuild& build, const Value& table, cons
         }
         blocks.erase(blocks.begin() + i);
     }
+    double least = HUGE_VAL, most = 0;
+    for (const SectionBlock& block : blocks) {
+        const double area = geometry::moments_of(block.corners).area;
+        least = std::min(least, area);
+        most = std::max(most, area);
+    }
     build.notes.push_back(
-        fmt::format("section '{}': {} blocks of {} lines with {} crossings; {} ends that cut nothing, {} loops that "
-                    "nothing ties to the outline, {} blocks left out",
-                    get_text(table, "name"), blocks.size(), section.lines.size(), made.value().crossings,
+        fmt::format("section '{}': {} blocks from {:.3g} to {:.3g} m^2 of {} lines with {} crossings; {} ends that cut "
+                    "nothing, {} loops that nothing ties to the outline, {} blocks left out",
+                    get_text(table, "name"), blocks.size(), least, most, section.lines.size(), made.value().crossings,
                     made.value().dead_ends, made.value().loose_loops, whole - blocks.size()));
     return blocks;
 }
@@ -201,7 +193,7 @@ std::vector<geometry::Point2> corners_of(const Polygon& polygon) {
 }
 
 /// Parts of a block in world axes, from its place `origin`. Nothing, with problems, when one is refused.
-std::optional<std::vector<body::Part>> parts_of(CaseBuild& build, const Value& table, const Block& block,
+std::optional<std::vector<body::Part>> parts_of(CaseBuild& build, const Value& table, const SectionBlock& block,
                                                 const Vec2& origin) {
     std::vector<body::Part> parts;
     for (Polygon piece : block.pieces) {
@@ -218,7 +210,7 @@ std::optional<std::vector<body::Part>> parts_of(CaseBuild& build, const Value& t
 }
 
 /// Names of the blocks of measured points, for probes.
-void note_measured(CaseBuild& build, const std::string& name, const std::vector<Block>& blocks,
+void note_measured(CaseBuild& build, const std::string& name, const std::vector<SectionBlock>& blocks,
                    const std::vector<Vec2>& points) {
     for (const Vec2& x : points) {
         const std::int64_t i = block_at(blocks, x);
@@ -228,26 +220,20 @@ void note_measured(CaseBuild& build, const std::string& name, const std::vector<
     }
 }
 
-/// Forces of the analysis file at the load points, in their order.
-void add_section_loads(CaseBuild& build, const Value& table, const std::vector<Block>& blocks, const Section& section,
-                       std::int32_t first) {
-    for (std::size_t k = 0; k < section.loads.size(); ++k) {
-        const auto& records = section.loads[k].records;
-        const auto is_as_first = [&](const auto& r) { return r[1] == records[0][1] && r[2] == records[0][2]; };
-        const bool is_constant = std::all_of(records.begin(), records.end(), is_as_first);
-        const std::int64_t i = k < section.loaded.size() ? block_at(blocks, section.loaded[k]) : -1;
-        if (!is_constant || i < 0) {
-            build.problem(get(table, "analysis").place,
-                          fmt::format("load {} {}", k, i < 0 ? "has no load point in a block" : "varies with time"),
-                          "loads that stay, at load points of the geometry file that lie in a block");
-            continue;
+/// Refuses points that are to hold a block and lie in none.
+bool check_fixed(CaseBuild& build, const Value& table, const std::vector<SectionBlock>& blocks,
+                 const std::vector<PlanarJoint>& fixed) {
+    bool is_good = true;
+    for (const PlanarJoint& line : fixed) {
+        if (std::none_of(blocks.begin(), blocks.end(), [&](const auto& block) { return is_held(block, line); })) {
+            build.problem(
+                table.place,
+                fmt::format("the fixed point at ({:.6g}, {:.6g}) lies in no block", line.begin.x, line.begin.y),
+                "one point in each block that does not move");
+            is_good = false;
         }
-        const BodyId id{first + static_cast<std::int32_t>(i)};
-        body::PointLoad load{.body = id, .force = {records[0][1], records[0][2], 0}};
-        load.point = Vec3{section.loaded[k].x, section.loaded[k].y, 0} - build.state.bodies.position[at(id.value)];
-        load.start = records.front()[0];
-        build.model.loads.push_back(load);
     }
+    return is_good;
 }
 
 void build_section(CaseBuild& build, const Value& table) {
@@ -257,13 +243,14 @@ void build_section(CaseBuild& build, const Value& table) {
     }
     const auto section = read_section(build, table, common.material);
     const auto blocks = section ? cut(build, table, *section) : std::nullopt;
-    if (!blocks || !has_room(build, table.place, common.name, blocks->size())) {
+    if (!blocks || !has_room(build, table.place, common.name, blocks->size()) ||
+        !check_fixed(build, table, *blocks, section->fixed)) {
         return;
     }
     const std::int32_t first = build.model.bodies.size();
     const double fixed_below = get_number_or(table, "fixed_below", -1e300);
     for (std::size_t i = 0; i < blocks->size(); ++i) {
-        const Block& one = (*blocks)[i];
+        const SectionBlock& one = (*blocks)[i];
         const Vec2 origin = geometry::moments_of(one.corners).centroid;
         const auto parts = parts_of(build, table, one, origin);
         if (!parts) {
@@ -279,7 +266,8 @@ void build_section(CaseBuild& build, const Value& table) {
         add_recipe_block(build, std::move(block), static_cast<std::int64_t>(i));
     }
     note_measured(build, common.name, *blocks, section->measured);
-    add_section_loads(build, table, *blocks, *section, first);
+    add_file_loads(build, table, *blocks, section->loaded, section->loads, first);
+    add_loads_at(build, table, *blocks, first);
 }
 
 }  // namespace

@@ -34,13 +34,27 @@ bool is_in(const sim::Model& model, BodyId body, const Vec3& point) {
     return false;
 }
 
+/// Names the bodies that a point lies in: the blocks of a section have no other way to be told apart.
+std::string holders_of(const CaseBuild& build, const Vec3& x) {
+    std::string names;
+    for (std::int32_t b = 0; b < build.model.bodies.size(); ++b) {
+        if (is_in(build.model, BodyId{b}, build.point_of(BodyId{b}, x))) {
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", build.model.bodies.name(BodyId{b}));
+        }
+    }
+    return names;
+}
+
 /// Reads where a support is tied to its body; false with a problem.
 bool read_point(CaseBuild& build, const Value& value, const SourcePlace& place, BodyId body, Vec3& point) {
     point = build.point_of(body, to_vector(value));
     if (is_in(build.model, body, point)) {
         return true;
     }
-    build.problem(place, fmt::format("the point does not lie in '{}'", build.model.bodies.name(body)),
+    const std::string holders = holders_of(build, to_vector(value));
+    build.problem(place,
+                  fmt::format("the point does not lie in '{}' but in {}", build.model.bodies.name(body),
+                              holders.empty() ? "no body" : holders),
                   "a point in it or on its surface, where it is at the start");
     return false;
 }

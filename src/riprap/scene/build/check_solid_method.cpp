@@ -62,7 +62,9 @@ void check_solid_method(CaseBuild& build) {
     const Value& solid = get(build.root, "solid");
     const Value* method = solid.find("method");
     for (const solid::SceneProblem& problem : problems) {
-        SourcePlace place = method != nullptr ? method->place : solid.place;
+        // a message that begins with a key is about that key
+        const Value* key = solid.find(problem.message.substr(0, problem.message.find(' ')));
+        SourcePlace place = key != nullptr ? key->place : method != nullptr ? method->place : solid.place;
         if (problem.body.is_valid()) {
             place = build.names[model.bodies.names[at(model.bodies.name_id[at(problem.body.value)])]];
         }

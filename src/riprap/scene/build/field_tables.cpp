@@ -2,6 +2,8 @@
 // Reads the tables of [fluid] for fluids that are fields.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
@@ -22,6 +24,25 @@ std::optional<int> side_of(CaseBuild& build, const Value& table) {
     return 2 * way.axis + (way.is_towards_high ? 0 : 1);
 }
 
+/// Refuses keys that waves of this kind have no use for; false with a problem.
+bool check_wave_keys(CaseBuild& build, const Value& table, coupling::WavesAtSide::Kind kind) {
+    using Kind = coupling::WavesAtSide::Kind;
+    const bool is_sea = kind == Kind::irregular, is_one = kind == Kind::solitary || kind == Kind::boussinesq;
+    const bool is_train = kind == Kind::regular || kind == Kind::second_order;
+    bool is_good = true;
+    for (const auto& [key, is_used] : {std::pair{"height", is_sea || is_one || is_train},
+                                       {"period", is_sea || is_train},
+                                       {"ramp", is_sea || is_train},
+                                       {"crest_time", is_one || is_train}}) {
+        if (const Value* value = table.find(key); value != nullptr && !is_used) {
+            build.problem(value->place, fmt::format("wave = \"{}\" has no use for '{}'", get_text(table, "wave"), key),
+                          fmt::format("leave '{}' out", key));
+            is_good = false;
+        }
+    }
+    return is_good;
+}
+
 bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave) {
     using Kind = coupling::WavesAtSide::Kind;
     const std::optional<int> side = side_of(build, table);
@@ -30,6 +51,9 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
     }
     wave.side = *side;
     wave.kind = get_word(table, "wave", side_waves());
+    if (!check_wave_keys(build, table, wave.kind)) {
+        return false;
+    }
     wave.depth = get_number(table, "depth");
     wave.height = get_number_or(table, "height", 0);
     wave.period = get_number_or(table, "period", 0);
@@ -150,6 +174,11 @@ bool read_calm(CaseBuild& build, const Value& table, coupling::CalmBox& box) {
     box.is_towards_high = way.is_towards_high;
     const Value& rate = get(table, "rate");
     box.rate = rate.is_text() ? 0 : rate.as_number();
+    if (norm(get_vector(table, "velocity")) > 0) {
+        build.problem(get(table, "velocity").place,
+                      "a current in a sponge of water on a grid, which slows it down to rest", "leave 'velocity' out");
+        return false;
+    }
     for (int axis = 0; axis < (build.is_planar ? 2 : 3); ++axis) {
         if (!(box.low[axis] < box.high[axis])) {
             build.problem(table.place,

@@ -39,6 +39,23 @@ const Table& trace_set_table() {
     return table;
 }
 
+const Table& section_load_table() {
+    static const Table table{
+        "section.load",
+        "[[section.load]]",
+        "A force on the block that a point of the section lies in. Its direction is fixed in space, its point moves "
+        "with the block.",
+        {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
+         {"at", {point()}, "Point of application, where it is at the start.", {}, true},
+         {"start", {number(dimension::time, non_negative())}, "No force before.", Value::of(0.0)},
+         {"ramp",
+          {number(dimension::time, non_negative())},
+          "Time in which it grows to its full size.",
+          Value::of(0.0)},
+         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}}};
+    return table;
+}
+
 }  // namespace
 
 const Table& section_table() {
@@ -66,6 +83,7 @@ const Table& section_table() {
          {"holes", {points(1, 10'000)}, "Points; the blocks that they lie in are left out: a tunnel.", {}},
          {"fixed_points", {points(1, 10'000)}, "Points; the blocks that they lie in do not move.", {}},
          {"fixed_below", {number(dimension::length)}, "Blocks whose centre of mass lies below this y do not move.", {}},
+         {"load", {table_list(section_load_table)}, "Forces on blocks.", Value::array()},
          {"snap",
           {number(dimension::length, positive())},
           "Points of lines that are nearer than this are one. That of the geometry file, or a billionth of the "

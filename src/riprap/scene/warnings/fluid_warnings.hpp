@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
 namespace riprap::scene {
@@ -45,6 +47,12 @@ void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupli
 /// Ground whose cells leave room below it in the domain of a fluid that takes them as they are. Looks at 40 places
 /// along each axis.
 void warn_of_hollow_ground(CaseBuild& build, const fluid::Domain& domain);
+
+/// Sides whose waves are for less water than stands there: below their bed is no solid.
+void warn_of_waves_over_depth(CaseBuild& build, const Value& waves, const coupling::FieldScene& scene);
+
+/// A region of still water that ends at a face of a body that may move, in one line for all.
+void warn_of_regions_at_faces(CaseBuild& build, const Value& regions, const coupling::HydrostaticSettings& settings);
 
 /// Settings of the scheme that do not go together.
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);

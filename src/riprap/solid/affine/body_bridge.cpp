@@ -83,6 +83,18 @@ std::vector<SceneProblem> scene_problems(const SolidScene& scene) {
     return problems;
 }
 
+namespace {
+
+/// Gives a block the mass of its body, which may have a density of its own.
+void take_mass(double mass, BlockSystem& system) {
+    if (mass > 0 && system.mass.back() > 0) {
+        system.inertia.back() = (mass / system.mass.back()) * system.inertia.back();
+        system.mass.back() = mass;
+    }
+}
+
+}  // namespace
+
 std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system) {
     system = {};
     if (const std::vector<SceneProblem> problems = scene_problems(scene); !problems.empty()) {
@@ -104,6 +116,7 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
         block.shape = shape_of_body(scene, b, system);
         block.material = bodies.material[at(b)].value;
         add_block(system, unused, block);
+        take_mass(bodies.mass[at(b)], system);
     }
     return {};
 }

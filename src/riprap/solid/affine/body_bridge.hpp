@@ -21,7 +21,7 @@ struct Elasticity {
 /// Returns the bodies that no block can be made of: those of several parts that are no ground.
 std::vector<SceneProblem> scene_problems(const SolidScene& scene);
 
-/// Blocks for the bodies of a scene: shapes in the axes of the body, densities, pair properties.
+/// Blocks for the bodies of a scene: shapes in the axes and masses of the bodies, pair properties.
 /// @returns what a block cannot be made of: a body of several parts; empty = done
 std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system);
 

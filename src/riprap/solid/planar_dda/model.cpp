@@ -119,12 +119,12 @@ std::vector<geometry::GeometryProblem> problems_of(const Model& model) {
     const double limit = 1e6 * stiffest * model.thickness;
     std::vector<double> told;  // pairs of materials mostly have the same stiffness
     for (const Joint& joint : model.joints) {
-        for (const auto& [name, stiffness] :
-             {std::pair{"contact", joint.normal_stiffness}, std::pair{"shear", joint.shear_stiffness}}) {
+        for (const auto& [name, stiffness] : {std::pair{"contact_stiffness", joint.normal_stiffness},
+                                              std::pair{"shear stiffness", joint.shear_stiffness}}) {
             if (!(stiffness > 0 && stiffness <= limit) &&
                 std::find(told.begin(), told.end(), stiffness) == told.end()) {
                 told.push_back(stiffness);
-                problems.push_back({fmt::format("{} stiffness {:.3g} N/m", name, stiffness),
+                problems.push_back({fmt::format("{} is {:.3g} N/m", name, stiffness),
                                     fmt::format("above 0, at most {:.3g} N/m (1e6 E times the thickness)", limit)});
             }
         }

@@ -8,6 +8,7 @@
 #include "riprap/body/drives.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/piece_books.hpp"
 
@@ -75,7 +76,7 @@ std::vector<SceneProblem> PlanarDda::problems_of(const SolidScene& scene, const 
                                                  const body::BodyState& bodies) {
     planar_dda::SceneBlocks blocks;
     make_blocks(scene, bodies, planar_dda::disc_around(scene, bodies), settings.elasticity, settings.plane, blocks);
-    return blocks.problems;
+    return blocks.problems.empty() ? affine::softness_problems(scene, settings.elasticity) : blocks.problems;
 }
 
 namespace {

@@ -133,7 +133,7 @@ void moving_square(const CaseSetting& setting, CaseReport& report) {
     }
     report.judge({fmt::format("drag coefficient, mean from 3 to 5 s, {} cells per side", per_side), "-", 1.878, {}, {}},
                  sum / count, 0.95 * 1.878, 1.05 * 1.878);
-    report.state({"the part of shear (the reference has 0.19)"}, shear / count);
+    report.judge({"the part of shear", "-", 0.19, {}, {}}, shear / count, 0.95 * 0.19, 1.05 * 0.19);
 }
 
 void settling_cylinder(const CaseSetting& setting, CaseReport& report) {

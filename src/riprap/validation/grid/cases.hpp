@@ -32,6 +32,7 @@ void regular_waves(const CaseSetting& setting, CaseReport& report);
 void wave_propagation(const CaseSetting& setting, CaseReport& report);
 void overtopping(const CaseSetting& setting, CaseReport& report);
 void run_up(const CaseSetting& setting, CaseReport& report);
+void wall_run_up(const CaseSetting& setting, CaseReport& report);
 void oscillating_cylinder(const CaseSetting& setting, CaseReport& report);
 void moving_square(const CaseSetting& setting, CaseReport& report);
 void settling_cylinder(const CaseSetting& setting, CaseReport& report);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/coupling/cut_cells/cut_bodies.hpp"
+
+namespace riprap::coupling {
+
+/// CutFacet::joint of a facet on a side of the domain whose cell is open. A body that lies on a side, or reaches
+/// through it by less than half a cell, has a joint with it: the facet bears the pressure of its cell, and moves no
+/// fluid.
+inline constexpr std::int32_t on_side = -2;
+
+inline bool moves_fluid(const CutFacet& facet) { return facet.joint != on_side; }
+
+}  // namespace riprap::coupling

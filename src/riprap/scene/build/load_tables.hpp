@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/body/point_loads.hpp"
+#include "riprap/scene/build/build_case.hpp"
+
+namespace riprap::scene {
+
+/// Tells whether a load ends after it begins; a problem otherwise.
+bool check_times(CaseBuild& build, const Value& load);
+/// A load with the force and the times of its table; its point is the caller's.
+body::PointLoad load_on(BodyId body, const Value& load);
+
+}  // namespace riprap::scene
