@@ -146,12 +146,11 @@ contact::ContactMaterial own_values(const material::Material& material, const Sp
 contact::ContactPair pair_of(const material::MaterialSet& materials, MaterialId a, MaterialId b,
                              const SphereDemSettings& settings) {
     const material::PairProperties& given = materials.pair(a, b);
-    const bool is_hertz = settings.laws.normal == contact::NormalLaw::hertz;
     std::array two{own_values(materials[a], settings), own_values(materials[b], settings)};
     for (contact::ContactMaterial& one : two) {
         one.restitution = given.restitution.value_or(one.restitution);
         one.rolling_friction = given.rolling_friction.value_or(one.rolling_friction);
-        one.contact_ratio = is_hertz ? given.contact_ratio.value_or(one.contact_ratio) : one.contact_ratio;
+        one.contact_ratio = given.contact_ratio.value_or(one.contact_ratio);
         one.normal_stiffness = given.spring_stiffness.value_or(one.normal_stiffness);
         one.shear_ratio = given.spring_shear_ratio.value_or(one.shear_ratio);
     }

@@ -56,8 +56,10 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
         number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
         number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
                "Coefficient of rolling friction mu_r: limit of the couple, over R* F_n."),
-        number_or_auto(&S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
-                       "Damping ratio of a Hertz contact. \"auto\": follows from `restitution`."),
+        number_or_auto(
+            &S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
+            "Damping ratio of a contact: epsilon of the Hertz dashpot, xi of a linear one. \"auto\": follows from "
+            "`restitution`."),
         number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
         number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
                "Normal stiffness of a contact under normal_law = \"linear\"."),
