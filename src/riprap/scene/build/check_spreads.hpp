@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "riprap/core/error.hpp"
+#include "riprap/scene/text/value.hpp"
+
+namespace riprap::scene {
+
+/// Refuses [[spread]] whose key is none of the case, or whose ends the key does not allow. Of a normal distribution the
+/// mean is tried: what a member far from it may not have is told when it runs.
+/// @param checked  the case, its keys checked
+/// @param root     as it was read, overrides applied
+void check_spreads(const Value& checked, const Value& root, bool is_planar, std::vector<Diagnostic>& problems);
+
+}  // namespace riprap::scene
