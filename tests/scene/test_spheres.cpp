@@ -118,6 +118,21 @@ TEST(Spheres, samples_too_many_to_wait_for_are_refused_before_they_are_made) {
         ElementsAre(HasSubstr("case.toml:10:21: a shell of")));
 }
 
+TEST(Spheres, balls_that_start_too_deep_in_each_other_are_refused) {
+    const auto apart = [](double distance) {
+        const std::string ball =
+            with(with(sphere_case, "SPHERES", ""), "{ box = [1.0, 1.0, 0.5] }", "{ sphere = 0.5 }");
+        return problems_of(ball + "[[body]]\nname = \"other\"\nmaterial = \"rock\"\nshape = { sphere = 0.5 }\n" +
+                           "position = [" + std::to_string(distance) + ", 0, 0]\n");
+    };
+    EXPECT_THAT(apart(0.85), ElementsAre(AllOf(HasSubstr("block"), HasSubstr("other"))));
+    EXPECT_THAT(apart(0.97), IsEmpty());
+    EXPECT_THAT(problems_of(with(planar_case, "SPHERES", "") +
+                            "[[body]]\nname = \"other\"\nmaterial = \"rock\"\nshape = { sphere = 0.5 }\n"
+                            "position = [0.85, 0]\n"),
+                ElementsAre(HasSubstr("other")));
+}
+
 TEST(Spheres, moduli_that_take_too_many_steps_are_refused) {
     const std::string text = with(sphere_case, "SPHERES", "");
     EXPECT_THAT(problems_of(text, {"solid.youngs_modulus=2e11"}), IsEmpty());
