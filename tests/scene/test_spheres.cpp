@@ -86,6 +86,8 @@ TEST(Spheres, every_bad_list_is_told_of_at_its_place) {
     EXPECT_THAT(problems_of(spheres("file = \"none.txt\""), {}, folder.path().string()),
                 ElementsAre(HasSubstr("case.toml:10:20")));
     EXPECT_THAT(problems_of(spheres("fill = 0.001")), ElementsAre(HasSubstr("lattice points")));
+    EXPECT_THAT(problems_of(spheres("shell = 2, ring_radius = 0.1")),
+                ElementsAre(HasSubstr("case.toml:10:38: 'ring_radius' is of a 'ring'")));
     EXPECT_THAT(problems_of(spheres("ring = 5")), ElementsAre(HasSubstr("a ring of spheres is for discs")));
     EXPECT_THAT(problems_of(with(planar_case, "SPHERES", "spheres = { shell = 2 }")),
                 ElementsAre(HasSubstr("a shell of spheres is for boxes")));

@@ -52,4 +52,18 @@ void check_spreads(const Value& checked, const Value& root, bool is_planar, std:
     }
 }
 
+std::vector<Diagnostic> problems_of_keys(std::string_view text, const std::string& name,
+                                         std::span<const std::string> overrides) {
+    std::vector<Diagnostic> problems;
+    Value root = parse_toml(text, name, problems);
+    for (const std::string& assignment : overrides) {
+        apply_override(root, assignment, problems);
+    }
+    if (problems.empty()) {
+        const Value* dimension = root.find("dimension");
+        check_keys(root, case_table(), dimension != nullptr && dimension->as_number() == 2, problems);
+    }
+    return problems;
+}
+
 }  // namespace riprap::scene
