@@ -185,7 +185,8 @@ void CellOrder::find_cells() {
         cell_number_[i] = i == 0 || key_[i] != key_[i - 1] ? 1 : 0;
     });
     const std::uint32_t cell_count = parallel::exclusive_scan<std::uint32_t>(cell_number_, cell_number_);
-    cell_key_.resize(cell_count);
+    cell_key_.resize(cell_count + padding);
+    std::fill(cell_key_.end() - padding, cell_key_.end(), std::numeric_limits<std::uint64_t>::max());
     cell_start_.resize(cell_count + 1);
     parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t m) {
         const auto i = static_cast<std::size_t>(m);
@@ -232,8 +233,8 @@ void CellOrder::index_cells() {
 }
 
 void CellOrder::copy_entries(const PartBounds& bounds) {
-    entry_.resize(part_.size());
-    owner_.resize(part_.size());
+    entry_.resize(part_.size() + slack);
+    owner_.resize(part_.size() + slack);
     parallel::for_each(static_cast<std::int64_t>(part_.size()), [&](std::int64_t m) {
         const auto i = static_cast<std::size_t>(m);
         const auto part = static_cast<std::size_t>(part_[i]);
@@ -245,19 +246,19 @@ void CellOrder::copy_entries(const PartBounds& bounds) {
 void CellOrder::sort_queries() {
     std::size_t count = 0;
     for (const GridLevel& level : levels_) {
-        count += entry_.size() - cell_start_[level.cell_end];
+        count += part_.size() - cell_start_[level.cell_end];
     }
     query_key_.resize(count);
     query_.resize(count);
     std::size_t begin = 0;
     for (const GridLevel& level : levels_) {
         const std::size_t first = cell_start_[level.cell_end];
-        parallel::for_each(static_cast<std::int64_t>(entry_.size() - first), [&](std::int64_t q) {
+        parallel::for_each(static_cast<std::int64_t>(part_.size() - first), [&](std::int64_t q) {
             const std::size_t i = first + static_cast<std::size_t>(q), slot = begin + static_cast<std::size_t>(q);
             query_key_[slot] = level.key(cell_inside(level, entry_[i].center));
             query_[slot] = static_cast<std::uint32_t>(i);
         });
-        begin += entry_.size() - first;
+        begin += part_.size() - first;
     }
     parallel::sort_by_key(query_key_, query_, key_scratch_, part_scratch_);
 }

@@ -55,6 +55,7 @@ struct GridLevel {
 class CellOrder {
  public:
     static constexpr int level_limit = 16;
+    static constexpr std::size_t slack = 4;
 
     /// @param is_giant  one entry per part; giants, and whatever else is marked, stay out
     /// @param factor    gamma > 1: radii of class k lie in (R/gamma^(k+1),
@@ -67,11 +68,11 @@ class CellOrder {
 
     /// Occupied cells of all levels: cell c holds entries cell_start[c] ..
     /// cell_start[c+1] - 1.
-    std::span<const std::uint64_t> cell_key() const { return cell_key_; }
+    std::span<const std::uint64_t> cell_key() const { return std::span(cell_key_).first(cell_start_.size() - 1); }
     std::span<const std::uint32_t> cell_start() const { return cell_start_; }
     /// First occupied cell of the level whose key is not below `key`. The leading
-    /// bits of the key look up a short run of cells, in which the rest is found
-    /// by stepping (or by bisection, where cells crowd).
+    /// bits of the key look up a short run of cells, of which the first few are
+    /// counted without a branch, as how many there are is chance.
     std::size_t first_cell(const GridLevel& level, std::uint64_t key) const {
         const std::size_t slot = level.lookup_begin + ((key & ~level.tag) >> level.lookup_shift);
         std::size_t cell = lookup_[slot];
@@ -82,10 +83,20 @@ class CellOrder {
                                                              key) -
                                             cell_key_.begin());
         }
-        while (cell < end && cell_key_[cell] < key) {
+        cell += count_cells<2>(cell, key);
+        while (cell_key_[cell] < key) {
             ++cell;
         }
         return cell;
+    }
+    /// How many of the `most` cells from `cell` on have keys below `key`; beyond the last cell none has.
+    template <int most>
+    std::size_t count_cells(std::size_t cell, std::uint64_t key) const {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(most); ++k) {
+            count += cell_key_[cell + k] < key ? 1 : 0;
+        }
+        return count;
     }
 
     struct Entry {
@@ -104,8 +115,9 @@ class CellOrder {
     std::span<const std::uint32_t> query() const { return query_; }
     const GridLevel& level_of_key(std::uint64_t key) const { return levels_[key >> cell_bits_]; }
 
-    std::span<const Entry> entry() const { return entry_; }
-    std::span<const Owner> owner() const { return owner_; }
+    /// Behind both may be read, though not used, `slack` more.
+    std::span<const Entry> entry() const { return std::span(entry_).first(part_.size()); }
+    std::span<const Owner> owner() const { return std::span(owner_).first(part_.size()); }
     std::span<const std::int32_t> members() const { return members_; }  ///< parts that are no giants, increasing
     std::size_t bytes() const;
 
@@ -133,6 +145,7 @@ class CellOrder {
     std::vector<std::uint64_t> key_, key_scratch_;
     std::vector<std::uint32_t> part_, part_scratch_;
     std::vector<std::uint32_t> cell_number_;
+    static constexpr std::size_t padding = 3;  ///< keys above all others, for those who count beyond the last cell
     std::vector<std::uint64_t> cell_key_;
     std::vector<std::uint32_t> cell_start_;
     std::vector<std::uint32_t> lookup_;  ///< first cell with at least the leading bits of the slot

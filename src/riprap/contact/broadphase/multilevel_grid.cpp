@@ -42,7 +42,8 @@ inline PartPair* scan(const CellOrder::Entry self, const CellOrder::Owner own, c
         const auto is_near =
             static_cast<unsigned>(spheres_within(self.center, self.radius, entry[j].center, entry[j].radius, skin));
         const auto is_allowed = static_cast<unsigned>(own.group != owner[j].group);
-        *out = {std::min(own.part, owner[j].part), std::max(own.part, owner[j].part)};
+        const std::int32_t lower = std::min(own.part, owner[j].part);
+        *out = {lower, own.part ^ owner[j].part ^ lower};  // by min and max GCC makes it a branch, half of them wrong
         out += is_near & is_allowed;
     }
     return out;
@@ -90,13 +91,9 @@ Range find_row(const CellOrder& order, const GridLevel& level, const CellIndex& 
         x_low > x_high) {
         return {0, 0};
     }
-    const auto keys = order.cell_key();
     const std::size_t begin = order.first_cell(level, level.key({x_low, middle.y, middle.z}));
     const std::uint64_t last_key = level.key({x_high, middle.y, middle.z});
-    std::size_t end = begin;
-    while (end < level.cell_end && keys[end] <= last_key) {
-        ++end;
-    }
+    const std::size_t end = begin + order.count_cells<3>(begin, last_key + 1);
     return {order.cell_start()[begin], order.cell_start()[end]};
 }
 
@@ -174,6 +171,24 @@ void MultilevelGrid::search_own_level(const Piece& piece, double skin, PairList&
     }
 }
 
+void MultilevelGrid::Neighbourhood::append(const CellOrder& order, std::size_t begin, std::size_t end) {
+    // Most rows hold a few: those are copied, needed or not, without a branch on how many there are.
+    constexpr std::size_t few = CellOrder::slack;
+    if (entry.size() < count + (end - begin) + few) {
+        entry.resize(2 * entry.size() + (end - begin) + few);
+        owner.resize(entry.size());
+    }
+    const CellOrder::Entry* const from = order.entry().data() + begin;
+    const CellOrder::Owner* const from_owner = order.owner().data() + begin;
+    std::copy_n(from, few, entry.data() + count);
+    std::copy_n(from_owner, few, owner.data() + count);
+    for (std::size_t j = few; j < end - begin; ++j) {
+        entry[count + j] = from[j];
+        owner[count + j] = from_owner[j];
+    }
+    count += end - begin;
+}
+
 void MultilevelGrid::search_coarser_levels(const Piece& piece, double skin, Neighbourhood& around,
                                            PairList& found) const {
     const auto entry = order_.entry();
@@ -181,19 +196,15 @@ void MultilevelGrid::search_coarser_levels(const Piece& piece, double skin, Neig
     for (std::size_t q = piece.begin; q < piece.end; ++q) {
         const std::uint64_t key = order_.query_key()[q];
         if (q == piece.begin || key != order_.query_key()[q - 1]) {
-            around.entry.clear();
-            around.owner.clear();
             const GridLevel& level = order_.level_of_key(key);
             const CellIndex index = level.cell_of_key(key);
+            around.count = 0;
             for (std::int32_t row = 0; row < 9; ++row) {
                 const Range r = find_row(order_, level, {index.x, index.y + row % 3 - 1, index.z + row / 3 - 1});
-                for (std::size_t j = r.begin; j < r.end; ++j) {
-                    around.entry.push_back(entry[j]);
-                    around.owner.push_back(owner[j]);
-                }
+                around.append(order_, r.begin, r.end);
             }
         }
-        const std::size_t i = order_.query()[q], count = around.entry.size();
+        const std::size_t i = order_.query()[q], count = around.count;
         found.advance_to(
             scan(entry[i], owner[i], around.entry.data(), around.owner.data(), count, skin, found.reserve(count)));
     }

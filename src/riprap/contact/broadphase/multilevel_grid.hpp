@@ -47,6 +47,8 @@ class MultilevelGrid {
     struct Neighbourhood {
         std::vector<CellOrder::Entry> entry;
         std::vector<CellOrder::Owner> owner;
+        std::size_t count{0};  ///< of them, the rest is room
+        void append(const CellOrder& order, std::size_t begin, std::size_t end);
     };
     void cut_into_pieces();
     void search_own_level(const Piece& piece, double skin, PairList& found) const;

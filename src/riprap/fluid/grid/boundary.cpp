@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/grid/boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -94,6 +95,27 @@ void set_normal(const GridSettings& settings, int side, double time, const std::
     });
 }
 
+/// Whether fluid comes in from rest at a place beyond a side, on a face of component c along the side. Only faces of
+/// the side itself are asked: those beyond its rims may not be up to date.
+bool comes_from_rest(const GridSettings& settings, int side, int c, std::array<int, 3> place,
+                     const std::vector<double>& normal) {
+    const Side& s = settings.side[at(side)];
+    if (s.kind != SideKind::open || !s.is_from_rest) {
+        return false;
+    }
+    const CellBox& box = settings.mesh.box;
+    const int a = side / 2, other = 3 - a - c;
+    const auto inside = [&](int axis, int p) { return std::clamp(p, 0, box.cells[at(axis)] - 1); };
+    place[at(a)] = side % 2 == 1 ? box.cells[at(a)] : 0;
+    place[at(other)] = inside(other, place[at(other)]);
+    double u = 0;
+    for (const int p : {place[at(c)] - 1, place[at(c)]}) {
+        place[at(c)] = inside(c, p);
+        u += normal[at(box.index(place[0], place[1], place[2]))];
+    }
+    return comes_in(side, u);
+}
+
 }  // namespace
 
 double shear_velocity(double speed, double distance, double viscosity) {
@@ -135,7 +157,7 @@ void fill_fraction_ghosts(const GridSettings& settings, const std::array<std::ve
             } else if (s.kind == SideKind::open) {
                 const std::int64_t face = is_high ? ghost - layer * first : ghost + (layer + 1) * first;
                 const double u = velocity[at(a)][at(face)];
-                if (is_high ? u < 0 : u > 0) {
+                if (comes_in(side, u)) {
                     fraction[at(ghost)] = s.still_level
                                               ? wet_share(mesh, s.up, std::array{i, j, k}[at(s.up)], *s.still_level)
                                               : s.open_fraction;
@@ -166,6 +188,8 @@ void fill_velocity_ghosts(const GridSettings& settings, double time, const std::
                     place[at(a)] = side % 2 == 1 ? box.cells[at(a)] : -1;
                     const Inflow in = s.inflow(place_of(mesh, c, place[0], place[1], place[2]), time);
                     u[at(ghost)] = in.is_closed || in.is_drawn ? u[at(inside)] : in.velocity[c];
+                } else if (comes_from_rest(settings, side, c, {i, j, k}, velocity[at(a)])) {
+                    u[at(ghost)] = 0;
                 }
             });
             // the face of component c on the high rim of axis c lies one beyond the cells: for_ghosts reaches it only
@@ -187,6 +211,9 @@ void fill_velocity_ghosts(const GridSettings& settings, double time, const std::
                         auto& u = velocity[at(c)];
                         u[to] = ghost_beside_wall(settings, s.kind, s.velocity[c],
                                                   u[at(box.index(place[0], place[1], place[2]))], distance);
+                        if (comes_from_rest(settings, side, c, place, velocity[at(a)])) {
+                            u[to] = 0;
+                        }
                     }
                 }
             }

@@ -27,15 +27,14 @@ double side_pressure(const GridSettings& settings, const GridState& state, int s
                       : mesh.centre(b, place[at(b)]);
     }
     const double density = density_of(settings, state.fraction[at(ghost)]);
-    double head = 0;  // rho u^2/2 of what comes in from rest: it has no other energy than its level
-    if (const auto& level = settings.side[at(side)].still_level) {  // P of water at rest is one up to its surface
-        x[settings.side[at(side)].up] = *level;
-        const bool is_high = side % 2 == 1;
-        const double u = state.velocity[at(a)][at(is_high ? ghost : ghost + mesh.box.stride[at(a)])];
-        head = (is_high ? u < 0 : u > 0) ? 0.5 * density * u * u : 0;
+    const Side& s = settings.side[at(side)];
+    if (s.still_level) {  // P of water at rest is one up to its surface
+        x[s.up] = *s.still_level;
     }
+    const double u = state.velocity[at(a)][at(side % 2 == 1 ? ghost : ghost + mesh.box.stride[at(a)])];
+    const double head = s.is_from_rest && comes_in(side, u) ? 0.5 * density * u * u : 0;
     const double weight = settings.has_surface ? density * dot(g, x) : 0;
-    return settings.side[at(side)].pressure - head - weight;
+    return s.pressure - head - weight;
 }
 
 /// Adds what the pressures on open sides bring to the right side.

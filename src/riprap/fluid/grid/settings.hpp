@@ -47,12 +47,18 @@ struct Side {
     Vec3 velocity{};          ///< of a wall, along itself [m/s]
     double open_fraction{0};  ///< water fraction of what comes in through an open side [-]
     double pressure{0};       ///< on an open side; at its still level where it has one [Pa]
+    /// What comes in through an open side was at rest far out: it has lost rho u^2/2 of that pressure, and brings no
+    /// velocity along the side. Else it moves as what is inside does, which feeds vortices that reach the side.
+    bool is_from_rest{true};
     /// Level along axis `up` of water at rest beyond an open side [m]; it comes in below the level, air above.
     std::optional<double> still_level{};
     int up{1};
     std::function<Inflow(const Vec3& place, double time)> inflow{};
     Absorber absorber{};
 };
+
+/// Whether a velocity across a side, 2 a for the low and 2 a + 1 for the high one of axis a, leads into the domain.
+inline bool comes_in(int side, double u) { return side % 2 == 1 ? u < 0 : u > 0; }
 
 enum class VofScheme : std::uint8_t {
     plic,         ///< geometric: planes in cells, split by directions [Weymouth2010]

@@ -74,6 +74,7 @@ void between_plates(CaseReport& report, bool is_driven, double (*exact)(double, 
         GridSettings settings = one_fluid({gap, gap, gap}, {2, n, 1}, viscosity);
         settings.water.density = 1000;
         settings.side[0].kind = settings.side[1].kind = SideKind::open;
+        settings.side[0].is_from_rest = settings.side[1].is_from_rest = false;  // plates without end
         settings.side[2].kind = settings.side[3].kind = SideKind::no_slip;
         if (is_driven) {
             settings.gravity = {body_force, 0, 0};
