@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "riprap/body/fill_section.hpp"
 #include "riprap/geometry/shapes.hpp"
 
 namespace riprap::body {
@@ -81,6 +82,24 @@ TEST(Multisphere, AFilledCubeIsTheLatticeInItLessItsInside) {
     for (const ShapeSphere& s : ball.spheres) {
         EXPECT_LT(norm(s.centre), 0.9511);
     }
+}
+
+TEST(Multisphere, ASectionIsFilledWithEachDiscOnce) {
+    geometry::Polyhedron wedge = geometry::box({1, 1, 1});
+    for (Vec3& v : wedge.vertices) {
+        v.x *= v.y > 0 ? 0.8 : 1;  // five rows of ten discs, five of eight
+    }
+    const Multisphere filled = fill_section(wedge, 0.1).value();
+    EXPECT_EQ(filled.spheres.size(), 10U + 4 * 2 + 4 * 2 + 8);
+    for (const ShapeSphere& s : filled.spheres) {
+        EXPECT_EQ(s.centre.z, 0);
+    }
+}
+
+TEST(Multisphere, MoreSpheresThanAnybodyWaitsForAreRefused) {
+    EXPECT_FALSE(box_shell({0.4, 0.4, 0.2}, 1e-4));
+    EXPECT_FALSE(box_shell({1, 1, 1e-9}, 0.5e-9));
+    EXPECT_FALSE(fill_surface(geometry::box({1, 1, 1}), 1e-9));
 }
 
 TEST(Multisphere, AListOfSpheresIsReadAndItsMistakesAreNamed) {

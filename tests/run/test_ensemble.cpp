@@ -110,5 +110,23 @@ TEST(Ensemble, a_case_without_spread_and_a_key_that_there_is_not_are_refused) {
     EXPECT_THROW(run_ensemble(options), CaseError);
 }
 
+TEST(Ensemble, a_member_that_draws_what_may_not_be_is_told_before_any_runs) {
+    const TemporaryFolder place;
+    EnsembleOptions options = options_in(place.path(), 6);
+    std::string text = falling;
+    const std::string spread = text.substr(text.find("key = "));
+    text.replace(text.find(spread), spread.size(),
+                 "key = \"material.rock.friction_coefficient\"\nmean = 0.1\ndeviation = 1.0\n");
+    io::write_file(place.path() / "case.toml", text);
+    try {
+        run_ensemble(options);
+        FAIL() << "accepted";
+    } catch (const CaseError& error) {
+        const std::string told = to_string(error.problems().front());
+        EXPECT_NE(told.find("of 6: friction_coefficient of [material.NAME] = -"), std::string::npos) << told;
+    }
+    EXPECT_FALSE(std::filesystem::exists(options.run.out));
+}
+
 }  // namespace
 }  // namespace riprap::run

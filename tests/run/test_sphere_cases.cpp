@@ -17,8 +17,7 @@ namespace {
 constexpr const char* drop = R"(
 gravity = [0, 0, -9.81]
 end = 1.0
-[solid]
-method = "sphere_dem"
+SOLID
 [material.ball]
 density = 1200.0
 normal_stiffness = 1.0e6
@@ -46,6 +45,8 @@ material = "ball"
 
 scene::LoadedCase read(const std::string& contact) {
     std::string text = drop;
+    const bool has_solid = contact.find("[solid]") != std::string::npos;
+    text.replace(text.find("SOLID"), 5, has_solid ? "" : "[solid]\nmethod = \"sphere_dem\"");
     text.replace(text.find("CONTACT"), 7, contact);
     return scene::read_case_text(text, "case.toml", "/nonexistent");
 }
@@ -214,6 +215,16 @@ TEST(SphereCases, a_pair_has_a_contact_ratio_of_its_own) {
         "\"floor\"]\ncontact_ratio = ";
     EXPECT_NEAR(restitution(rule + "0.2271"), 0.5, 0.01);
     EXPECT_NEAR(restitution(rule + "0.05"), 0.861, 0.01);
+    // xi of a linear spring: e = exp(-pi xi/sqrt(1 - xi^2))
+    const std::string linear = "\n[solid]\nmethod = \"sphere_dem\"\nnormal_law = \"linear\"\n";
+    EXPECT_NEAR(restitution(rule + "0.2155" + linear), 0.5, 0.01);
+}
+
+TEST(SphereCases, linear_springs_keep_the_restitution_whether_they_pull_or_not) {
+    const std::string rule = "[contact]\nrestitution_mixing = \"minimum\"\n[solid]\nmethod = \"sphere_dem\"\n",
+                      linear = "normal_law = \"linear\"\nspring_stiffness = 2e5\n";
+    EXPECT_NEAR(restitution(rule + linear), 0.5, 0.01);
+    EXPECT_NEAR(restitution(rule + linear + "allows_pull = false"), 0.5, 0.01);
 }
 
 }  // namespace

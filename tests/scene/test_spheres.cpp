@@ -86,6 +86,8 @@ TEST(Spheres, every_bad_list_is_told_of_at_its_place) {
     EXPECT_THAT(problems_of(spheres("file = \"none.txt\""), {}, folder.path().string()),
                 ElementsAre(HasSubstr("case.toml:10:20")));
     EXPECT_THAT(problems_of(spheres("fill = 0.001")), ElementsAre(HasSubstr("lattice points")));
+    EXPECT_THAT(problems_of(spheres("shell = 2, ring_radius = 0.1")),
+                ElementsAre(HasSubstr("case.toml:10:38: 'ring_radius' is of a 'ring'")));
     EXPECT_THAT(problems_of(spheres("ring = 5")), ElementsAre(HasSubstr("a ring of spheres is for discs")));
     EXPECT_THAT(problems_of(with(planar_case, "SPHERES", "spheres = { shell = 2 }")),
                 ElementsAre(HasSubstr("a shell of spheres is for boxes")));
@@ -103,6 +105,34 @@ TEST(Spheres, one_that_sticks_out_is_warned_of) {
     EXPECT_THAT(read(spheres("file = \"list.txt\""), {}, folder.path().string()).warnings,
                 testing::Contains(HasSubstr("sticks out of its shape by 50 % of its radius")));
     EXPECT_THAT(read(spheres("shell = 3")).warnings, IsEmpty());
+}
+
+TEST(Spheres, samples_too_many_to_wait_for_are_refused_before_they_are_made) {
+    const std::string text = with(sphere_case, "SPHERES", "");
+    EXPECT_THAT(
+        problems_of(text, {"solid.sphere_radius=0.0001"}),
+        ElementsAre(AllOf(HasSubstr("case.toml:7:8: spheres of 0.0001 m for the surface of 'block': a shell of"),
+                          HasSubstr("at most 8 million"), HasSubstr("another solid.sphere_radius"))));
+    const std::string stone = with(text, "{ box = [1.0, 1.0, 0.5] }", "{ tetrahedron = 1.0 }");
+    EXPECT_THAT(problems_of(stone, {"solid.sphere_radius=0.0001"}), ElementsAre(HasSubstr("lattice points")));
+    EXPECT_THAT(
+        problems_of(with(sphere_case, "SPHERES", "spheres = { shell = 200 }"), {"body.block.shape.box=[9,9,0.01]"}),
+        ElementsAre(HasSubstr("case.toml:10:21: a shell of")));
+}
+
+TEST(Spheres, balls_that_start_too_deep_in_each_other_are_refused) {
+    const auto apart = [](double distance) {
+        const std::string ball =
+            with(with(sphere_case, "SPHERES", ""), "{ box = [1.0, 1.0, 0.5] }", "{ sphere = 0.5 }");
+        return problems_of(ball + "[[body]]\nname = \"other\"\nmaterial = \"rock\"\nshape = { sphere = 0.5 }\n" +
+                           "position = [" + std::to_string(distance) + ", 0, 0]\n");
+    };
+    EXPECT_THAT(apart(0.85), ElementsAre(AllOf(HasSubstr("block"), HasSubstr("other"))));
+    EXPECT_THAT(apart(0.97), IsEmpty());
+    EXPECT_THAT(problems_of(with(planar_case, "SPHERES", "") +
+                            "[[body]]\nname = \"other\"\nmaterial = \"rock\"\nshape = { sphere = 0.5 }\n"
+                            "position = [0.85, 0]\n"),
+                ElementsAre(HasSubstr("other")));
 }
 
 TEST(Spheres, moduli_that_take_too_many_steps_are_refused) {

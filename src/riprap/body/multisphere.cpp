@@ -6,11 +6,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "riprap/body/fill_section.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::body {
 
 namespace {
+
+constexpr double most_spheres = 8e6;  ///< of one body, or points of the lattice that they are taken from
 
 std::string number(double x) {
     std::ostringstream out;
@@ -144,9 +147,18 @@ geometry::Outcome<Multisphere> box_shell(const Vec3& size, double radius) {
             "a radius of at most half the shortest edge"};
     }
     std::array<int, 3> counts{};
+    double all = 1, inside = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const double room = size[axis] - 2 * radius;
-        counts[at(axis)] = room < 1e-9 * shortest ? 1 : 1 + static_cast<int>(std::ceil(room / (2 * radius) - 1e-9));
+        const double count = room < 1e-9 * shortest ? 1 : 1 + std::ceil(room / (2 * radius) - 1e-9);
+        counts[at(axis)] = static_cast<int>(std::min(count, 1e9));
+        all *= count;
+        inside *= std::max(0.0, count - 2);
+    }
+    if (all - inside > most_spheres || all > 1e9) {
+        return geometry::GeometryProblem{
+            "a shell of " + number(all - inside) + " spheres of radius " + number(radius) + " m",
+            "larger spheres, at most 8 million of them"};
     }
     return shell(size, radius, counts);
 }
@@ -193,7 +205,10 @@ geometry::Outcome<Multisphere> ring(double outer_radius, double sphere_radius, i
     return shape;
 }
 
-geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface, double spacing) {
+namespace {
+
+/// The lattice of fill_surface, or of fill_section in the middle of a prism.
+geometry::Outcome<Multisphere> fill(const geometry::Polyhedron& surface, double spacing, bool is_section) {
     Multisphere shape;
     shape.shape = mass_properties(surface);
     if (!(shape.shape.volume > 0) || !(spacing > 0)) {
@@ -205,17 +220,22 @@ geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface,
         low = min(low, v);
         high = max(high, v);
     }
+    if (is_section) {
+        low.z = high.z = 0.5 * (low.z + high.z);
+    }
     std::array<std::int64_t, 3> count{};
     Vec3 first{};
+    double all = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const double extent = high[axis] - low[axis];
-        count[at(axis)] = std::max<std::int64_t>(1, std::llround(extent / spacing));
+        count[at(axis)] = std::max<std::int64_t>(1, std::llround(std::min(extent / spacing, 1e9)));
+        all *= static_cast<double>(count[at(axis)]);
         first[axis] = 0.5 * (low[axis] + high[axis]) - 0.5 * spacing * static_cast<double>(count[at(axis)] - 1);
     }
-    const std::int64_t total = count[0] * count[1] * count[2];
-    if (total > 8'000'000) {
-        return geometry::GeometryProblem{std::to_string(total) + " lattice points", "a spacing with at most 8 million"};
+    if (all > most_spheres) {
+        return geometry::GeometryProblem{number(all) + " lattice points", "a spacing with at most 8 million"};
     }
+    const std::int64_t total = count[0] * count[1] * count[2];
     std::vector<std::uint8_t> inside(at(total), 0);
     const auto place = [&](std::int64_t i, std::int64_t j, std::int64_t k) {
         return first + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
@@ -239,12 +259,22 @@ geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface,
     each([&](auto i, auto j, auto k) { inside[number_of(i, j, k)] = is_inside(surface, place(i, j, k)) ? 1 : 0; });
     each([&](auto i, auto j, auto k) {
         const bool is_deep = has(i - 1, j, k) && has(i + 1, j, k) && has(i, j - 1, k) && has(i, j + 1, k) &&
-                             has(i, j, k - 1) && has(i, j, k + 1);
+                             (is_section || (has(i, j, k - 1) && has(i, j, k + 1)));
         if (has(i, j, k) && !is_deep) {
             shape.spheres.push_back({place(i, j, k), 0.5 * spacing, {}});
         }
     });
     return checked(std::move(shape));
+}
+
+}  // namespace
+
+geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface, double spacing) {
+    return fill(surface, spacing, false);
+}
+
+geometry::Outcome<Multisphere> fill_section(const geometry::Polyhedron& prism, double spacing) {
+    return fill(prism, spacing, true);
 }
 
 geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const std::string& name) {

@@ -112,8 +112,10 @@ std::vector<PropertyKey<PairProperties>> pair_keys() {
     std::vector<PropertyKey<P>> keys = surface_keys<P>();
     keys.push_back(
         {Property::contact_ratio,
-         number(&P::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
-                "Contact ratio of the Hertz dashpot; from the restitution or that of [solid] when not given.")});
+         number(
+             &P::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
+             "Contact ratio of the dashpot: epsilon of Hertz, xi of a linear spring; from the restitution or that of "
+             "[solid] when not given.")});
     keys.push_back({Property::spring_stiffness,
                     number(&P::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
                            "Normal stiffness of linear springs of spheres; that of [solid] when not given.")});

@@ -14,6 +14,7 @@
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/sweep.hpp"
+#include "riprap/scene/build/check_spreads.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 
 namespace riprap::run {
@@ -149,6 +150,31 @@ void write_bands(const std::filesystem::path& path, const Bands& bands) {
     io::write_file(path, text);
 }
 
+namespace {
+
+std::string assignment(const Spread& spread, double value) { return fmt::format("{}={}", spread.key, value); }
+
+/// Refuses members that draw what a key does not allow, before the first one runs.
+void try_members(const EnsembleOptions& options, const scene::LoadedCase& loaded, const std::vector<Spread>& spreads,
+                 std::uint64_t seed) {
+    for (std::int64_t k = 1; k <= options.members; ++k) {
+        std::vector<std::string> overrides = options.run.overrides;
+        for (const Spread& spread : spreads) {
+            overrides.push_back(assignment(spread, draw(spread, seed, k)));
+        }
+        std::vector<Diagnostic> problems =
+            scene::problems_of_keys(loaded.source_text, options.run.case_path, overrides);
+        if (!problems.empty()) {
+            Diagnostic problem = problems.front();
+            problem.message = fmt::format("member {} of {}: {}", k, options.members, problem.message);
+            problem.allowed += "; a narrower [[spread]]";
+            throw CaseError(std::move(problem));
+        }
+    }
+}
+
+}  // namespace
+
 int run_ensemble(const EnsembleOptions& options) {
     const scene::LoadedCase first = scene::read_case(options.run.case_path, options.run.overrides);
     const std::vector<Spread> spreads = spreads_of(first);
@@ -160,6 +186,7 @@ int run_ensemble(const EnsembleOptions& options) {
         throw CaseError(std::move(problem));
     }
     const std::uint64_t seed = seed_of_case(first);
+    try_members(options, first, spreads, seed);
     std::filesystem::create_directories(options.run.out);
     std::vector<std::filesystem::path> folders;
     std::vector<Member> members;
@@ -174,7 +201,7 @@ int run_ensemble(const EnsembleOptions& options) {
         SweepPoint& point = study.points.emplace_back(SweepPoint{fmt::format("member-{}", k), {}});
         for (const Spread& spread : spreads) {
             member.values.push_back(draw(spread, seed, k));
-            point.overrides.push_back(fmt::format("{}={}", spread.key, member.values.back()));
+            point.overrides.push_back(assignment(spread, member.values.back()));
         }
         run.overrides.insert(run.overrides.end(), point.overrides.begin(), point.overrides.end());
         run.out = options.run.out / point.name;

@@ -10,6 +10,7 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/check_spreads.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
@@ -123,6 +124,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     const bool is_planar = is_planar_case(root);
     const Value checked = check_keys(root, case_table(), is_planar, problems);
     check_counts(checked, problems);
+    check_spreads(checked, root, is_planar, problems);
     throw_if_any(problems, "bodies, water, records and the time step");
     const Value resolved = expand_records(checked, problems);
 

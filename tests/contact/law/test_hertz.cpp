@@ -115,5 +115,17 @@ TEST(LinearSpring, RestitutionAndDurationDoNotDependOnTheSpeed) {
     }
 }
 
+TEST(LinearSpring, RestitutionIsKeptWhereTheForceMayNotPull) {
+    const double k = 1e5, mass = 0.3;
+    for (const double e : {0.05, 0.3, 0.6, 0.95}) {
+        const double ratio = linear_damping_ratio_without_pull(e), dt = linear_contact_time(k, mass, 0) / 20000;
+        const Impact result =
+            impact([&](double overlap) { return linear_spring(k, mass, ratio, overlap); }, mass, 2, dt, false);
+        EXPECT_NEAR(result.restitution, e, 2e-3) << e;
+        EXPECT_NEAR(linear_restitution_without_pull(ratio), e, 1e-12);
+    }
+    EXPECT_NEAR(linear_restitution_without_pull(1), std::exp(-2.0), 1e-12);  // critical damping
+}
+
 }  // namespace
 }  // namespace riprap::contact

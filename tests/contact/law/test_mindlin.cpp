@@ -141,8 +141,27 @@ TEST(Rolling, ASpringIsThatOfTwoHalvesOfAStripWhoseEdgesLimitTheCouple) {
     // Stiffness k_n/2 at either edge of a strip of width B turns with k_n B^2/4; the couple ends at F B/3 = mu_r R F,
     // so k_r = 9/4 k_n (mu_r R)^2 [Ai2011].
     const double arm = 0.1 * 0.01, stiffness = 1e6, width = 3 * arm, angle = 1e-5;
-    const auto response = rolling_spring<double>({}, {angle / 1e-3, 0, 0}, 0.1, 0.01, 1000, stiffness, 1e-3);
+    const auto response = rolling_spring<double>({}, {angle / 1e-3, 0, 0}, 0.1, 0.01, 1000, stiffness, 0, 1e-3);
     EXPECT_NEAR(response.couple.x, -stiffness * width * width / 4 * angle, 1e-12);
+}
+
+TEST(Rolling, ASpringLosesEnergyWhileTheContactHardensAndSoftensAndCreatesNone) {
+    Vec3 couple{};
+    double work = 0, loss = 0, stored = 0, old = 0;
+    for (int step = 0; step < 400; ++step) {
+        const Vec3 rate{0.5 * std::cos(0.03 * step), 0.2 * std::sin(0.05 * step), 0};
+        const double pressure = 1000 * (1 + 0.5 * std::sin(0.2 * step)), stiffness = 1e6 * std::cbrt(pressure / 1000);
+        const Vec3 before = couple * (old == 0 ? 1.0 : std::min(1.0, stiffness / old));
+        const auto response = rolling_spring<double>(couple, rate, 0.1, 0.01, pressure, stiffness, old, 1e-3);
+        work -= 0.5e-3 * dot(rate, before + response.couple);
+        loss += response.loss;
+        EXPECT_GE(response.loss, -1e-15);
+        couple = response.couple;
+        stored = response.energy;
+        old = stiffness;
+    }
+    EXPECT_GT(loss, 0.1 * work);
+    EXPECT_NEAR(stored + loss, work, 1e-12 * work);
 }
 
 TEST(Rolling, ASpringHoldsUpToItsLimitAndStoresOrLosesAllWork) {
@@ -150,7 +169,7 @@ TEST(Rolling, ASpringHoldsUpToItsLimitAndStoresOrLosesAllWork) {
     double work = 0, loss = 0, stored = 0;
     for (int step = 0; step < 300; ++step) {
         const Vec3 rate{0.5 * std::cos(0.02 * step), 0.2, 0};
-        const auto response = rolling_spring<double>(couple, rate, 0.1, 0.01, 1000, 1e6, 1e-3);
+        const auto response = rolling_spring<double>(couple, rate, 0.1, 0.01, 1000, 1e6, 1e6, 1e-3);
         work -= 0.5e-3 * dot(rate, couple + response.couple);
         couple = response.couple;
         loss += response.loss;

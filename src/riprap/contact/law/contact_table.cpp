@@ -19,7 +19,7 @@ double ratio_of(const ContactMaterial& a, const ContactMaterial& b, double resti
         return std::max(a.contact_ratio, b.contact_ratio);
     }
     if (law == NormalLaw::linear) {
-        return linear_damping_ratio(restitution);
+        return allows_pull ? linear_damping_ratio(restitution) : linear_damping_ratio_without_pull(restitution);
     }
     return allows_pull ? contact_ratio(restitution) : contact_ratio_without_pull(restitution);
 }

@@ -40,8 +40,8 @@ struct MpsReport : FluidReport {
 //
 //     x' = x_n + dt/2 v_n                                     drift
 //     u* = v_n + dt (nu lap v_n + g), u** = u* + collisions   begin_forces, at x'
-//     r** = x' + dt/2 u**, n** and the surface there
-//     lap p - rho_0 alpha_c/dt^2 p = gamma rho_0/dt^2 (n_0 - n**)/n_0, p = 0 at the surface     load_walls
+//     r** = x' + dt/2 u**, n** and the surface there, where p = 0
+//     lap p - rho_0 alpha_c/dt^2 p = gamma rho_0/dt^2 (n_0 - n**)/n_0 + s rho_0/dt div u**     load_walls
 //     v_(n+1) = u** - dt grad p/rho_0                          kick_fluid
 //     x_(n+1) = x' + dt/2 v_(n+1)                              drift
 //
@@ -49,7 +49,7 @@ struct MpsReport : FluidReport {
 // mid-step, as for every other fluid. Walls may be told to move in another way between calls of load_walls, each of
 // which solves again.
 
-/// courant l_0 over the fastest speed, 0.125 l_0^2/nu, 0.25 sqrt(l_0/a).
+/// courant l_0 over the fastest speed, at least the expected one, and 0.125 l_0^2/nu.
 FluidTimeStep choose_fluid_time_step(const MpsSettings& settings, const ParticleState& state);
 
 /// Changes velocities to u** and sets up the pressure equation.

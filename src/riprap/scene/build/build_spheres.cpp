@@ -177,6 +177,10 @@ std::optional<BodySpheres> read_spheres(CaseBuild& build, const Value& body_tabl
         build.problem(table.place, fmt::format("'{}' is a half-space or ground", body.name), "leave out 'spheres'");
         return std::nullopt;
     }
+    if (const Value* radius = table.find("ring_radius"); radius != nullptr && table.find("ring") == nullptr) {
+        build.problem(radius->place, "'ring_radius' is of a 'ring', and there is none", "leave it out");
+        return std::nullopt;
+    }
     Spheres spheres;
     if (const Value* file = table.find("file")) {
         spheres = read_list(build, table, *file);

@@ -110,14 +110,18 @@ std::optional<Value> ValueChecker::refuse(const Value& given, std::string messag
 
 std::optional<Value> ValueChecker::check(const Value& given, const Form& form, const std::string& name,
                                          const std::optional<Unit>& unit) {
+    const auto at_place = [&given](Value out) {  // of entries of a list, too
+        out.place = given.place;
+        return out;
+    };
     switch (form.kind) {
         case FormKind::boolean:
-            return Value::of(given.boolean);
+            return at_place(Value::of(given.boolean));
         case FormKind::integer:
             if (!form.range.contains(static_cast<double>(given.integer))) {
                 return refuse(given, fmt::format("{} = {}", name, given.integer), describe_form(form));
             }
-            return Value::of(given.integer);
+            return at_place(Value::of(given.integer));
         case FormKind::number:
             return number(given, form, name, unit);
         case FormKind::vector:
@@ -215,7 +219,9 @@ std::optional<Value> ValueChecker::text(const Value& given, const Form& form, co
                                         : fmt::format("did you mean \"{}\"? {}", meant, describe_form(form)));
         }
     }
-    return Value::of(given.text);
+    Value out = Value::of(given.text);
+    out.place = given.place;
+    return out;
 }
 
 }  // namespace riprap::scene

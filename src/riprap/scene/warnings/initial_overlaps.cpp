@@ -57,6 +57,41 @@ double overlap_depth(const ConvexView& a, const Frame& frame_a, const ConvexView
     return std::max({depth, depth_of_point(b, frame_b, frame_a.origin), depth_of_point(a, frame_a, frame_b.origin)});
 }
 
+/// Radius about the centre of mass that holds all of a shape, in the plane where its ends carry no field; infinity
+/// where other faces carry none either: below those a point may be as deep as it likes [m].
+double reach_of(const ConvexView& shape, bool is_planar) {
+    for (int j = 0; j < shape.face_count; ++j) {
+        if (shape.is_internal[j] != 0 && !(is_planar && std::abs(shape.normal_z[j]) > 0.5)) {
+            return std::numeric_limits<double>::infinity();
+        }
+    }
+    double reach = 0;
+    for (int v = 0; v < shape.vertex_count; ++v) {
+        const Vec3 x = shape.vertex(v);
+        reach = std::max(reach, is_planar ? std::hypot(x.x, x.y) : norm(x));
+    }
+    return shape.vertex_count > 0 ? reach : std::numeric_limits<double>::infinity();
+}
+
+/// Bounds of the depth of an overlap that cost nothing.
+class DepthBound {
+ public:
+    explicit DepthBound(const sim::Model& model) : model_(model) {
+        for (std::int32_t shape = 0; shape < model.shapes.size(); ++shape) {
+            reach_.push_back(reach_of(model.shapes.view(ShapeId{shape}), model.bodies.is_planar));
+        }
+    }
+    /// A point of A that is d - R_A or more from the centre of B lies at most R_A + R_B - d below a face of B [m].
+    double operator()(ShapeId a, ShapeId b, Vec3 between) const {
+        between.z = model_.bodies.is_planar ? 0 : between.z;
+        return reach_[at(a.value)] + reach_[at(b.value)] - norm(between);
+    }
+
+ private:
+    const sim::Model& model_;
+    std::vector<double> reach_;
+};
+
 }  // namespace
 
 std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
@@ -66,14 +101,21 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
     std::vector<contact::PartPair> pairs;
     contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, solid::DemSettings{}.grid_factor, pairs);
 
+    const DepthBound bound(model);
     std::vector<InitialOverlap> of_pair(pairs.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {
         const contact::PartPair pair = pairs[at(i)];
         const ConvexView a = view(pair.a), b = view(pair.b);
+        const double thinner = std::min(a.inscribed_radius, b.inscribed_radius);
+        // Balls that touch are told apart without a look at their faces.
+        if (bound(model.bodies.parts[at(pair.a)].shape, model.bodies.parts[at(pair.b)].shape,
+                  placed.frames[at(pair.a)].origin - placed.frames[at(pair.b)].origin) < 0.999 * max_share * thinner) {
+            of_pair[at(i)] = {BodyId{placed.body[at(pair.a)]}, BodyId{placed.body[at(pair.b)]}, 0, 0};
+            return;
+        }
         const double depth = overlap_depth(a, placed.frames[at(pair.a)], b, placed.frames[at(pair.b)]);
         const std::int32_t body_a = placed.body[at(pair.a)], body_b = placed.body[at(pair.b)];
-        of_pair[at(i)] = {BodyId{std::min(body_a, body_b)}, BodyId{std::max(body_a, body_b)}, depth,
-                          depth / std::min(a.inscribed_radius, b.inscribed_radius)};
+        of_pair[at(i)] = {BodyId{std::min(body_a, body_b)}, BodyId{std::max(body_a, body_b)}, depth, depth / thinner};
     });
     std::erase_if(of_pair, [max_share](const InitialOverlap& overlap) { return !(overlap.share > max_share); });
     std::stable_sort(of_pair.begin(), of_pair.end(), [](const InitialOverlap& x, const InitialOverlap& y) {

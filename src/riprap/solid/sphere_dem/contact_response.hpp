@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "riprap/contact/law/hertz.hpp"
 #include "riprap/contact/law/linear_spring.hpp"
 #include "riprap/contact/law/mindlin.hpp"
 #include "riprap/contact/law/rolling.hpp"
+#include "riprap/contact/law/tanh_friction.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 
 namespace riprap::solid::sphere_dem {
@@ -88,6 +90,9 @@ template <class T, class Laws, class Law>
         total = contact::larger(total, zero);
     }
     const T dashpot = total - elastic, pressing = contact::larger(total, zero);
+    const T shear_stiffness =
+        is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness;
+    const T old_shear_stiffness = contact::larger(spring.stiffness, -spring.stiffness);
 
     const contact::TangentialResponse<T> shear = friction.template respond<T>(
         {.normal = motion.normal,
@@ -95,8 +100,7 @@ template <class T, class Laws, class Law>
          .sliding = sliding,
          .mean_turn = motion.mean_turn,
          .normal_stiffness = is_hertz ? T(4.0 / 3.0) * pair.modulus * normal.width : pair.normal_stiffness,
-         .shear_stiffness =
-             is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness,
+         .shear_stiffness = shear_stiffness,
          .shear_damping = pair.shear_damping,
          .damping = damping,
          .weight = motion.weight,
@@ -117,11 +121,16 @@ template <class T, class Laws, class Law>
         if (laws.rolling() == contact::RollingLaw::constant) {
             roll = contact::rolling_constant<T>(rolling, pair.rolling_friction, motion.radius, pressing, motion.dt);
         } else {
-            const T secant = normal.elastic / contact::larger(motion.overlap, T(1e-300)) * motion.weight;
+            // k_n/k_t is the same at any overlap: the tangential spring remembers the normal one.
+            const T ratio = is_hertz ? pair.modulus / (T(6.0) * pair.shear_modulus) : T(1.0) / pair.shear_ratio;
+            const T secant = ratio * shear_stiffness * motion.weight;
+            if constexpr (std::is_same_v<Law, contact::TanhFriction>) {  // which keeps no spring
+                spring.stiffness = shear_stiffness * motion.weight;
+            }
             const Vec3T<T> turned =
                 contact::turn_with_normal(rolling_couple, motion.old_normal, motion.normal, motion.mean_turn);
             roll = contact::rolling_spring<T>(turned, rolling, pair.rolling_friction, motion.radius, pressing, secant,
-                                              motion.dt);
+                                              ratio * old_shear_stiffness, motion.dt);
             rolling_couple = roll.couple;
         }
         out.couple = roll.couple;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "riprap/body/fill_section.hpp"
 #include "riprap/body/may_move.hpp"
 #include "riprap/body/multisphere.hpp"
 #include "riprap/core/index.hpp"
@@ -52,7 +55,7 @@ bool is_round(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std
 }
 
 /// Samples of a part, in its own frame.
-std::vector<body::ShapeSphere> sample_part(const geometry::Polyhedron& shape, double radius, bool is_planar) {
+geometry::Outcome<body::Multisphere> sample_part(const geometry::Polyhedron& shape, double radius, bool is_planar) {
     Vec3 size = extent(shape);
     const bool is_a_box = is_box(shape, size);
     if (is_planar) {
@@ -60,10 +63,9 @@ std::vector<body::ShapeSphere> sample_part(const geometry::Polyhedron& shape, do
     }
     const double r = std::min({radius, 0.5 * size.x, 0.5 * size.y, 0.5 * size.z});
     if (!is_a_box) {
-        const auto filled = body::fill_surface(shape, 2 * r);
-        return filled ? filled.value().spheres : std::vector<body::ShapeSphere>{};
+        return is_planar ? body::fill_section(shape, 2 * r) : body::fill_surface(shape, 2 * r);
     }
-    return (is_planar ? body::rectangle_shell(size, r) : body::box_shell(size, r)).value().spheres;
+    return is_planar ? body::rectangle_shell(size, r) : body::box_shell(size, r);
 }
 
 /// Radius of the sphere or disc of a body's volume.
@@ -88,7 +90,9 @@ double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& 
     return least / 3;
 }
 
-SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings) {
+SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings,
+                        std::vector<SceneProblem>* problems) {
+    constexpr std::int32_t most = 50'000'000;  // of all bodies
     const body::BodySet& bodies = scene.bodies;
     const geometry::ShapeSet& shapes = scene.shapes;
     std::vector<const body::GivenSpheres*> given(at(bodies.size()), nullptr);
@@ -97,6 +101,16 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
     }
     SphereSet spheres;
     const double radius = radius_of_samples(bodies, shapes, settings);
+    // A body that cannot be sampled stands as one sphere, for its problem to be told.
+    const auto refuse = [&](std::int32_t body, const geometry::GeometryProblem& problem) {
+        spheres.add(BodyId{body}, radius_of_volume(bodies, scene.materials, at(body)));
+        if (problems != nullptr && problems->size() < 10) {
+            problems->push_back({BodyId{body},
+                                 fmt::format("spheres of {:.3g} m for the surface of '{}': {}", radius,
+                                             bodies.name(BodyId{body}), problem.message),
+                                 problem.allowed + "; another solid.sphere_radius, or 'spheres' of the body"});
+        }
+    };
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         if (given[at(b)] != nullptr) {
             for (const body::ShapeSphere& s : given[at(b)]->spheres) {
@@ -114,9 +128,19 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
         if (settings.sampling == SphereSampling::balls) {
             continue;
         }
+        if (spheres.size() > most) {
+            refuse(b, {fmt::format("there are {} already, of the bodies before it", spheres.size()),
+                       fmt::format("at most {} in all", most)});
+            continue;
+        }
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
-            for (const body::ShapeSphere& s : sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar)) {
+            const auto samples = sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar);
+            if (!samples) {
+                refuse(b, samples.problems().front());
+                break;
+            }
+            for (const body::ShapeSphere& s : samples.value().spheres) {
                 Vec3 centre = to_world(part.local, s.centre);
                 centre.z = bodies.is_planar ? 0 : centre.z;
                 spheres.add(BodyId{b}, s.radius, centre, rotate(part.local.orientation, s.face_normal));
@@ -146,12 +170,11 @@ contact::ContactMaterial own_values(const material::Material& material, const Sp
 contact::ContactPair pair_of(const material::MaterialSet& materials, MaterialId a, MaterialId b,
                              const SphereDemSettings& settings) {
     const material::PairProperties& given = materials.pair(a, b);
-    const bool is_hertz = settings.laws.normal == contact::NormalLaw::hertz;
     std::array two{own_values(materials[a], settings), own_values(materials[b], settings)};
     for (contact::ContactMaterial& one : two) {
         one.restitution = given.restitution.value_or(one.restitution);
         one.rolling_friction = given.rolling_friction.value_or(one.rolling_friction);
-        one.contact_ratio = is_hertz ? given.contact_ratio.value_or(one.contact_ratio) : one.contact_ratio;
+        one.contact_ratio = given.contact_ratio.value_or(one.contact_ratio);
         one.normal_stiffness = given.spring_stiffness.value_or(one.normal_stiffness);
         one.shear_ratio = given.spring_shear_ratio.value_or(one.shear_ratio);
     }

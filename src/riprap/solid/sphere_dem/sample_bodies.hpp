@@ -9,7 +9,9 @@ namespace riprap::solid::sphere_dem {
 /// Spheres for every body that can move freely; other bodies keep their faces. Boxes are sampled flush with their
 /// faces, other convex parts on a lattice inside them, which leaves up to a radius of their edges out. Planar bodies
 /// are sampled around their section. Bodies that the scene gives spheres have those, whether they move or not.
-SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings);
+/// @param problems  gets those of bodies whose samples are too many or none; such a body is one sphere
+SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settings,
+                        std::vector<SceneProblem>* problems = nullptr);
 
 /// Returns the radius of the samples: that of the settings, or a third of the least inscribed radius [m].
 double radius_of_samples(const body::BodySet& bodies, const geometry::ShapeSet& shapes,

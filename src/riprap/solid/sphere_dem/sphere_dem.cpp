@@ -36,7 +36,11 @@ double SphereDem::smallest_stand_in(const body::BodySet& bodies, const geometry:
 std::vector<SceneProblem> SphereDem::problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& state) {
     constexpr double most = 1e9;  // steps: days of one sphere
-    const sphere_dem::SphereSet spheres = sphere_dem::sample_bodies(scene, settings);
+    std::vector<SceneProblem> problems;
+    const sphere_dem::SphereSet spheres = sphere_dem::sample_bodies(scene, settings, &problems);
+    if (!problems.empty()) {
+        return problems;
+    }
     const sphere_dem::TriangleSet none;
     const contact::ContactTable table = sphere_dem::pair_table(scene.materials, settings);
     const sphere_dem::SphereStep step = sphere_dem::step_limit(

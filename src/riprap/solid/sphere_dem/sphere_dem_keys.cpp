@@ -49,15 +49,19 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
             {{"surface", SphereSampling::surface}, {"one", SphereSampling::one}, {"balls", SphereSampling::balls}},
             "Spheres that represent a free body: samples of its surface; one of its volume; or none (balls): faces of "
             "blocks meet spheres, and blocks meet by the distance potential. Balls and discs are always one sphere."),
-        number_or_auto(&S::sphere_radius, "sphere_radius", dimension::length, positive(),
-                       "Radius of the samples. \"auto\": a third of the least inscribed radius."),
+        number_or_auto(
+            &S::sphere_radius, "sphere_radius", dimension::length, positive(),
+            "Radius of the samples, at most half of the least extent of a part. \"auto\": a third of the least "
+            "inscribed radius."),
         number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),
         number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies."),
         number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
         number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
                "Coefficient of rolling friction mu_r: limit of the couple, over R* F_n."),
-        number_or_auto(&S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
-                       "Damping ratio of a Hertz contact. \"auto\": follows from `restitution`."),
+        number_or_auto(
+            &S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
+            "Damping ratio of a contact: epsilon of the Hertz dashpot, xi of a linear one. \"auto\": follows from "
+            "`restitution`."),
         number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
         number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
                "Normal stiffness of a contact under normal_law = \"linear\"."),

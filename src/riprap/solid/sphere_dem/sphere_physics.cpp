@@ -24,7 +24,7 @@ std::vector<material::PropertyUse> reads_of_spheres(const SphereDemSettings& set
             {Property::restitution, false, !settings.contact_ratio},
             {Property::kinetic_share},
             {Property::rolling_friction, false, settings.laws.rolling != contact::RollingLaw::none},
-            {Property::contact_ratio, false, is_hertz},
+            {Property::contact_ratio},
             {Property::spring_stiffness, false, !is_hertz},
             {Property::spring_shear_ratio, false, !is_hertz}};
 }

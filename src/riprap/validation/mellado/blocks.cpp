@@ -260,8 +260,13 @@ void demolisher(const CaseSetting& setting, CaseReport& report) {
     report.judge({"free swing: impulse of the blocks on the ball over its change of momentum", "-", {}, 1.0, {}},
                  free.contact_impulse / free.momentum_change, Relative{0.01});
     for (int axis = 0; axis < 3; ++axis) {
-        report.state({fmt::format("free swing: mean {} of the blocks over 4 s", "xyz"[axis]), "m", ""},
-                     free.mean[axis]);
+        const double other = dual[static_cast<std::size_t>(axis)];  // its ball hangs on a chain and falls, too
+        report.judge({fmt::format("free swing: mean {} of the blocks over 4 s", "xyz"[axis]),
+                      "m",
+                      other,
+                      {},
+                      "DualSPHysics, by gravity as well; positions, pivot and string are ours, the sources print none"},
+                     free.mean[axis], other * (1 - 0.065), other * (1 + 0.065));
         report.state({fmt::format("free swing: mean {} of the blocks at the end", "xyz"[axis]), "m", ""},
                      free.final[axis]);
     }
