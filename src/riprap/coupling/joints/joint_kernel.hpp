@@ -27,7 +27,7 @@ struct JointKernelLimits {
 template <class Real>
 struct JointLanes {
     std::array<Sixteen<Real>, 3> apart;  ///< d = x_i - x_j [m]
-    Sixteen<Real> square, slope;         ///< its square [m^2], and (dW/dr)/r there; far away and 0 for no pair
+    Sixteen<Real> square;                ///< its square [m^2]; far away for no pair
 };
 /// Gaps between those faces that look at each other: n_i . n_j < -1/2.
 template <class Real>
@@ -57,17 +57,19 @@ class JointKernel {
     explicit JointKernel(const fluid::ParticleSettings& settings)
         : kernel_(settings.smoothing_length(), settings.domain.dimension), limits_(settings) {}
 
-    JointLanes<Real> link(const std::array<Lanes, 3>& apart, Lanes far) const {
-        const Lanes square = far + dot(apart, apart);
-        return {apart, square, kernel_.slope_over_r(root(square))};
+    /// Tells whether some pair is within the support.
+    bool do_meet(const JointLanes<Real>& pairs) const {
+        return bits_below(pairs.square, Lanes(limits_.support * limits_.support)) != 0;
     }
+    /// (dW/dr)/r of all pairs; 0 beyond the support.
+    Lanes slope(const JointLanes<Real>& pairs) const { return kernel_.slope_over_r(root(pairs.square)); }
     /// Most fours look elsewhere, so that most of the time goes to the others.
     /// @param depth  of i and j together
-    JointGaps<Real> gaps(const JointLanes<Real>& link, const std::array<Lanes, 3>& own_normal,
+    JointGaps<Real> gaps(const JointLanes<Real>& pairs, const std::array<Lanes, 3>& own_normal,
                          const std::array<Lanes, 3>& other_normal, Lanes depth) const {
         JointGaps<Real> gaps;
         auto may_be = dot(own_normal, other_normal) < Lanes(-0.5);
-        may_be = may_be & (link.square < Lanes(limits_.reach * limits_.reach));
+        may_be = may_be & (pairs.square < Lanes(limits_.reach * limits_.reach));
         gaps.bits = bits_of<Real>(may_be);
         if (gaps.bits == 0) {
             return gaps;
@@ -80,29 +82,29 @@ class JointKernel {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             gaps.across[axis] = per_length * both[axis];
         }
-        gaps.width = -dot(link.apart, gaps.across) - depth;
+        gaps.width = -dot(pairs.apart, gaps.across) - depth;
         gaps.are_there = may_be & (gaps.width < Lanes(limits_.gap));
         gaps.bits = bits_of<Real>(gaps.are_there);
         return gaps;
     }
     /// Links with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
-    JointLinks<Real> closed(const JointLanes<Real>& link, const JointGaps<Real>& gaps) const {
-        return nearer(link, shift_of(gaps), gaps);
+    JointLinks<Real> closed(const JointLanes<Real>& pairs, const JointGaps<Real>& gaps) const {
+        return nearer(pairs, shift_of(gaps), gaps);
     }
     /// The same with faces brought together whole, by `shift`.
-    JointLinks<Real> nearer(const JointLanes<Real>& link, Lanes shift, const JointGaps<Real>& gaps) const {
+    JointLinks<Real> nearer(const JointLanes<Real>& pairs, Lanes shift, const JointGaps<Real>& gaps) const {
         std::array<Lanes, 3> apart;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            apart[axis] = link.apart[axis] + shift * gaps.across[axis];
+            apart[axis] = pairs.apart[axis] + shift * gaps.across[axis];
         }
         return {apart, kernel_.slope_over_r(root(dot(apart, apart)))};
     }
     /// Bits of those that closed() brings within the support.
-    std::uint32_t do_closed_meet(const JointLanes<Real>& link, const JointGaps<Real>& gaps) const {
+    std::uint32_t do_closed_meet(const JointLanes<Real>& pairs, const JointGaps<Real>& gaps) const {
         const Lanes shift = shift_of(gaps);
         Lanes square(0);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Lanes apart = link.apart[axis] + shift * gaps.across[axis];
+            const Lanes apart = pairs.apart[axis] + shift * gaps.across[axis];
             square += apart * apart;
         }
         return gaps.bits & bits_below(square, Lanes(limits_.support * limits_.support));

@@ -32,9 +32,10 @@ double left_to_do(const JointWater& here, double water, double joint) {
     return joint > 0 ? std::max(0.0, 1 - (1 - here.dry_share) * std::max(1.0, water / joint)) : here.dry_share;
 }
 
-/// A piece of the rim of a joint.
+/// A piece of the rims of joints.
 struct RimPiece {
-    double wet, dry;  ///< s V c and s V (1 - c)
+    double wet{0}, dry{0};  ///< s V c and s V (1 - c)
+    double pressure{0};     ///< of the water there [Pa]
 };
 
 /// Scene of a step.
@@ -52,13 +53,14 @@ class JointStep {
  public:
     void find(const JointPairs& pairs, std::span<const PlacedFour<Real>> placed, std::span<const Vec3> slopes,
               const body::Motion& motion, const JointScene& scene, std::vector<Vec3>& force);
-    std::size_t bytes() const { return bytes_of(around_, found_, shares_, felt_, felt_slots_, sides_, forces_); }
+    std::size_t bytes() const {
+        return bytes_of(around_, found_, shares_, pieces_, felt_, felt_slots_, sides_, forces_);
+    }
 
  private:
     void find_sides(const JointPairs& pairs);
     void find_pieces(const JointPairs& pairs, const JointScene& scene);
     void feel(const JointPairs& pairs, const JointSums<Real>& sums);
-    double felt_about(const JointPairs& pairs, std::size_t four, std::size_t lane) const;
     void press(const JointPairs& pairs, const JointSums<Real>& sums, const JointScene& scene, std::size_t joint);
     void list_rim(const JointPairs& pairs, const JointScene& scene, std::size_t joint,
                   std::vector<RimFour<Real>>& rim) const;
@@ -110,7 +112,7 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
             felt.felt[lane] = static_cast<Real>(here.felt);
             felt.is_felt = felt.is_felt || here.weight > 0;
             RimPiece& piece = pieces_[four_size * at(four) + lane];
-            piece = {0, 0};
+            piece = {};
             if ((is_side[at(four)] >> lane & 1U) == 0 || !here.is_first) {
                 continue;
             }
@@ -118,31 +120,39 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
             if (strength > 0) {
                 const double share = std::min(1.0, here.covered / well_filled);
                 const double weight = strength * scene.near.volume(pairs.fours()[at(four)].sample(lane));
-                piece = {weight * share, weight * (1 - share)};
+                piece = {weight * share, weight * (1 - share), 0};
                 felt.is_asked = felt.is_asked || piece.wet > 0;
             }
         }
     });
 }
 
+/// Finds the pressure at the pieces of rims: the mean of what walls feel about them, carried to them as in water at
+/// rest.
 template <class Real>
 void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums) {
     felt_slots_.resize(pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t unit) {
         sums.feel(at(unit), felt_, slots_of(felt_slots_, pairs.units()[at(unit)]));
     });
-}
-
-/// Mean of what walls feel about a sample, carried to it as in water at rest [Pa].
-template <class Real>
-double JointStep<Real>::felt_about(const JointPairs& pairs, std::size_t four, std::size_t lane) const {
-    const JointWater& own = found_[four_size * four + lane];
-    double weights = own.weight, sum = own.weight * own.felt;
-    for (const std::int32_t slot : pairs.slots_of(four)) {
-        weights += felt_slots_[at(slot)][0][lane];
-        sum += felt_slots_[at(slot)][1][lane];
-    }
-    return weights > 0 ? std::max(0.0, sum / weights) : 0;
+    parallel::for_each_uneven(std::ssize(felt_), grain, [&](std::int64_t four) {
+        if (!felt_[at(four)].is_asked) {
+            return;
+        }
+        std::array<double, four_size> weights{}, sum{};
+        for (const std::int32_t slot : pairs.slots_of(at(four))) {
+            for (std::size_t lane = 0; lane < four_size; ++lane) {
+                weights[lane] += felt_slots_[at(slot)][0][lane];
+                sum[lane] += felt_slots_[at(slot)][1][lane];
+            }
+        }
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            const JointWater& own = found_[four_size * at(four) + lane];
+            const double all = own.weight + weights[lane];
+            pieces_[four_size * at(four) + lane].pressure =
+                all > 0 ? std::max(0.0, (own.weight * own.felt + sum[lane]) / all) : 0;
+        }
+    });
 }
 
 /// Lists the pieces of the rim of a joint, but for dry ones higher than any water of the rim can rise, which drain
@@ -152,31 +162,28 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
                                std::vector<RimFour<Real>>& rim) const {
     struct Piece {
         std::size_t four, lane;
-        RimPiece part;
-        double pressure, head;  ///< of the water there; at rest, of its place beyond that of the first piece [Pa]
+        double head;  ///< at rest, of its place beyond that of the first piece [Pa]
     };
     std::vector<Piece> pieces;
     const fluid::NearestImage nearest(scene.settings.domain);
-    const auto place = [&](const Piece& piece) {
-        return scene.walls.position[pairs.fours()[piece.four].sample(piece.lane)];
-    };
+    const Vec3 pull = scene.settings.rest_density * scene.gravity;
     double highest = 0;  // head of the water above that of the first piece [Pa]
     bool is_wet = false;
+    Vec3 origin{};
     const std::span<const JointSide> sides = pairs.sides_of(joint);
     const std::size_t first = at(pairs.joints()[joint].first_side);
     for (std::size_t k = 0; k < sides.size(); ++k) {
-        for (std::size_t lane = 0; lane < four_size; ++lane) {
-            const auto four = at(sides[k].four);
+        for (std::uint32_t left = shares_[first + k]; left != 0; left &= left - 1) {
+            const auto four = at(sides[k].four), lane = static_cast<std::size_t>(__builtin_ctz(left));
             const RimPiece& part = pieces_[four_size * four + lane];
-            if ((shares_[first + k] >> lane & 1U) == 0 || !(part.wet + part.dry > 0)) {
+            if (!(part.wet + part.dry > 0)) {
                 continue;
             }
-            Piece piece{four, lane, part, part.wet > 0 ? felt_about(pairs, four, lane) : 0, 0};
-            pieces.push_back(piece);
-            pieces.back().head =
-                scene.settings.rest_density * dot(scene.gravity, nearest(place(piece) - place(pieces.front())));
+            const Vec3& place = scene.walls.position[pairs.fours()[four].sample(lane)];
+            origin = pieces.empty() ? place : origin;
+            pieces.push_back({four, lane, dot(pull, nearest(place - origin))});
             if (part.wet > 0) {
-                const double head = piece.pressure - pieces.back().head;
+                const double head = part.pressure - pieces.back().head;
                 highest = is_wet ? std::max(highest, head) : head;
                 is_wet = true;
             }
@@ -185,8 +192,9 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
     std::size_t count = 0;
     rim.clear();
     for (const Piece& piece : pieces) {
-        const double dry = is_wet && highest + piece.head > 0 ? piece.part.dry : 0;
-        if (!(piece.part.wet + dry > 0)) {
+        const RimPiece& part = pieces_[four_size * piece.four + piece.lane];
+        const double dry = is_wet && highest + piece.head > 0 ? part.dry : 0;
+        if (!(part.wet + dry > 0)) {
             continue;
         }
         const std::size_t lane = count++ % four_size;
@@ -197,9 +205,9 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
         for (std::size_t axis = 0; axis < 3; ++axis) {
             four.place[axis][lane] = placed_[piece.four].place[axis][piece.lane];
         }
-        four.all[lane] = static_cast<Real>(piece.part.wet + dry);
-        four.wet[lane] = static_cast<Real>(piece.part.wet);
-        four.pushed[lane] = static_cast<Real>(piece.part.wet * piece.pressure);
+        four.all[lane] = static_cast<Real>(part.wet + dry);
+        four.wet[lane] = static_cast<Real>(part.wet);
+        four.pushed[lane] = static_cast<Real>(part.wet * part.pressure);
     }
 }
 

@@ -90,8 +90,9 @@ std::array<Sixteen<Real>, 3> JointSums<Real>::apart(const Own& own, const Placed
 }
 
 template <class Real>
-Sixteen<Real> JointSums<Real>::far_of(const Own& own, const JointSlot& other) const {
-    return own.far + others_in_lanes<Real>(far_[other.lanes]);
+JointLanes<Real> JointSums<Real>::lanes_of(const Own& own, const JointSlot& other) const {
+    const std::array<Lanes, 3> d = apart(own, placed_[at(other.four)]);
+    return {d, own.far + others_in_lanes<Real>(far_[other.lanes]) + dot(d, d)};
 }
 
 template <class Real>
@@ -132,40 +133,39 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
         },
         [&](std::size_t place, const JointSlot& slot) {
             const PlacedFour<Real>& other = placed_[at(slot.four)];
-            const JointLanes<Real> link = kernel_.link(apart(own, other), far_of(own, slot));
+            const JointLanes<Real> met = lanes_of(own, slot);
             std::array<Lanes, 3> normal;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 normal[axis] = others_in_lanes<Real>(other.normal[axis]);
             }
-            const Lanes volume = others_in_lanes<Real>(other.volume);
             const JointGaps<Real> gaps =
-                kernel_.gaps(link, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            std::uint32_t pairs = negative_bits<Real>(link.slope);
-            if (pairs == 0 && gaps.bits == 0) {
+                kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
+            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
                 return;
             }
-            const Lanes there = volume * link.slope, back = -own.volume * link.slope;
+            const Lanes volume = others_in_lanes<Real>(other.volume);
+            const Lanes slope = kernel_.slope(met), there = volume * slope, back = -own.volume * slope;
+            std::uint32_t pairs = negative_bits<Real>(slope);
             std::array<Lanes, 4> from;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                sum[axis] += there * link.apart[axis];
-                from[axis] = back * link.apart[axis];
+                sum[axis] += there * met.apart[axis];
+                from[axis] = back * met.apart[axis];
             }
             from[3] = zero;
             AroundSlot<Real>& at_other = slots[place];
             if (gaps.bits != 0) {
                 const Lanes shift = max(gaps.width, zero);
-                const JointLinks<Real> touching = kernel_.nearer(link, shift, gaps);
+                const JointLinks<Real> touching = kernel_.nearer(met, shift, gaps);
                 const Lanes to_own =
-                    touching.slope * dot(touching.apart, own.normal) - link.slope * dot(link.apart, own.normal);
-                const Lanes to_other =
-                    link.slope * dot(link.apart, normal) - touching.slope * dot(touching.apart, normal);
+                    touching.slope * dot(touching.apart, own.normal) - slope * dot(met.apart, own.normal);
+                const Lanes to_other = slope * dot(met.apart, normal) - touching.slope * dot(touching.apart, normal);
                 sum[3] += select(gaps.are_there, volume * to_own, zero);
                 from[3] = select(gaps.are_there, own.volume * to_other, zero);
                 const auto is_met = gaps.are_there & (touching.slope < zero);
                 const Lanes here = select(is_met, shift, none);
                 gap = min(gap, here);
                 lessen_others<Real>(at_other.gap, here);
-                pairs |= kernel_.do_closed_meet(link, gaps);
+                pairs |= kernel_.do_closed_meet(met, gaps);
             }
             add_to_others<Real, 4>(at_other.sums, from);
             meets |= pairs;
@@ -201,9 +201,9 @@ void JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
             if (!(here->is_asked && there.is_felt) && !(here->is_felt && there.is_asked)) {
                 return;
             }
-            const std::array<Lanes, 3> d = apart(own, placed_[at(slot.four)]);
-            const Lanes nearness = max(one - root(far_of(own, slot) + dot(d, d)) * per_reach, zero);
-            const Lanes head = dot(pull_, d);
+            const JointLanes<Real> met = lanes_of(own, slot);
+            const Lanes nearness = max(one - root(met.square) * per_reach, zero);
+            const Lanes head = dot(pull_, met.apart);
             const Lanes of_other = nearness * others_in_lanes<Real>(there.weight), of_own = nearness * weight;
             sum[0] += of_other;
             sum[1] += of_other * (others_in_lanes<Real>(there.felt) + head);
@@ -235,29 +235,29 @@ void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> s
                 return;
             }
             const PlacedFour<Real>& other = placed_[at(slot.four)];
-            const JointLanes<Real> link = kernel_.link(apart(own, other), far_of(own, slot));
+            const JointLanes<Real> met = lanes_of(own, slot);
             std::array<Lanes, 3> normal;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 normal[axis] = others_in_lanes<Real>(other.normal[axis]);
             }
             const JointGaps<Real> gaps =
-                kernel_.gaps(link, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            if (gaps.bits == 0 && negative_bits<Real>(link.slope) == 0) {
+                kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
+            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
                 return;
             }
             std::array<Lanes, 3> push;
-            const Lanes strength = both * link.slope;
+            const Lanes strength = both * kernel_.slope(met);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                push[axis] = strength * link.apart[axis];
+                push[axis] = strength * met.apart[axis];
             }
             if (gaps.bits != 0) {
-                const JointLinks<Real> closed = kernel_.closed(link, gaps);
+                const JointLinks<Real> closed = kernel_.closed(met, gaps);
                 const Lanes left =
                     select(gaps.are_there, half * (share + others_in_lanes<Real>(side.left_to_do)), zero);
                 const Lanes as_it_is = (one - left) * strength, brought = both * left * closed.slope;
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     push[axis] =
-                        as_it_is * link.apart[axis] + select(gaps.are_there, brought * closed.apart[axis], zero);
+                        as_it_is * met.apart[axis] + select(gaps.are_there, brought * closed.apart[axis], zero);
                 }
             }
             const Lanes volume = others_in_lanes<Real>(other.volume);
@@ -284,8 +284,7 @@ void JointSums<Real>::reach(std::size_t number, std::span<std::uint32_t> slots) 
             met = 0;
         },
         [&](std::size_t place, const JointSlot& slot) {
-            const std::array<Lanes, 3> d = apart(own, placed_[at(slot.four)]);
-            const std::uint32_t pairs = bits_below(far_of(own, slot) + dot(d, d), Lanes(limits_.reach * limits_.reach));
+            const std::uint32_t pairs = bits_below(lanes_of(own, slot).square, Lanes(limits_.reach * limits_.reach));
             met |= pairs;
             slots[place] |= others_with_pairs(pairs);
         },

@@ -70,7 +70,7 @@ class JointSums {
                         const Meet& meet, const End& end) const;
     Own own_of(const JointSlot& slot) const;
     std::array<Lanes, 3> apart(const Own& own, const PlacedFour<Real>& other) const;
-    Lanes far_of(const Own& own, const JointSlot& other) const;
+    JointLanes<Real> lanes_of(const Own& own, const JointSlot& other) const;
 
     const JointPairs& pairs_;
     std::span<const PlacedFour<Real>> placed_;
