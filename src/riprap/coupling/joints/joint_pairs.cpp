@@ -134,6 +134,12 @@ void JointPairs::find_pairs(const fluid::BoundaryParticles& walls, const fluid::
     met_.clear();
     joined_.clear();
     for (FoundUnits& of_range : found) {
+        for (std::size_t k = 0; k < of_range.units.size(); ++k) {
+            const JointUnit& unit = of_range.units[k];
+            for (std::int32_t slot = 0; slot < unit.own_count + unit.other_count; ++slot) {
+                of_range.slots[at(unit.first_slot + slot)].unit = static_cast<std::int32_t>(units_.size() + k);
+            }
+        }
         for (JointUnit unit : of_range.units) {
             unit.first_slot += static_cast<std::int32_t>(slots_.size());
             unit.first_met += std::ssize(met_);

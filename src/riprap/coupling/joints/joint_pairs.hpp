@@ -36,6 +36,7 @@ struct JointSide {
 /// A four as one of a unit.
 struct JointSlot {
     std::int32_t four;
+    std::int32_t unit;   ///< number in JointPairs::units
     std::int32_t side;   ///< number in JointPairs::sides; -1 where the unit is of no joint
     std::uint8_t lanes;  ///< a bit for each sample of the solid
 };

@@ -72,6 +72,8 @@ class JointStep {
     std::vector<FeltFour<Real>> felt_;      ///< of each four
     std::vector<FeltSlot<Real>> felt_slots_;
     std::vector<SideFour<Real>> sides_;  ///< of each side
+    // Of each unit: whether its slots hold something of these sums.
+    std::vector<std::uint8_t> is_seen_, is_felt_, is_pressed_;
     std::vector<ForceSlot<Real>> forces_;
     std::span<const PlacedFour<Real>> placed_;
 };
@@ -86,7 +88,7 @@ template <class Real>
 void JointStep<Real>::find_sides(const JointPairs& pairs) {
     shares_.assign(pairs.sides().size(), 0);
     for (std::size_t k = 0; k < pairs.slots().size(); ++k) {
-        if (pairs.slots()[k].side >= 0) {
+        if (pairs.slots()[k].side >= 0 && is_seen_[at(pairs.slots()[k].unit)] != 0) {
             std::uint8_t& shares = shares_[at(pairs.slots()[k].side)];
             shares = static_cast<std::uint8_t>(shares | around_[k].meets);
         }
@@ -132,8 +134,10 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
 template <class Real>
 void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums) {
     felt_slots_.resize(pairs.slots().size());
+    is_felt_.resize(pairs.units().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t unit) {
-        sums.feel(at(unit), felt_, slots_of(felt_slots_, pairs.units()[at(unit)]));
+        const bool is_felt = sums.feel(at(unit), felt_, slots_of(felt_slots_, pairs.units()[at(unit)]));
+        is_felt_[at(unit)] = is_felt ? 1 : 0;
     });
     parallel::for_each_uneven(std::ssize(felt_), grain, [&](std::int64_t four) {
         if (!felt_[at(four)].is_asked) {
@@ -141,7 +145,7 @@ void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums)
         }
         std::array<double, four_size> weights{}, sum{};
         for (const std::int32_t slot : pairs.slots_of(at(four))) {
-            for (std::size_t lane = 0; lane < four_size; ++lane) {
+            for (std::size_t lane = 0; is_felt_[at(pairs.slots()[at(slot)].unit)] != 0 && lane < four_size; ++lane) {
                 weights[lane] += felt_slots_[at(slot)][0][lane];
                 sum[lane] += felt_slots_[at(slot)][1][lane];
             }
@@ -243,7 +247,9 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
                            std::vector<Vec3>& force) {
     placed_ = placed;
     const JointSums<Real> sums(pairs, placed, scene.settings, scene.gravity);
-    find_joint_water(pairs, sums, scene.near, slopes, motion, scene.water, scene.settings, around_, found_);
+    const WetSolids wet = find_wet_solids(pairs, motion.pose.size(), scene.water);
+    find_joint_water(pairs, sums, scene.near, slopes, motion, scene.water, scene.settings, wet, around_, is_seen_,
+                     found_);
     find_sides(pairs);
     if (std::ranges::find_if(shares_, [](std::uint8_t bits) { return bits != 0; }) == shares_.end()) {
         return;
@@ -251,15 +257,23 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     find_pieces(pairs, scene);
     feel(pairs, sums);
     sides_.resize(pairs.sides().size());
-    parallel::for_each_uneven(std::ssize(pairs.joints()), 4,
-                              [&](std::int64_t joint) { press(pairs, sums, scene, at(joint)); });
+    const auto is_wet = [&](std::int64_t joint) {
+        const Joint& here = pairs.joints()[at(joint)];
+        return wet.is_wet_partner[WetSolids::entry(here.high)] != 0 ||
+               wet.is_wet_partner[WetSolids::entry(here.low)] != 0;
+    };
+    is_pressed_.resize(pairs.units().size());
+    parallel::for_each_uneven(std::ssize(pairs.joints()), 4, [&](std::int64_t joint) {
+        if (is_wet(joint)) {
+            press(pairs, sums, scene, at(joint));
+        }
+    });
     forces_.resize(pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
-        if (unit.joint >= 0) {
+        is_pressed_[at(number)] = is_seen_[at(number)] != 0 && unit.joint >= 0 && is_wet(unit.joint) ? 1 : 0;
+        if (is_pressed_[at(number)] != 0) {
             sums.push(at(number), sides_, slots_of(forces_, unit));
-        } else {
-            std::ranges::fill(slots_of(forces_, unit), ForceSlot<Real>{});
         }
     });
     force.resize(at(scene.near.size()));
@@ -267,7 +281,7 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t four) {
         std::array<Vec3, four_size> sum{};
         for (const std::int32_t slot : pairs.slots_of(at(four))) {
-            for (std::size_t lane = 0; lane < four_size; ++lane) {
+            for (std::size_t lane = 0; is_pressed_[at(pairs.slots()[at(slot)].unit)] != 0 && lane < four_size; ++lane) {
                 const ForceSlot<Real>& part = forces_[at(slot)];
                 sum[lane] += Vec3{part[0][lane], part[1][lane], part[2][lane]};
             }

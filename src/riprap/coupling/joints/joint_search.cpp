@@ -55,7 +55,7 @@ void add_unit(const FourRange& range, std::span<const JointFour> fours, std::spa
         if (find.own() != own_before) {
             own_before = find.own();
             const std::int32_t four = range.first + own_before;
-            found.slots.push_back({four, -1, lanes_of(fours[at(four)], range.solid)});
+            found.slots.push_back({four, -1, -1, lanes_of(fours[at(four)], range.solid)});
             ++unit.own_count;
         }
     }
@@ -63,7 +63,7 @@ void add_unit(const FourRange& range, std::span<const JointFour> fours, std::spa
     others.erase(std::unique(others.begin(), others.end()), others.end());
     unit.other_count = static_cast<std::int32_t>(others.size());
     for (const std::int32_t four : others) {
-        found.slots.push_back({four, -1, lanes_of(fours[at(four)], unit.other_solid)});
+        found.slots.push_back({four, -1, -1, lanes_of(fours[at(four)], unit.other_solid)});
     }
     RIPRAP_ASSERT(others.size() < std::size_t{1} << 25U, "an entry has 25 bits for the other four");
     std::uint32_t own = 0;

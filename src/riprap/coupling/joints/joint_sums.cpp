@@ -179,8 +179,18 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
 }
 
 template <class Real>
-void JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> felt,
+bool JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> felt,
                            std::span<FeltSlot<Real>> slots) const {
+    const JointUnit& unit = pairs_.units()[number];
+    bool is_felt = false, is_asked = false;
+    for (std::int32_t k = 0; k < unit.own_count + unit.other_count; ++k) {
+        const FeltFour<Real>& four = felt[at(pairs_.slots()[at(unit.first_slot + k)].four)];
+        is_felt = is_felt || four.is_felt;
+        is_asked = is_asked || four.is_asked;
+    }
+    if (!is_felt || !is_asked) {
+        return false;
+    }
     const Lanes per_reach(1 / limits_.reach), zero(0), one(1);
     std::ranges::fill(slots, FeltSlot<Real>{});
     Own own;
@@ -188,7 +198,7 @@ void JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
     std::array<Lanes, 2> sum;
     const FeltFour<Real>* here = nullptr;
     for_each_entry(
-        pairs_.units()[number], pairs_.met(number),
+        unit, pairs_.met(number),
         [&](std::size_t, const JointSlot& slot) {
             here = &felt[at(slot.four)];
             own = own_of(slot);
@@ -210,6 +220,7 @@ void JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
             add_to_others<Real, 2>(slots[place], {of_own, of_own * (pressure - head)});
         },
         [&](std::size_t place) { add_to_own<Real, 2>(slots[place], sum); });
+    return true;
 }
 
 template <class Real>

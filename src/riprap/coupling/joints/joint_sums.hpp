@@ -53,7 +53,8 @@ class JointSums {
     Real far() const { return static_cast<Real>(4 * limits_.reach); }
     /// Each of these writes what is found at the slots of a unit.
     void look_around(std::size_t unit, std::span<AroundSlot<Real>> slots) const;
-    void feel(std::size_t unit, std::span<const FeltFour<Real>> felt, std::span<FeltSlot<Real>> slots) const;
+    /// @returns whether anybody feels anything; if not, nothing is written
+    bool feel(std::size_t unit, std::span<const FeltFour<Real>> felt, std::span<FeltSlot<Real>> slots) const;
     void push(std::size_t unit, std::span<const SideFour<Real>> sides, std::span<ForceSlot<Real>> slots) const;
     /// A bit for each sample within JointKernel's reach of the other solid.
     void reach(std::size_t unit, std::span<std::uint32_t> slots) const;

@@ -24,32 +24,6 @@ double covered(const Vec3& open, const Vec3& water) {
     return square > 0 ? std::max(0.0, -dot(open, water) / square) : 0;
 }
 
-/// Units of solids that have to do with water: it stands at one of them or at one that one of them meets. Where all of
-/// these are dry, all of the rim is, and the joint presses nothing apart.
-std::vector<std::uint8_t> find_wet_units(const JointPairs& pairs, std::size_t bodies,
-                                         const fluid::WaterAtWalls& water) {
-    const auto entry = [](std::int32_t solid) { return at(solid - still_solid); };
-    std::vector<std::uint8_t> is_wet(bodies + 1, 0);
-    for (const JointFour& four : pairs.fours()) {
-        for (std::size_t lane = 0; lane < four_size; ++lane) {
-            if (four.has(lane) && water.weight[four.sample(lane)] > 0) {
-                is_wet[entry(four.solid[lane])] = 1;
-            }
-        }
-    }
-    std::vector<std::uint8_t> meets_wet = is_wet;
-    for (const JointUnit& unit : pairs.units()) {
-        meets_wet[entry(unit.own_solid)] |= is_wet[entry(unit.other_solid)];
-        meets_wet[entry(unit.other_solid)] |= is_wet[entry(unit.own_solid)];
-    }
-    std::vector<std::uint8_t> found(pairs.units().size());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        const JointUnit& unit = pairs.units()[k];
-        found[k] = meets_wet[entry(unit.own_solid)] | meets_wet[entry(unit.other_solid)];
-    }
-    return found;
-}
-
 /// Of each four a bit for each sample that is loose or within reach of a loose one. Others have no part in joints but
 /// shut off what these see; there are none without driven solids.
 template <class Real>
@@ -81,32 +55,62 @@ std::vector<std::uint8_t> find_who_is_at_joints(const JointPairs& pairs, const J
 
 }  // namespace
 
+WetSolids find_wet_solids(const JointPairs& pairs, std::size_t bodies, const fluid::WaterAtWalls& water) {
+    WetSolids found;
+    found.is_wet.assign(bodies + 1, 0);
+    found.is_wet_partner.assign(bodies + 1, 0);
+    for (const JointFour& four : pairs.fours()) {
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            if (four.has(lane) && water.weight[four.sample(lane)] > 0) {
+                found.is_wet[WetSolids::entry(four.solid[lane])] = 1;
+                found.is_wet_partner[WetSolids::entry(four.partner(lane))] = 1;
+            }
+        }
+    }
+    found.meets_wet = found.is_wet;
+    for (const JointUnit& unit : pairs.units()) {
+        const std::size_t own = WetSolids::entry(unit.own_solid), other = WetSolids::entry(unit.other_solid);
+        found.meets_wet[own] |= found.is_wet[other];
+        found.meets_wet[other] |= found.is_wet[own];
+    }
+    return found;
+}
+
 template <class Real>
 void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
                       std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
-                      const fluid::ParticleSettings& settings, std::vector<AroundSlot<Real>>& around,
+                      const fluid::ParticleSettings& settings, const WetSolids& wet,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
                       std::vector<JointWater>& found) {
-    const std::vector<std::uint8_t> is_unit_wet = find_wet_units(pairs, motion.pose.size(), water);
+    const auto meets_wet = [&](std::int32_t solid) {
+        return solid != no_solid && wet.meets_wet[WetSolids::entry(solid)] != 0;
+    };
     const std::vector<std::uint8_t> are_at_joints = find_who_is_at_joints(pairs, sums);
     around.resize(pairs.slots().size());
+    is_seen.resize(pairs.units().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
-        const auto slots = std::span(around).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count));
-        if (is_unit_wet[at(number)] != 0) {
-            sums.look_around(at(number), slots);
-        } else {
-            AroundSlot<Real> nothing;
-            nothing.gap.fill(sums.far());
-            std::ranges::fill(slots, nothing);
+        is_seen[at(number)] =
+            !pairs.joined(at(number)).empty() && (meets_wet(unit.own_solid) || meets_wet(unit.other_solid)) ? 1 : 0;
+        if (is_seen[at(number)] != 0) {
+            sums.look_around(at(number),
+                             std::span(around).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count)));
         }
     });
     found.resize(four_size * pairs.fours().size());
     parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t number) {
         const JointFour& four = pairs.fours()[at(number)];
+        std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(four_size) * number, four_size, JointWater{});
+        if (std::ranges::none_of(four.solid, meets_wet)) {
+            return;
+        }
         std::array<Four<Real>, 4> all{};
         Four<Real> gap;
         gap.fill(sums.far());
         for (const std::int32_t slot : pairs.slots_of(at(number))) {
+            if (is_seen[at(pairs.slots()[at(slot)].unit)] == 0) {
+                continue;
+            }
             const AroundSlot<Real>& part = around[at(slot)];
             for (std::size_t k = 0; k < 4; ++k) {
                 for (std::size_t lane = 0; lane < four_size; ++lane) {
@@ -119,8 +123,7 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
         }
         for (std::size_t lane = 0; lane < four_size; ++lane) {
             JointWater& here = found[at(number) * four_size + lane];
-            here = {};
-            if (!four.has(lane) || (are_at_joints[at(number)] >> lane & 1U) == 0) {
+            if (!meets_wet(four.solid[lane]) || (are_at_joints[at(number)] >> lane & 1U) == 0) {
                 continue;
             }
             const std::size_t sample = four.sample(lane);
@@ -148,9 +151,11 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
 
 template void find_joint_water(const JointPairs&, const JointSums<float>&, const SampleView&, std::span<const Vec3>,
                                const body::Motion&, const fluid::WaterAtWalls&, const fluid::ParticleSettings&,
-                               std::vector<AroundSlot<float>>&, std::vector<JointWater>&);
+                               const WetSolids&, std::vector<AroundSlot<float>>&, std::vector<std::uint8_t>&,
+                               std::vector<JointWater>&);
 template void find_joint_water(const JointPairs&, const JointSums<double>&, const SampleView&, std::span<const Vec3>,
                                const body::Motion&, const fluid::WaterAtWalls&, const fluid::ParticleSettings&,
-                               std::vector<AroundSlot<double>>&, std::vector<JointWater>&);
+                               const WetSolids&, std::vector<AroundSlot<double>>&, std::vector<std::uint8_t>&,
+                               std::vector<JointWater>&);
 
 }  // namespace riprap::coupling

@@ -20,16 +20,28 @@ struct JointWater {
     bool is_first{false};  ///< of the first layer of its solid
 };
 
-/// Finds the water about all members that are at a joint; nothing for others, and where no water stands at any solid of
-/// a unit.
-/// @param slopes  of solid_slopes, for each sample of the set that `near` looks at
-/// @param water   at each sample of `near`
-/// @param around  receives one for each slot
-/// @param found   receives one for each sample of each of pairs.fours(); its memory is reused
+/// What water stands at.
+struct WetSolids {
+    std::vector<std::uint8_t> is_wet;          ///< each solid, from still_solid on
+    std::vector<std::uint8_t> is_wet_partner;  ///< each partner of joints, likewise
+    std::vector<std::uint8_t> meets_wet;       ///< each solid that is wet or near a wet one
+
+    static std::size_t entry(std::int32_t solid) { return at(solid - still_solid); }
+};
+WetSolids find_wet_solids(const JointPairs& pairs, std::size_t bodies, const fluid::WaterAtWalls& water);
+
+/// Finds the water about all members that are at a joint; nothing for others, and for those of solids that water stands
+/// neither at nor near: where all of these are dry, all of the rim is, and the joint presses nothing apart.
+/// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
+/// @param water    at each sample of `near`
+/// @param around   receives one for each slot of each unit that is looked at
+/// @param is_seen  receives for each unit whether it is
+/// @param found    receives one for each sample of each of pairs.fours(); its memory is reused
 template <class Real>
 void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
                       std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
-                      const fluid::ParticleSettings& settings, std::vector<AroundSlot<Real>>& around,
+                      const fluid::ParticleSettings& settings, const WetSolids& wet,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
                       std::vector<JointWater>& found);
 
 /// Share of what is open at a wall that moving water fills with particles, at least.
