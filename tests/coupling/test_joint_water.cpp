@@ -61,17 +61,23 @@ struct Faces {
         const auto slopes = solid_slopes(samples, motion, is_still, kernel, settings.support_radius(), settings.domain);
         JointPairs pairs;
         pairs.update(samples, {is_still, is_loose}, motion, walls, settings);
+        std::vector<AroundSlot<float>> around;
         std::vector<JointWater> found;
-        find_joint_water(pairs, samples, slopes, motion, at_walls, settings, found);
-        std::size_t nearest = 0;
+        const JointSums<float> sums(pairs, pairs.placed(), settings, {});
+        std::vector<std::uint8_t> is_seen;
+        find_joint_water(pairs, sums, samples, slopes, motion, at_walls, settings,
+                         find_wet_solids(pairs, motion.pose.size(), at_walls), around, is_seen, found);
+        JointWater nearest;
+        double distance = 1e300;
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const auto of = [&](std::size_t k) {
-                return samples.anchor[static_cast<std::size_t>(pairs.members()[k].sample)];
-            };
-            const bool is_first = pairs.members()[i].solid == 0 && of(i).y == -0.5;
-            nearest = is_first && std::abs(of(i).x - x) < std::abs(of(nearest).x - x) ? i : nearest;
+            const JointFour& four = pairs.fours()[i / four_size];
+            const Vec3 place = four.has(i % four_size) ? samples.anchor[four.sample(i % four_size)] : Vec3{};
+            if (four.solid[i % four_size] == 0 && place.y == -0.5 && std::abs(place.x - x) < distance) {
+                distance = std::abs(place.x - x);
+                nearest = found[i];
+            }
         }
-        return found[nearest];
+        return nearest;
     }
 };
 

@@ -1,96 +1,124 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/coupling/joints/joint_fours.hpp"
+#include "riprap/coupling/joints/joint_lanes.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::coupling {
 
-/// A sample that looks at others.
-struct JointSelf {
-    Vec3 place, normal;  ///< world
-    double depth;        ///< [m]
+/// Distances of pairs of samples in joints [m].
+struct JointKernelLimits {
+    double support, spacing;
+    static constexpr double most_gap = 2;  ///< spacings
+    double gap;    ///< of faces that share a joint, at most: in wider gaps there is room for water
+    double reach;  ///< from which on two samples do nothing to each other, brought together or not. Deeper layers of
+                   ///< faces 1.5 to 2 spacings apart would be within the support from a little farther, by less than
+                   ///< 1e-4 of the kernel's slope
+
+    explicit JointKernelLimits(const fluid::ParticleSettings& settings)
+        : support(settings.support_radius()),
+          spacing(settings.spacing),
+          gap(most_gap * settings.spacing),
+          reach(settings.support_radius() + 1.5 * settings.spacing) {}
 };
 
-/// Samples j of other solids within reach of a sample i, four at a time.
-struct JointFour {
-    Four3 apart;          ///< x_i - x_j [m]
-    Four square;          ///< its square [m^2]
-    FourMask is_there;    ///< which of them the rest is true of
-    FourMask are_facing;  ///< whose faces look at that of i: n_i . n_j < -1/2
+/// Sixteen pairs of samples i and j of two solids.
+template <class Real>
+struct JointLanes {
+    std::array<Sixteen<Real>, 3> apart;  ///< d = x_i - x_j [m]
+    Sixteen<Real> square;                ///< its square [m^2]; far away for no pair
 };
-
-/// Links between i and j with faces as they are or brought together.
-struct JointLinks {
-    Four3 apart;  ///< x_i - x_j, or the same + s n_ij, see JointPressure [m]
-    Four slope;   ///< (dW/dr)/r there; 0 = not in reach
-};
-
-/// Gaps between faces that look at each other.
+/// Gaps between those faces that look at each other: n_i . n_j < -1/2.
+template <class Real>
 struct JointGaps {
-    bool is_any;         ///< some are; else there is nothing below
-    FourMask are_there;  ///< narrow enough to share a joint
-    Four3 across;        ///< n_ij, unit
-    Four width;          ///< negative where they overlap [m]
+    std::uint32_t bits;                           ///< those narrow enough to share a joint; 0: nothing else is there
+    WideMask<Real, fluid::lane_count> are_there;  ///< the same
+    std::array<Sixteen<Real>, 3> across;          ///< n_ij, unit
+    Sixteen<Real> width;                          ///< negative where they overlap [m]
 };
+/// Links with such faces brought together.
+template <class Real>
+struct JointLinks {
+    std::array<Sixteen<Real>, 3> apart;
+    Sixteen<Real> slope;
+};
+
+template <class Real>
+inline Sixteen<Real> dot(const std::array<Sixteen<Real>, 3>& a, const std::array<Sixteen<Real>, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// Kernel and limits of joints, made once for many.
+template <class Real>
 class JointKernel {
  public:
+    using Lanes = Sixteen<Real>;
     explicit JointKernel(const fluid::ParticleSettings& settings)
-        : kernel_(settings.smoothing_length(), settings.domain.dimension),
-          spacing_(settings.spacing),
-          square_of_support_(settings.support_radius() * settings.support_radius()) {}
-    /// Distance from which on two samples do nothing to each other, brought together or not [m]. Deeper layers of faces
-    /// 1.5 to 2 spacings apart would be within the support from a little farther, by less than 1e-4 of the kernel's
-    /// slope.
-    static double reach(const fluid::ParticleSettings& settings) {
-        constexpr double farther = 1.5;  // spacings beyond the support from which faces brought together still meet
-        return settings.support_radius() + farther * settings.spacing;
-    }
+        : kernel_(settings.smoothing_length(), settings.domain.dimension), limits_(settings) {}
 
-    JointLinks link(const JointFour& near) const { return {near.apart, kernel_.slope_over_r(sqrt(near.square))}; }
+    /// Tells whether some pair is within the support.
+    bool do_meet(const JointLanes<Real>& pairs) const {
+        return bits_below(pairs.square, Lanes(limits_.support * limits_.support)) != 0;
+    }
+    /// (dW/dr)/r of all pairs; 0 beyond the support.
+    Lanes slope(const JointLanes<Real>& pairs) const { return kernel_.slope_over_r(root(pairs.square)); }
     /// Most fours look elsewhere, so that most of the time goes to the others.
-    JointGaps gaps(const JointSelf& self, const SampleFour& others, const JointFour& near) const {
-        const FourMask may_be = near.is_there & near.are_facing;
-        if (bits_of(may_be) == 0) {
-            return {};
+    /// @param depth  of i and j together
+    JointGaps<Real> gaps(const JointLanes<Real>& pairs, const std::array<Lanes, 3>& own_normal,
+                         const std::array<Lanes, 3>& other_normal, Lanes depth) const {
+        JointGaps<Real> gaps;
+        auto may_be = dot(own_normal, other_normal) < Lanes(-0.5);
+        may_be = may_be & (pairs.square < Lanes(limits_.reach * limits_.reach));
+        gaps.bits = bits_of<Real>(may_be);
+        if (gaps.bits == 0) {
+            return gaps;
         }
-        const Four3 both = Four3(self.normal) - others.normal;
-        const Four3 n = (Four(1) / sqrt(dot(both, both))) * both;
-        const Four width = -dot(near.apart, n) - (Four(self.depth) + others.depth);
-        const FourMask are_there = may_be & (width < Four(most_gap * spacing_));
-        return {bits_of(are_there) != 0, are_there, n, width};
+        std::array<Lanes, 3> both;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            both[axis] = own_normal[axis] - other_normal[axis];
+        }
+        const Lanes per_length = inverse_root(max(dot(both, both), Lanes(1)));  // 3 where they look at each other
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            gaps.across[axis] = per_length * both[axis];
+        }
+        gaps.width = -dot(pairs.apart, gaps.across) - depth;
+        gaps.are_there = may_be & (gaps.width < Lanes(limits_.gap));
+        gaps.bits = bits_of<Real>(gaps.are_there);
+        return gaps;
     }
     /// Links with such faces brought together as far as they are to feel the joint, by s: see JointPressure.
-    JointLinks closed(const JointFour& near, const JointGaps& gaps) const { return nearer(near, shift_of(gaps), gaps); }
-    /// Which of them these links reach: their slope is not zero.
-    FourMask do_closed_meet(const JointFour& near, const JointGaps& gaps) const {
-        const Four3 apart = near.apart + shift_of(gaps) * gaps.across;
-        return gaps.are_there & (dot(apart, apart) < Four(square_of_support_));
+    JointLinks<Real> closed(const JointLanes<Real>& pairs, const JointGaps<Real>& gaps) const {
+        return nearer(pairs, shift_of(gaps), gaps);
     }
-    /// The same with faces brought together whole.
-    JointLinks touching(const JointFour& near, const JointGaps& gaps) const {
-        return nearer(near, max(gaps.width, Four(0)), gaps);
+    /// The same with faces brought together whole, by `shift`.
+    JointLinks<Real> nearer(const JointLanes<Real>& pairs, Lanes shift, const JointGaps<Real>& gaps) const {
+        std::array<Lanes, 3> apart;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            apart[axis] = pairs.apart[axis] + shift * gaps.across[axis];
+        }
+        return {apart, kernel_.slope_over_r(root(dot(apart, apart)))};
+    }
+    /// Bits of those that closed() brings within the support.
+    std::uint32_t do_closed_meet(const JointLanes<Real>& pairs, const JointGaps<Real>& gaps) const {
+        const Lanes shift = shift_of(gaps);
+        Lanes square(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Lanes apart = pairs.apart[axis] + shift * gaps.across[axis];
+            square += apart * apart;
+        }
+        return gaps.bits & bits_below(square, Lanes(limits_.support * limits_.support));
     }
 
  private:
-    /// Spacings between faces that share a joint, at most: in wider gaps there is room for water.
-    static constexpr double most_gap = 2;
-
     /// s
-    Four shift_of(const JointGaps& gaps) const {
-        const Four room = min(gaps.width, Four(most_gap * spacing_) - gaps.width);
-        return min(max(room, Four(0)), Four(spacing_));
-    }
-    JointLinks nearer(const JointFour& near, Four shift, const JointGaps& gaps) const {
-        const Four3 apart = near.apart + shift * gaps.across;
-        return {apart, kernel_.slope_over_r(sqrt(dot(apart, apart)))};
+    Lanes shift_of(const JointGaps<Real>& gaps) const {
+        const Lanes room = min(gaps.width, Lanes(limits_.gap) - gaps.width);
+        return min(max(room, Lanes(0)), Lanes(limits_.spacing));
     }
 
     fluid::WendlandC2 kernel_;
-    double spacing_, square_of_support_;  ///< [m], [m^2]
+    JointKernelLimits limits_;
 };
 
 }  // namespace riprap::coupling

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/joints/joint_kernel.hpp"
+#include "riprap/coupling/joints/joint_search.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
 
 namespace riprap::coupling {
 
@@ -23,7 +28,7 @@ constexpr double skin = 0.5;
 
 double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_driven) {
     // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
-    return (has_driven ? 2 : 1) * JointKernel::reach(settings) + skin * settings.spacing;
+    return (has_driven ? 2 : 1) * JointKernelLimits(settings).reach + skin * settings.spacing;
 }
 
 bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
@@ -53,143 +58,188 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
                               const fluid::ParticleSettings& settings) {
     std::vector<std::uint8_t> is_member(at(near.size()), 0);
     std::vector<Vec3> loose;
-    bool has_driven = false;
+    has_driven_ = false;
     for (std::size_t i = 0; i < is_member.size(); ++i) {
         const auto body = at(near.body(i).value);
-        has_driven = has_driven || (solids.is_loose[body] == 0 && solids.is_still[body] == 0);
+        has_driven_ = has_driven_ || (solids.is_loose[body] == 0 && solids.is_still[body] == 0);
         if (solids.is_loose[body] != 0) {
             is_member[i] = 1;
             loose.push_back(walls.position[i]);
         }
     }
-    const double most = reach(settings, has_driven);
+    const double most = reach(settings, has_driven_);
+    const fluid::NearestImage nearest(settings.domain);
     fluid::CellGrid grid;
     grid.build(loose, settings.domain, most);
     const auto is_near_loose = [&](const Vec3& x) {
         return grid.view().any_near(
-            x, [&](std::int64_t j) { return norm_squared(nearest_(x - loose[at(j)])) < most * most; });
+            x, [&](std::int64_t j) { return norm_squared(nearest(x - loose[at(j)])) < most * most; });
     };
     parallel::for_each_uneven(near.size(), grain, [&](std::int64_t i) {
         if (is_member[at(i)] == 0) {
             is_member[at(i)] = is_near_loose(walls.position[at(i)]) ? 1 : 0;
         }
     });
-    members_.clear();
-    fours_.assign((is_member.size() + four_size - 1) / four_size, {});
-    for (std::size_t i = 0; i < is_member.size(); ++i) {
-        if (is_member[i] != 0) {
-            const auto body = at(near.body(i).value);
-            const std::int32_t solid = solids.is_still[body] != 0 ? still_solid : near.body(i).value;
-            const JointMember member{static_cast<std::int32_t>(i), solid, solids.is_loose[body] != 0};
-            SampleFour& four = fours_[i / four_size];
-            const std::size_t lane = i % four_size;
-            four.member[lane] = static_cast<std::int32_t>(members_.size());
-            four.partner[lane] = partner_of(member);
-            four.volume.set(static_cast<std::int64_t>(lane), near.volume(i));
-            four.depth.set(static_cast<std::int64_t>(lane), near.depth(i));
-            members_.push_back(member);
+    fours_.clear();
+    for (std::size_t first = 0; first < is_member.size(); first += four_size) {
+        JointFour four{static_cast<std::int32_t>(first / four_size), {no_solid, no_solid, no_solid, no_solid}, {}};
+        for (std::size_t lane = 0; lane < four_size && first + lane < is_member.size(); ++lane) {
+            const BodyId body = near.body(first + lane);
+            if (is_member[first + lane] != 0) {
+                four.solid[lane] = solids.is_still[at(body.value)] != 0 ? still_solid : body.value;
+                four.is_loose[lane] = solids.is_loose[at(body.value)];
+            }
+        }
+        if (four.has(0) || four.has(1) || four.has(2) || four.has(3)) {
+            fours_.push_back(four);
         }
     }
     paired_at_.assign(walls.position.begin(), walls.position.begin() + near.size());
 }
 
-void JointPairs::place_samples(const SampleView& near, const body::Motion& motion,
-                               const fluid::BoundaryParticles& walls) {
-    parallel::for_each(static_cast<std::int64_t>(fours_.size()), [&](std::int64_t number) {
-        SampleFour& four = fours_[at(number)];
+namespace {
+
+/// Appends what was found for some fours to what was found for those before.
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+void JointPairs::find_pairs(const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings) {
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Vec3> places(four_size * fours_.size(), {nowhere, nowhere, nowhere});
+    for (std::size_t k = 0; k < fours_.size(); ++k) {
         for (std::size_t lane = 0; lane < four_size; ++lane) {
-            if (four.member[lane] >= 0) {
-                const std::size_t sample = at(number) * four_size + lane;
-                four.place.set(lane, walls.position[sample]);
-                four.normal.set(lane,
-                                rotate(motion.pose[at(near.body(sample).value)].orientation, near.normal(sample)));
+            if (fours_[k].has(lane)) {
+                places[four_size * k + lane] = walls.position[fours_[k].sample(lane)];
             }
         }
-    });
+    }
+    fluid::BoxTree boxes;
+    boxes.build(places, settings.domain);
+    constexpr double slack = 1e-4;  // spacings, and of n_i . n_j: more than single precision can be off
+    const double beyond = (skin + slack) * settings.spacing;
+    const JointSearch search(
+        fours_, placed_, fixed_, boxes,
+        {static_cast<float>(JointKernelLimits(settings).reach + beyond),
+         static_cast<float>(settings.support_radius() + beyond), static_cast<float>(-0.5 + 2 * most_turn + slack)});
+    const std::vector<FourRange> ranges = ranges_of_fours(fours_);
+    std::vector<FoundUnits> found(ranges.size());
+    parallel::for_each_uneven(std::ssize(ranges), 1,
+                              [&](std::int64_t range) { search.find(ranges[at(range)], found[at(range)]); });
+    units_.clear();
+    slots_.clear();
+    met_.clear();
+    joined_.clear();
+    for (FoundUnits& of_range : found) {
+        for (std::size_t k = 0; k < of_range.units.size(); ++k) {
+            const JointUnit& unit = of_range.units[k];
+            for (std::int32_t slot = 0; slot < unit.own_count + unit.other_count; ++slot) {
+                of_range.slots[at(unit.first_slot + slot)].unit = static_cast<std::int32_t>(units_.size() + k);
+            }
+        }
+        for (JointUnit unit : of_range.units) {
+            unit.first_slot += static_cast<std::int32_t>(slots_.size());
+            unit.first_met += std::ssize(met_);
+            unit.first_joined += std::ssize(joined_);
+            units_.push_back(unit);
+        }
+        append(slots_, of_range.slots);
+        append(met_, of_range.met);
+        append(joined_, of_range.joined);
+        of_range = {};
+    }
+    list_joints();
+    list_slots_of_fours();
 }
 
-void JointPairs::find_pairs(const fluid::ParticleSettings& settings) {
-    std::vector<Vec3> places;
-    places.reserve(members_.size());
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-        places.push_back(self(i).place);
+/// Lists joints, ascending by partners, and all fours with part in each.
+void JointPairs::list_joints() {
+    std::vector<std::pair<std::uint64_t, std::int32_t>> units;  // by joint
+    const auto partner = [&](const JointUnit& unit, std::int32_t solid, std::int32_t slot) {
+        const JointFour& four = fours_[at(slots_[at(unit.first_slot + slot)].four)];
+        return four.partner(static_cast<std::size_t>(std::ranges::find(four.solid, solid) - four.solid.begin()));
+    };
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+        const JointUnit& unit = units_[k];
+        const std::int32_t own = partner(unit, unit.own_solid, 0),
+                           other = partner(unit, unit.other_solid, unit.own_count);
+        if (own != other) {  // both are not loose
+            const auto [low, high] = std::minmax(own, other);
+            units.emplace_back(static_cast<std::uint64_t>(high) << 32U | static_cast<std::uint32_t>(low - still_solid),
+                               static_cast<std::int32_t>(k));
+        }
     }
-    fluid::CellGrid grid;
-    const double most = reach(settings, false);
-    grid.build(places, settings.domain, most);
-    const double near = settings.support_radius() + skin * settings.spacing;
-    constexpr double facing = -0.5 + 2 * most_turn;  // what may come to -1/2 while pairs are kept
-    std::vector<std::vector<std::uint32_t>> met(members_.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
-        const JointMember& member = members_[at(i)];
-        const JointSelf self = this->self(at(i));
-        std::vector<std::uint32_t>& mine = met[at(i)];
-        grid.for_each_near(self.place, [&](std::int64_t j) {
-            const JointMember& other = members_[at(j)];
-            const double apart = other.solid == member.solid ? most : norm(nearest_(self.place - places[at(j)]));
-            if (apart < most) {
-                const bool may_join = apart < near || dot(self.normal, this->self(at(j)).normal) < facing;
-                mine.push_back(entry_of(at(other.sample), may_join));
-            }
-        });
-        std::ranges::sort(mine);
-        std::size_t kept = 0;
-        for (const std::uint32_t entry : mine) {
-            if (kept > 0 && four_of(mine[kept - 1]) == four_of(entry)) {
-                mine[kept - 1] |= entry;
-            } else {
-                mine[kept++] = entry;
+    std::ranges::sort(units);
+    joints_.clear();
+    sides_.clear();
+    std::vector<std::int32_t> here;
+    for (std::size_t begin = 0, end = 0; begin < units.size(); begin = end) {
+        here.clear();
+        const auto joint = static_cast<std::int32_t>(joints_.size());
+        const auto first = static_cast<std::int32_t>(sides_.size());
+        const std::uint64_t key = units[begin].first;
+        for (; end < units.size() && units[end].first == key; ++end) {
+            JointUnit& unit = units_[at(units[end].second)];
+            unit.joint = joint;
+            for (std::int32_t k = 0; k < unit.own_count + unit.other_count; ++k) {
+                here.push_back(slots_[at(unit.first_slot + k)].four);
             }
         }
-        mine.resize(kept);
-    });
-    begin_.assign(1, 0);
-    begin_.reserve(met.size() + 1);
-    for (const std::vector<std::uint32_t>& mine : met) {
-        begin_.push_back(begin_.back() + static_cast<std::int64_t>(mine.size()));
+        std::ranges::sort(here);
+        here.erase(std::unique(here.begin(), here.end()), here.end());
+        joints_.push_back(
+            {static_cast<std::int32_t>(key >> 32U), static_cast<std::int32_t>(key & 0xFFFFFFFFU) + still_solid, first});
+        for (const std::int32_t four : here) {
+            sides_.push_back({four, joint});
+        }
+        for (std::size_t k = begin; k < end; ++k) {
+            const JointUnit& unit = units_[at(units[k].second)];
+            for (std::int32_t slot = unit.first_slot; slot < unit.first_slot + unit.own_count + unit.other_count;
+                 ++slot) {
+                const auto place = std::ranges::lower_bound(here, slots_[at(slot)].four) - here.begin();
+                slots_[at(slot)].side = first + static_cast<std::int32_t>(place);
+            }
+        }
     }
-    entries_.resize(at(begin_.back()));
-    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain,
-                              [&](std::int64_t i) { std::ranges::copy(met[at(i)], entries_.begin() + begin_[at(i)]); });
 }
 
-void JointPairs::find_who_is_at_joints() {
-    is_at_joint_.resize(members_.size());
-    parallel::for_each_uneven(static_cast<std::int64_t>(members_.size()), grain, [&](std::int64_t i) {
-        bool is_at_joint = members_[at(i)].is_loose;
-        if (!is_at_joint) {
-            for_each_met(at(i), [&](std::size_t four, const JointFour& near) {
-                for (std::uint32_t left = bits_of(near.is_there); left != 0; left &= left - 1) {
-                    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
-                    is_at_joint = is_at_joint || fours_[four].partner[lane] != still_solid;
-                }
-            });
-        }
-        is_at_joint_[at(i)] = is_at_joint ? 1 : 0;
-    });
+void JointPairs::list_slots_of_fours() {
+    first_of_four_.assign(fours_.size() + 1, 0);
+    for (const JointSlot& slot : slots_) {
+        ++first_of_four_[at(slot.four) + 1];
+    }
+    for (std::size_t k = 0; k < fours_.size(); ++k) {
+        first_of_four_[k + 1] += first_of_four_[k];
+    }
+    slots_of_fours_.resize(slots_.size());
+    std::vector<std::int32_t> next(first_of_four_.begin(), first_of_four_.end() - 1);
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+        slots_of_fours_[at(next[at(slots_[k].four)]++)] = static_cast<std::int32_t>(k);
+    }
 }
 
 void JointPairs::update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
                         const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings) {
-    const double reach = JointKernel::reach(settings);
-    nearest_ = fluid::NearestImage(settings.domain);
-    is_periodic_ = std::ranges::find(settings.domain.is_periodic, true) != settings.domain.is_periodic.end();
-    square_of_reach_ = reach * reach;
-    square_of_support_ = settings.support_radius() * settings.support_radius();
+    const std::span<const Vec3> places = std::span(walls.position).first(at(near.size()));
+    const fluid::Box box = fluid::box_of(places);
+    fixed_ = fluid::FixedPoint({JointKernelLimits(settings).reach, settings.domain}, max(box.high - box.low, Vec3{}));
     const bool is_kept = is_up_to_date(near, solids, motion, walls, settings.spacing);
     if (!is_kept) {
         find_members(near, solids, walls, settings);
     }
-    place_samples(near, motion, walls);
+    place_fours<float>(fours_, near, motion, walls, fixed_, placed_);
     if (!is_kept) {
-        find_pairs(settings);
+        find_pairs(walls, settings);
         posed_at_ = motion.pose;
     }
-    find_who_is_at_joints();
 }
 
 std::size_t JointPairs::bytes() const {
-    return bytes_of(members_, fours_, is_at_joint_, begin_, entries_, paired_at_, posed_at_);
+    return bytes_of(fours_, placed_, joints_, sides_, units_, slots_) +
+           bytes_of(met_, joined_, first_of_four_, slots_of_fours_, paired_at_, posed_at_);
 }
 
 }  // namespace riprap::coupling

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "riprap/core/index.hpp"
-#include "riprap/coupling/joints/joint_kernel.hpp"
+#include "riprap/coupling/joints/placed_fours.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/box_tree.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::coupling {
@@ -23,133 +21,117 @@ struct JointSolids {
     std::span<const std::uint8_t> is_loose;  ///< per body: forces move it, now or once it is released
 };
 
-/// A sample that may meet those of another solid: all of loose bodies, and of others those near a loose one.
-struct JointMember {
-    std::int32_t sample;
-    std::int32_t solid;  ///< number of the body, or still_solid
-    bool is_loose;
+/// A joint: all that a loose solid shares with another loose one, or with everything that is not loose. Where a floor
+/// meets a wall water goes on.
+struct Joint {
+    std::int32_t high, low;   ///< partners, the higher first; still_solid: all that is not loose
+    std::int32_t first_side;  ///< of JointPairs::sides; the last one is before the first of the next joint
 };
-inline constexpr std::int32_t still_solid = -1;
+/// Four samples that may have part in a joint.
+struct JointSide {
+    std::int32_t four;   ///< number in JointPairs::fours
+    std::int32_t joint;  ///< number in JointPairs::joints
+};
 
-/// Joints are between a loose solid and another, or all that is not loose: where a floor meets a wall water goes on.
-inline std::int32_t partner_of(const JointMember& member) { return member.is_loose ? member.solid : still_solid; }
+/// A four as one of a unit.
+struct JointSlot {
+    std::int32_t four;
+    std::int32_t unit;   ///< number in JointPairs::units
+    std::int32_t side;   ///< number in JointPairs::sides; -1 where the unit is of no joint
+    std::uint8_t lanes;  ///< a bit for each sample of the solid
+};
+/// A pair of fours, by their places among the slots of a unit: those of the own solid, and those of the other.
+struct JointEntry {
+    std::uint32_t both;
+    std::uint32_t own() const { return both >> 25U; }
+    std::uint32_t other() const { return both & 0x1FFFFFFU; }
+};
+/// Fours of a solid that follow each other, and all of another solid near them: what is summed in one go. Where units
+/// are cut depends on the numbers of samples alone.
+struct JointUnit {
+    std::int32_t own_solid, other_solid;  ///< the higher one, and the lower one
+    std::int32_t joint;                   ///< number in JointPairs::joints; -1: neither solid is loose
+    std::int32_t first_slot, own_count, other_count;
+    std::int64_t first_met, first_joined;  ///< entries, up to the first ones of the next unit
+};
 
-/// Share of what is open at a wall that moving water fills with particles, at least.
-inline constexpr double well_filled = 0.85;
-
-/// Which samples of different solids are within JointKernel::reach of each other. Listed with a skin and kept while no
-/// sample has moved half of it; what is handed out is chosen from the list by the distance at hand, and comes in fours
-/// of samples by their numbers, so nothing depends on when it was listed.
+/// Which samples of different solids are within JointKernel::reach of each other, four by four, each pair of them once.
+/// Listed with a skin and kept while no sample has moved half of it. Sums add zero for pairs that are listed in vain,
+/// in an order that is that of the samples, so nothing depends on when the list was made.
 class JointPairs {
  public:
     /// Reach of the search for members about loose bodies; periods of the domain must be at least twice that [m].
     /// @param has_driven  some body is driven: what it shuts off is looked for too
     static double reach(const fluid::ParticleSettings& settings, bool has_driven);
 
-    /// Brings members and pairs up to date with where samples are.
+    /// Brings fours and pairs up to date with where samples are.
     void update(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
                 const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings);
     /// Call where `near` is no longer the same.
     void forget() { paired_at_.clear(); }
 
-    /// Ascending by sample; some are there for the skin only.
-    const std::vector<JointMember>& members() const { return members_; }
-    /// Tells whether member i is of a loose body or meets one. Others have no part in joints but shut off what these
-    /// see.
-    bool is_at_joint(std::size_t i) const { return is_at_joint_[i] != 0; }
-    JointSelf self(std::size_t i) const {
-        const auto sample = at(members_[i].sample);
-        const SampleFour& four = fours_[sample / four_size];
-        const std::size_t lane = sample % four_size;
-        return {four.place.lane(lane), four.normal.lane(lane), four.depth[static_cast<std::int64_t>(lane)]};
-    }
-    double volume(std::size_t i) const {
-        const auto sample = at(members_[i].sample);
-        return fours_[sample / four_size].volume[static_cast<std::int64_t>(sample % four_size)];
-    }
-    /// All samples, those that are no members among them.
-    const std::vector<SampleFour>& fours() const { return fours_; }
+    /// Samples that may meet those of another solid, in fours: all of loose bodies, and of others those near a loose
+    /// one. Ascending; some are there for the skin only.
+    const std::vector<JointFour>& fours() const { return fours_; }
+    const std::vector<PlacedFour<float>>& placed() const { return placed_; }
+    const fluid::FixedPoint& fixed() const { return fixed_; }
 
-    /// Tells whether member i may meet one of some members of other solids.
-    /// @param chosen  of each four, a bit for each of those in it
-    bool may_meet(std::size_t i, std::span<const std::uint8_t> chosen) const {
-        return std::ranges::any_of(entries_of(i),
-                                   [&](std::uint32_t entry) { return (met_of(entry) & chosen[four_of(entry)]) != 0; });
+    const std::vector<Joint>& joints() const { return joints_; }
+    std::span<const JointSide> sides() const { return sides_; }
+    std::span<const JointSide> sides_of(std::size_t joint) const {
+        const std::size_t end = joint + 1 < joints_.size() ? at(joints_[joint + 1].first_side) : sides_.size();
+        return std::span(sides_).subspan(at(joints_[joint].first_side), end - at(joints_[joint].first_side));
     }
-    /// f(number of the four, near) for all fours with members of other solids within JointKernel::reach of member i,
-    /// ascending; faces that look at each other are not told of.
-    template <class F>
-    void for_each_met(std::size_t i, const F& f) const {
-        const Vec3 place = self(i).place;
-        for (const std::uint32_t entry : entries_of(i)) {
-            const std::size_t four = four_of(entry);
-            JointFour near = look(place, fours_[four]);
-            near.is_there = mask_of(met_of(entry)) & (near.square < Four(square_of_reach_));
-            f(four, near);
-        }
+    /// Ascending by own solid, number of the first sample and other solid.
+    const std::vector<JointUnit>& units() const { return units_; }
+    const std::vector<JointSlot>& slots() const { return slots_; }
+    /// Slots of a four, in the order of the units.
+    std::span<const std::int32_t> slots_of(std::size_t four) const {
+        return std::span(slots_of_fours_)
+            .subspan(at(first_of_four_[four]), at(first_of_four_[four + 1] - first_of_four_[four]));
     }
-    /// The same, but only for those within the support of each other or with opposite faces: half of
-    /// them. No other pair is part of a joint.
-    template <class F>
-    void for_each_joined(std::size_t i, const JointSelf& self, const F& f) const {
-        for (const std::uint32_t entry : entries_of(i)) {
-            if (joined_of(entry) == 0) {
-                continue;
-            }
-            const std::size_t four = four_of(entry);
-            JointFour near = look(self.place, fours_[four]);
-            near.are_facing = dot(Four3(self.normal), fours_[four].normal) < Four(-0.5);
-            near.is_there = mask_of(joined_of(entry)) & (near.square < Four(square_of_reach_)) &
-                            ((near.square < Four(square_of_support_)) | near.are_facing);
-            if (bits_of(near.is_there) != 0) {
-                f(four, near);
-            }
-        }
+    /// Pairs that may be within JointKernel::reach of each other, ascending.
+    std::span<const JointEntry> met(std::size_t unit) const {
+        return entries_of(met_, units_[unit].first_met,
+                          unit + 1 < units_.size() ? units_[unit + 1].first_met : std::ssize(met_));
     }
+    /// Those of them that may be within the support or have opposite faces: half of them. No other pair is part of a
+    /// joint.
+    std::span<const JointEntry> joined(std::size_t unit) const {
+        return entries_of(joined_, units_[unit].first_joined,
+                          unit + 1 < units_.size() ? units_[unit + 1].first_joined : std::ssize(joined_));
+    }
+    /// Tells whether a solid of which some samples are here is driven: neither still nor loose.
+    bool has_driven() const { return has_driven_; }
     std::size_t bytes() const;
 
  private:
-    // An entry of a list: the number of a four, which of it are met, skin included, and which may be joined.
-    static std::uint32_t entry_of(std::size_t sample, bool may_join) {
-        const std::uint32_t bit = 1U << (sample % four_size);
-        return static_cast<std::uint32_t>(sample / four_size) << 8U | bit << 4U | (may_join ? bit : 0);
-    }
-    static std::size_t four_of(std::uint32_t entry) { return entry >> 8U; }
-    static std::uint32_t met_of(std::uint32_t entry) { return entry >> 4U & 15U; }
-    static std::uint32_t joined_of(std::uint32_t entry) { return entry & 15U; }
+    struct Search;
 
-    std::span<const std::uint32_t> entries_of(std::size_t i) const {
-        return std::span(entries_).subspan(at(begin_[i]), at(begin_[i + 1] - begin_[i]));
-    }
-    JointFour look(const Vec3& place, const SampleFour& four) const {
-        JointFour near{};
-        near.apart = Four3(place) - four.place;
-        if (is_periodic_) {
-            for (std::size_t lane = 0; lane < four_size; ++lane) {
-                near.apart.set(lane, nearest_(near.apart.lane(lane)));
-            }
-        }
-        near.square = dot(near.apart, near.apart);
-        return near;
+    static std::span<const JointEntry> entries_of(const std::vector<JointEntry>& all, std::int64_t first,
+                                                  std::int64_t end) {
+        return std::span(all).subspan(at(first), at(end - first));
     }
     bool is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
                        const fluid::BoundaryParticles& walls, double spacing) const;
     void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                       const fluid::ParticleSettings& settings);
-    void place_samples(const SampleView& near, const body::Motion& motion, const fluid::BoundaryParticles& walls);
-    void find_pairs(const fluid::ParticleSettings& settings);
-    void find_who_is_at_joints();
+    void find_pairs(const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings);
+    void list_joints();
+    void list_slots_of_fours();
 
-    fluid::NearestImage nearest_{fluid::Domain{}};
-    bool is_periodic_{false};
-    double square_of_reach_{0}, square_of_support_{0};  ///< [m^2]
-    std::vector<JointMember> members_;
-    std::vector<SampleFour> fours_;
-    std::vector<std::uint8_t> is_at_joint_;  ///< of each member
-    std::vector<std::int64_t> begin_;        ///< of each member in entries_, one more at the end
-    std::vector<std::uint32_t> entries_;     ///< ascending
-    std::vector<Vec3> paired_at_;            ///< places of all samples then; empty = nothing found yet [m]
-    std::vector<Pose> posed_at_;             ///< of all bodies then
+    fluid::FixedPoint fixed_;
+    std::vector<JointFour> fours_;
+    std::vector<PlacedFour<float>> placed_;
+    std::vector<Joint> joints_;
+    std::vector<JointSide> sides_;
+    std::vector<JointUnit> units_;
+    std::vector<JointSlot> slots_;
+    std::vector<JointEntry> met_, joined_;
+    std::vector<std::int32_t> first_of_four_, slots_of_fours_;
+    std::vector<Vec3> paired_at_;  ///< places of all samples then; empty = nothing found yet [m]
+    std::vector<Pose> posed_at_;   ///< of all bodies then
+    bool has_driven_{false};
 };
 
 }  // namespace riprap::coupling

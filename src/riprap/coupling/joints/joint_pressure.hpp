@@ -52,10 +52,11 @@ class JointPressure {
     /// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
     /// @param water    at each of `walls`, beginning with those of `near`
     /// @param gravity  [m/s^2]
-    /// @param force    one for each of `near` [N]; empty where nothing is loose or no joint is wet
+    /// @param is_plain  sums in double instead of float
+    /// @param force     one for each of `near` [N]; empty where nothing is loose or no joint is wet
     void find(const SampleView& near, std::span<const Vec3> slopes, const JointSolids& solids,
               const body::Motion& motion, const fluid::BoundaryParticles& walls, const fluid::WaterAtWalls& water,
-              const fluid::ParticleSettings& settings, const Vec3& gravity, std::vector<Vec3>& force);
+              const fluid::ParticleSettings& settings, const Vec3& gravity, bool is_plain, std::vector<Vec3>& force);
 
     /// Call where `near` is no longer the same.
     void forget();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
@@ -19,129 +18,144 @@ constexpr double most_felt = 1.2;
 /// Spacings that a joint opens until water that stands closely before it is no longer crowded but on its way in.
 constexpr double mouth = 0.25;
 
-/// Solids about a member.
-struct Surroundings {
-    Vec3 slope;   ///< G_others [1/m]
-    Vec3 of_gap;  ///< what water between faces adds when it fills that [1/m]
-    double gap;   ///< to the nearest face that looks at it; infinite: none [m]
-};
-
-/// @param others  see JointWater
-Surroundings look_around(const JointPairs& pairs, std::size_t index, const JointSelf& self, const JointKernel& kernel,
-                         std::vector<std::int32_t>& others) {
-    const bool is_loose = pairs.members()[index].is_loose;
-    const Four zero(0);
-    Four3 slope, of_gap;
-    Four gap(std::numeric_limits<double>::infinity());
-    others.clear();
-    const auto meet = [&](std::int32_t partner) {
-        const bool is_joint = is_loose || partner != still_solid;
-        const bool is_last = !others.empty() && others.back() == partner;  // members come solid by solid
-        if (is_joint && !is_last && std::find(others.begin(), others.end(), partner) == others.end()) {
-            others.push_back(partner);
-        }
-    };
-    pairs.for_each_joined(index, self, [&](std::size_t number, const JointFour& near) {
-        const SampleFour& other = pairs.fours()[number];
-        const JointLinks link = kernel.link(near);
-        const Four share = select(near.is_there, other.volume * link.slope, zero);
-        slope = slope + share * link.apart;
-        FourMask is_near = near.is_there & (link.slope < zero);
-        const JointGaps gaps = kernel.gaps(self, other, near);
-        if (gaps.is_any) {
-            const JointLinks touching = kernel.touching(near, gaps);
-            const Four3 change = (other.volume * touching.slope) * touching.apart - share * link.apart;
-            of_gap = of_gap + Four3(select(gaps.are_there, change.x, zero), select(gaps.are_there, change.y, zero),
-                                    select(gaps.are_there, change.z, zero));
-            gap = select(gaps.are_there & (touching.slope < zero), min(gap, max(gaps.width, zero)), gap);
-            is_near = is_near | kernel.do_closed_meet(near, gaps);
-        }
-        std::uint32_t left = bits_of(is_near);
-        if (left != 0 && other.is_of_one_partner()) {
-            meet(other.partner[0]);
-            left = 0;
-        }
-        for (; left != 0; left &= left - 1) {
-            meet(other.partner[static_cast<std::size_t>(__builtin_ctz(left))]);
-        }
-    });
-    return {sum_of(slope), sum_of(of_gap), std::min({gap[0], gap[1], gap[2], gap[3]})};
-}
-
 /// Share of the open surroundings that particles fill. @param open of solids, @param water the same sum over the water
 double covered(const Vec3& open, const Vec3& water) {
     const double square = dot(open, open);
     return square > 0 ? std::max(0.0, -dot(open, water) / square) : 0;
 }
 
-/// Which partners water stands at: loose solids by number + 1, first all others, which are one.
-std::vector<std::uint8_t> find_wet_partners(const JointPairs& pairs, std::size_t bodies,
-                                            const fluid::WaterAtWalls& water) {
-    std::vector<std::uint8_t> is_wet(bodies + 1, 0);
-    for (const JointMember& member : pairs.members()) {
-        if (water.weight[at(member.sample)] > 0) {
-            is_wet[at(partner_of(member) + 1)] = 1;
-        }
+/// Of each four a bit for each sample that is loose or within reach of a loose one. Others have no part in joints but
+/// shut off what these see; there are none without driven solids.
+template <class Real>
+std::vector<std::uint8_t> find_who_is_at_joints(const JointPairs& pairs, const JointSums<Real>& sums) {
+    std::vector<std::uint8_t> bits(pairs.fours().size(), pairs.has_driven() ? 0 : 15);
+    if (!pairs.has_driven()) {
+        return bits;
     }
-    return is_wet;
-}
-
-/// Of each four a bit for each member whose partner is wet.
-std::vector<std::uint8_t> find_wet_members(const JointPairs& pairs, std::span<const std::uint8_t> is_partner_wet) {
-    std::vector<std::uint8_t> wet(pairs.fours().size(), 0);
-    parallel::for_each(static_cast<std::int64_t>(wet.size()), [&](std::int64_t number) {
-        const SampleFour& four = pairs.fours()[at(number)];
-        for (std::size_t lane = 0; lane < four_size; ++lane) {
-            const bool is_wet = four.member[lane] >= 0 && is_partner_wet[at(four.partner[lane] + 1)] != 0;
-            wet[at(number)] = static_cast<std::uint8_t>(wet[at(number)] | (is_wet ? 1U << lane : 0U));
+    std::vector<std::uint32_t> reached(pairs.slots().size());
+    parallel::for_each_uneven(std::ssize(pairs.units()), 1, [&](std::int64_t number) {
+        const JointUnit& unit = pairs.units()[at(number)];
+        const auto slots = std::span(reached).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count));
+        if (unit.joint >= 0) {
+            sums.reach(at(number), slots);
         }
     });
-    return wet;
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+        unsigned all = 0;
+        for (const std::int32_t slot : pairs.slots_of(k)) {
+            all |= reached[at(slot)];
+        }
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            all |= pairs.fours()[k].is_loose[lane] != 0 ? 1U << lane : 0U;
+        }
+        bits[k] = static_cast<std::uint8_t>(all);
+    }
+    return bits;
 }
 
 }  // namespace
 
-void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                      const body::Motion& motion, const fluid::WaterAtWalls& water,
-                      const fluid::ParticleSettings& settings, std::vector<JointWater>& found) {
-    const std::vector<JointMember>& members = pairs.members();
-    const JointKernel kernel(settings);
-    found.resize(members.size());
-    const std::vector<std::uint8_t> is_partner_wet = find_wet_partners(pairs, motion.pose.size(), water);
-    const std::vector<std::uint8_t> are_wet = find_wet_members(pairs, is_partner_wet);
-    parallel::for_each_uneven(static_cast<std::int64_t>(members.size()), grain, [&](std::int64_t index) {
-        const JointMember& member = members[at(index)];
-        JointWater& at_member = found[at(index)];
-        // Where both sides are dry, all of the rim is, and the joint presses nothing apart.
-        at_member.may_be_there = pairs.is_at_joint(at(index)) && (is_partner_wet[at(partner_of(member) + 1)] != 0 ||
-                                                                  pairs.may_meet(at(index), are_wet));
-        if (!at_member.may_be_there) {
-            at_member.weight = 0;
-            at_member.dry_share = 1;
-            at_member.others.clear();
+WetSolids find_wet_solids(const JointPairs& pairs, std::size_t bodies, const fluid::WaterAtWalls& water) {
+    WetSolids found;
+    found.is_wet.assign(bodies + 1, 0);
+    found.is_wet_partner.assign(bodies + 1, 0);
+    for (const JointFour& four : pairs.fours()) {
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            if (four.has(lane) && water.weight[four.sample(lane)] > 0) {
+                found.is_wet[WetSolids::entry(four.solid[lane])] = 1;
+                found.is_wet_partner[WetSolids::entry(four.partner(lane))] = 1;
+            }
+        }
+    }
+    found.meets_wet = found.is_wet;
+    for (const JointUnit& unit : pairs.units()) {
+        const std::size_t own = WetSolids::entry(unit.own_solid), other = WetSolids::entry(unit.other_solid);
+        found.meets_wet[own] |= found.is_wet[other];
+        found.meets_wet[other] |= found.is_wet[own];
+    }
+    return found;
+}
+
+template <class Real>
+void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
+                      std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
+                      const fluid::ParticleSettings& settings, const WetSolids& wet,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
+                      std::vector<JointWater>& found) {
+    const auto meets_wet = [&](std::int32_t solid) {
+        return solid != no_solid && wet.meets_wet[WetSolids::entry(solid)] != 0;
+    };
+    const std::vector<std::uint8_t> are_at_joints = find_who_is_at_joints(pairs, sums);
+    around.resize(pairs.slots().size());
+    is_seen.resize(pairs.units().size());
+    parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
+        const JointUnit& unit = pairs.units()[at(number)];
+        is_seen[at(number)] =
+            !pairs.joined(at(number)).empty() && (meets_wet(unit.own_solid) || meets_wet(unit.other_solid)) ? 1 : 0;
+        if (is_seen[at(number)] != 0) {
+            sums.look_around(at(number),
+                             std::span(around).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count)));
+        }
+    });
+    found.resize(four_size * pairs.fours().size());
+    parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t number) {
+        const JointFour& four = pairs.fours()[at(number)];
+        std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(four_size) * number, four_size, JointWater{});
+        if (std::ranges::none_of(four.solid, meets_wet)) {
             return;
         }
-        const JointSelf self = pairs.self(at(index));
-        const Surroundings around = look_around(pairs, at(index), self, kernel, at_member.others);
-        const auto sample = at(member.sample);
-        const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
-        const Vec3 &own = slopes[near.number(sample)], &n = self.normal, &of_water = water.slope[sample];
-        const Vec3 open = (member.solid == still_solid ? own : rotate(turn, own)) + around.slope;
-        at_member.rim = open - dot(open, n) * n;
-        at_member.covered = covered(at_member.rim, of_water);
-        // All that is not solid is open to the first layer; deeper ones see that layer end behind them as well.
-        const bool is_first = near.depth(sample) < settings.spacing;
-        const double filled = dot(of_water, n), room = is_first ? -dot(open, n) : dot(around.of_gap, n);
-        at_member.dry_share = room > 0 && filled > 0 ? std::max(0.0, 1 - filled / room) : 1;
+        std::array<Four<Real>, 4> all{};
+        Four<Real> gap;
+        gap.fill(sums.far());
+        for (const std::int32_t slot : pairs.slots_of(at(number))) {
+            if (is_seen[at(pairs.slots()[at(slot)].unit)] == 0) {
+                continue;
+            }
+            const AroundSlot<Real>& part = around[at(slot)];
+            for (std::size_t k = 0; k < 4; ++k) {
+                for (std::size_t lane = 0; lane < four_size; ++lane) {
+                    all[k][lane] += part.sums[k][lane];
+                }
+            }
+            for (std::size_t lane = 0; lane < four_size; ++lane) {
+                gap[lane] = std::min(gap[lane], part.gap[lane]);
+            }
+        }
+        for (std::size_t lane = 0; lane < four_size; ++lane) {
+            JointWater& here = found[at(number) * four_size + lane];
+            if (!meets_wet(four.solid[lane]) || (are_at_joints[at(number)] >> lane & 1U) == 0) {
+                continue;
+            }
+            const std::size_t sample = four.sample(lane);
+            const Quat& turn = motion.pose[at(near.body(sample).value)].orientation;
+            const Vec3 &own = slopes[near.number(sample)], &of_water = water.slope[sample];
+            const Vec3 others{all[0][lane], all[1][lane], all[2][lane]}, n = rotate(turn, near.normal(sample));
+            const Vec3 open = (four.solid[lane] == still_solid ? own : rotate(turn, own)) + others;
+            here.rim = open - dot(open, n) * n;
+            here.covered = covered(here.rim, of_water);
+            // All that is not solid is open to the first layer; deeper ones see that layer end behind them as well.
+            here.is_first = near.depth(sample) < settings.spacing;
+            const double filled = dot(of_water, n), room = here.is_first ? -dot(open, n) : double{all[3][lane]};
+            here.dry_share = room > 0 && filled > 0 ? std::max(0.0, 1 - filled / room) : 1;
 
-        const double share = covered(open, of_water);  // q
-        const double ragged = std::max(0.0, (well_filled - share) / (1 - well_filled));
-        const double crowding = (std::clamp(share, well_filled, most_felt) - 1) * std::max(0.0, 1 - ragged);
-        const double trust = 1 - at_member.dry_share * std::min(1.0, around.gap / (mouth * settings.spacing));
-        at_member.felt = (1 + trust * crowding) * water.pressure[sample];
-        at_member.weight =
-            is_first ? pairs.volume(at(index)) * dot(open, open) * std::min(1.0, share / well_filled) : 0;
+            const double share = covered(open, of_water);  // q
+            const double ragged = std::max(0.0, (well_filled - share) / (1 - well_filled));
+            const double crowding = (std::clamp(share, well_filled, most_felt) - 1) * std::max(0.0, 1 - ragged);
+            const double trust = 1 - here.dry_share * std::min(1.0, gap[lane] / (mouth * settings.spacing));
+            here.felt = (1 + trust * crowding) * water.pressure[sample];
+            here.weight =
+                here.is_first ? near.volume(sample) * dot(open, open) * std::min(1.0, share / well_filled) : 0;
+        }
     });
 }
+
+template void find_joint_water(const JointPairs&, const JointSums<float>&, const SampleView&, std::span<const Vec3>,
+                               const body::Motion&, const fluid::WaterAtWalls&, const fluid::ParticleSettings&,
+                               const WetSolids&, std::vector<AroundSlot<float>>&, std::vector<std::uint8_t>&,
+                               std::vector<JointWater>&);
+template void find_joint_water(const JointPairs&, const JointSums<double>&, const SampleView&, std::span<const Vec3>,
+                               const body::Motion&, const fluid::WaterAtWalls&, const fluid::ParticleSettings&,
+                               const WetSolids&, std::vector<AroundSlot<double>>&, std::vector<std::uint8_t>&,
+                               std::vector<JointWater>&);
 
 }  // namespace riprap::coupling

@@ -5,29 +5,46 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/joints/joint_pairs.hpp"
+#include "riprap/coupling/joints/joint_sums.hpp"
 
 namespace riprap::coupling {
 
-/// Water about a member of a joint (docs/theory/coupling.md, 6). G_own, G_others and G_water are the sums
-/// of V grad W over its own solid, over others and of V B grad W over the water.
+/// Water about a sample at a joint (docs/theory/coupling.md, 6). G_own, G_others and G_water are the sums of V grad W
+/// over its own solid, over others and of V B grad W over the water.
 struct JointWater {
-    bool may_be_there{false};  ///< some joint about the member may hold water; else nothing below is found
-    Vec3 rim;                  ///< t, the part of G_own + G_others along the face [1/m]
-    double covered;            ///< -t . G_water/t^2, how much of what is open along the face is water; no less than 0
-    double dry_share;          ///< u, how much of the room in the joint water has left, 0 to 1
-    double felt;               ///< what a wall feels of the water there [Pa]
-    double weight;             ///< of that in means [m^(D-2)]; 0 = nothing is felt
-    std::vector<std::int32_t> others;  ///< loose solids that it shares a joint with, still_solid for all others
+    Vec3 rim{};            ///< t, the part of G_own + G_others along the face [1/m]
+    double covered{0};     ///< -t . G_water/t^2, how much of what is open along the face is water; no less than 0
+    double dry_share{1};   ///< u, how much of the room in the joint water has left, 0 to 1
+    double felt{0};        ///< what a wall feels of the water there [Pa]
+    double weight{0};      ///< of that in means [m^(D-2)]; 0 = nothing is felt
+    bool is_first{false};  ///< of the first layer of its solid
 };
 
-/// Finds the water about all members; nothing for those that are not at a joint, or only at such between solids that no
-/// water stands at.
-/// @param slopes    of solid_slopes, for each sample of the set that `near` looks at
-/// @param water     at each sample of `near`
-/// @param found  receives one for each member; its memory is reused
-void find_joint_water(const JointPairs& pairs, const SampleView& near, std::span<const Vec3> slopes,
-                      const body::Motion& motion, const fluid::WaterAtWalls& water,
-                      const fluid::ParticleSettings& settings, std::vector<JointWater>& found);
+/// What water stands at.
+struct WetSolids {
+    std::vector<std::uint8_t> is_wet;          ///< each solid, from still_solid on
+    std::vector<std::uint8_t> is_wet_partner;  ///< each partner of joints, likewise
+    std::vector<std::uint8_t> meets_wet;       ///< each solid that is wet or near a wet one
+
+    static std::size_t entry(std::int32_t solid) { return at(solid - still_solid); }
+};
+WetSolids find_wet_solids(const JointPairs& pairs, std::size_t bodies, const fluid::WaterAtWalls& water);
+
+/// Finds the water about all members that are at a joint; nothing for others, and for those of solids that water stands
+/// neither at nor near: where all of these are dry, all of the rim is, and the joint presses nothing apart.
+/// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
+/// @param water    at each sample of `near`
+/// @param around   receives one for each slot of each unit that is looked at
+/// @param is_seen  receives for each unit whether it is
+/// @param found    receives one for each sample of each of pairs.fours(); its memory is reused
+template <class Real>
+void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
+                      std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
+                      const fluid::ParticleSettings& settings, const WetSolids& wet,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
+                      std::vector<JointWater>& found);
+
+/// Share of what is open at a wall that moving water fills with particles, at least.
+inline constexpr double well_filled = 0.85;
 
 }  // namespace riprap::coupling

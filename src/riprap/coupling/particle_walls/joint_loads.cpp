@@ -2,10 +2,12 @@
 #include "riprap/coupling/particle_walls/joint_loads.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
+#include "riprap/coupling/joints/joint_kernel.hpp"
 #include "riprap/coupling/joints/joint_pairs.hpp"
 #include "riprap/coupling/joints/solid_slopes.hpp"
 #include "riprap/coupling/particle_walls/particle_scratch.hpp"
@@ -18,6 +20,11 @@ namespace {
 bool is_face_of(const ParticleFluid& water, std::span<const std::uint8_t> chosen, std::size_t sample) {
     const SampleSet& samples = water.samples;
     return chosen[at(samples.body[sample].value)] != 0 && samples.depth[sample] < water.settings().spacing;
+}
+
+/// Tells whether sums over pairs are in double.
+bool has_plain_sums(const ParticleFluid& water) {
+    return std::visit([](const auto& scheme) { return scheme.is_plain; }, water.scheme);
 }
 
 /// Slopes of all samples, once.
@@ -49,7 +56,7 @@ double reach_of_joints(const ParticleFluid& water, const body::BodySet& bodies,
     for (std::size_t b = 0; b < is_loose.size(); ++b) {
         has_driven = has_driven || (bodies.drive[b] == body::Drive::driven && is_loose[b] == 0);
     }
-    return (has_driven ? 2 : 1) * JointKernel::reach(water.settings());
+    return (has_driven ? 2 : 1) * JointKernelLimits(water.settings()).reach;
 }
 
 void add_joint_loads(const ParticleFluid& water, ParticleScratch& scratch, const Vec3& gravity) {
@@ -62,7 +69,8 @@ void add_joint_loads(const ParticleFluid& water, ParticleScratch& scratch, const
     scratch.scheme->describe_walls(gravity, joints.water);
     const SampleView near = SampleView(water.samples, scratch.near_numbers);
     joints.pressure.find(near, joints.slopes, {scratch.bodies.is_still, scratch.bodies.is_loose}, scratch.motion,
-                         scratch.walls, joints.water, water.settings(), gravity, joints.sample_force);
+                         scratch.walls, joints.water, water.settings(), gravity, has_plain_sums(water),
+                         joints.sample_force);
     if (joints.sample_force.empty()) {
         return;
     }
