@@ -89,7 +89,7 @@ class CellOrder {
         }
         return cell;
     }
-    /// How many of the `most` cells from `cell` on have keys below `key`; beyond the last cell none has.
+    /// Counts those of the `most` cells from `cell` on that have keys below `key`; beyond the last cell none has.
     template <int most>
     std::size_t count_cells(std::size_t cell, std::uint64_t key) const {
         std::size_t count = 0;

@@ -95,7 +95,7 @@ class JointPairs {
         return entries_of(met_, units_[unit].first_met,
                           unit + 1 < units_.size() ? units_[unit + 1].first_met : std::ssize(met_));
     }
-    /// Those of them that may be within the support or have opposite faces: half of them. No other pair is part of a
+    /// Lists those of them that may be within the support or have opposite faces: half. No other pair is part of a
     /// joint.
     std::span<const JointEntry> joined(std::size_t unit) const {
         return entries_of(joined_, units_[unit].first_joined,

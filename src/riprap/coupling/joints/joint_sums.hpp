@@ -20,7 +20,7 @@ struct AroundSlot {
     Four<Real> gap{};                  ///< to the nearest face that looks at it, or `far` [m]
     std::uint32_t meets{0};            ///< a bit for each sample that shares a joint with the other solid
 };
-/// What four samples feel of the water.
+/// Holds what four samples feel of the water.
 template <class Real>
 struct FeltFour {
     Four<Real> weight{}, felt{};  ///< see JointWater

@@ -20,7 +20,7 @@ struct JointWater {
     bool is_first{false};  ///< of the first layer of its solid
 };
 
-/// What water stands at.
+/// Marks the solids that water stands at.
 struct WetSolids {
     std::vector<std::uint8_t> is_wet;          ///< each solid, from still_solid on
     std::vector<std::uint8_t> is_wet_partner;  ///< each partner of joints, likewise

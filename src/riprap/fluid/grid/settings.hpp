@@ -47,8 +47,8 @@ struct Side {
     Vec3 velocity{};          ///< of a wall, along itself [m/s]
     double open_fraction{0};  ///< water fraction of what comes in through an open side [-]
     double pressure{0};       ///< on an open side; at its still level where it has one [Pa]
-    /// What comes in through an open side was at rest far out: it has lost rho u^2/2 of that pressure, and brings no
-    /// velocity along the side. Else it moves as what is inside does, which feeds vortices that reach the side.
+    /// Says that what comes in through an open side was at rest far out: it has lost rho u^2/2 of that pressure, and
+    /// brings no velocity along the side. Else it moves as what is inside does, which feeds vortices at the side.
     bool is_from_rest{true};
     /// Level along axis `up` of water at rest beyond an open side [m]; it comes in below the level, air above.
     std::optional<double> still_level{};
