@@ -113,6 +113,17 @@ TEST_F(Mishaps, CheckTellsARefusalWhereRefusalsAreTold) {
     EXPECT_THAT(ending.out, Not(HasSubstr("refused")));
 }
 
+TEST_F(Mishaps, AnAdviceIsAboutTheReasonOfTheRefusal) {
+    const std::string file = write_case("unsolved.toml", pool("0.05"));
+    const Ending unsolved = run({"run", file, "--out", out("a"), "--set", "fluid.method=\"mps\"", "--set",
+                                 "fluid.max_iterations=1", "--set", "fluid.tolerance=1e-12"});
+    EXPECT_EQ(unsolved.code, 4);
+    EXPECT_THAT(unsolved.err, HasSubstr("after 1 iterations, residual "));
+    EXPECT_THAT(unsolved.err, HasSubstr("; more fluid.max_iterations or a larger fluid.tolerance; "));
+    EXPECT_THAT(unsolved.err, Not(HasSubstr("leaves the domain")));
+    EXPECT_THAT(unsolved.err, Not(HasSubstr("usually helps")));
+}
+
 TEST_F(Mishaps, AGaugeAlongALineWithoutEndIsRefusedAndALongOneHoldsNothingUp) {
     const std::string gauge = "[[output.gauge]]\nname = 'g'\nkind = 'surface'\npoint = [0.5, 0.2]\nend = ";
     const std::string endless = write_case("endless.toml", pool("0.05", gauge + "[1e300, 1e300]\n"));

@@ -176,7 +176,8 @@ TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_
                 ElementsAre(HasSubstr("'restitution' of material 'ice' does nothing here")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"),
                        {"solid.tangential_law=\"tanh\"", "material.ice.cohesion=5.0", "material.rock.torsion=false"}),
-                ElementsAre(HasSubstr("'cohesion' of material 'ice' does nothing here: solid.method "
+                ElementsAre(HasSubstr("'cohesion_mixing' of [contact] does nothing here"),
+                            HasSubstr("'cohesion' of material 'ice' does nothing here: solid.method "
                                       "\"distance_potential_dem\" does not read it with these settings")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {}), IsEmpty());
     // A value that is the default says nothing that could be lost.
@@ -233,6 +234,20 @@ TEST(MaterialKeys, do_not_ask_for_the_mixing_of_what_the_method_does_not_read) {
 }
 
 std::string without(std::string text, const std::string& line) { return text.erase(text.find(line), line.size()); }
+
+TEST(MaterialKeys, of_mixing_that_the_method_does_not_read_are_told) {
+    const std::vector<std::string> harmonic{"contact.restitution_mixing=\"harmonic\""};
+    EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), harmonic),
+                ElementsAre(HasSubstr("'restitution_mixing' of [contact] does nothing here: solid.method "
+                                      "\"distance_potential_dem\" does not read it; leave it out, or solid.method = "
+                                      "\"sphere_dem\"")));
+    EXPECT_THAT(unread(blocks(false, "sphere_dem"), {"contact.rolling_mixing=\"maximum\""}),
+                ElementsAre(HasSubstr("'rolling_mixing' of [contact] does nothing here: solid.method \"sphere_dem\" "
+                                      "does not read it with these settings; leave it out")));
+    EXPECT_THAT(
+        unread(blocks(false, "sphere_dem"), {"contact.rolling_mixing=\"maximum\"", "solid.rolling=\"constant\""}),
+        IsEmpty());
+}
 
 TEST(MaterialKeys, of_rolling_and_kinetic_friction_are_not_mixed_by_a_rule_that_nobody_gave) {
     const std::string no_rolling = without(blocks(false, "sphere_dem"), "rolling_mixing = \"mean\"\n"),

@@ -142,6 +142,64 @@ void try_every_key(const std::string& side, const Table& table) {
     }
 }
 
+/// A value of the key of a condition under which the condition does not hold; with it what the key is tried with.
+std::vector<std::string> broken(const std::string& side, const KeyCondition& condition, const Key& other,
+                                const Trial& trial) {
+    std::vector<std::string> values = others(other, trial);
+    values.push_back(condition.words.empty() ? fmt::format("{:.1f}", condition.above) : excerpt(*other.otherwise));
+    const auto breaks = [&condition](const std::string& value) {
+        const auto is_value = [&value](std::string_view word) {
+            return value == word || value == fmt::format("\"{}\"", word);
+        };
+        return condition.words.empty() ? value == fmt::format("{:.1f}", condition.above)
+                                       : std::ranges::none_of(condition.words, is_value);
+    };
+    const auto value = std::ranges::find_if(values, breaks);
+    EXPECT_NE(value, values.end()) << condition.key;
+    std::vector<std::string> assignments = trial.with;
+    assignments.push_back(fmt::format("{}.{}={}", side, condition.key, *value));
+    return assignments;
+}
+
+bool is_told(const std::string& text, const std::vector<std::string>& assignments, const std::string& key) {
+    const auto warnings = scene::read_case_text(text, "case.toml", "/nonexistent", assignments).warnings;
+    return std::ranges::any_of(warnings, [&key](const std::string& warning) {
+        return warning.find("'" + key + "' of ") != std::string::npos &&
+               warning.find("does nothing here") != std::string::npos;
+    });
+}
+
+/// Where a condition of a key does not hold, the key changes no result, and a warning says so.
+void try_every_condition(const std::string& side, const Table& table) {
+    for (const std::string_view method : table.methods) {
+        MethodCase one = read_method_case(side, method);
+        const Table part = table.part_of(method);
+        for (const Key& key : part.keys) {
+            for (const KeyCondition& condition : key.conditions) {
+                SCOPED_TRACE(fmt::format("{}, {} with {}", method, key.name, condition.key));
+                const Key* other = part.find(condition.key);
+                ASSERT_NE(other, nullptr);
+                Trial trial = one.trials[std::string(key.name)];
+                const std::string name(key.name), value = others(key, trial).front();
+                const std::string given = fmt::format("{}.{}={}", side, name, value);
+                trial.with.push_back(given);
+                EXPECT_FALSE(is_told(one.text, trial.with, name));
+                std::vector<std::string> without =
+                    broken(side, condition, *other, one.trials[std::string(condition.key)]);
+                std::vector<std::string> with = without;
+                with.push_back(given);
+                EXPECT_TRUE(is_told(one.text, with, name));
+                EXPECT_EQ(result_of(one.text, with, steps), result_of(one.text, without, steps)) << "it acts";
+            }
+        }
+    }
+}
+
+TEST(MethodKeys, whose_condition_does_not_hold_change_nothing_and_are_told) {
+    try_every_condition("solid", scene::solid_table());
+    try_every_condition("fluid", scene::fluid_table());
+}
+
 TEST(MethodKeys, every_key_and_word_of_a_solid_method_changes_the_result) {
     try_every_key("solid", scene::solid_table());
 }

@@ -31,7 +31,8 @@ struct Drops : Particles {
     static MethodKeys<Drops> keys();
     double courant{0.25};
     double tension{0.07};
-    double least{1}, most{2};
+    double least{1}, most{2}, angle{1};
+    bool wets{false};
 };
 
 KeyList<Particles> shared_keys() {
@@ -51,6 +52,9 @@ MethodKeys<Drops> Drops::keys() {
                     KeyList<Drops>{
                         key::number(&Drops::courant, "courant", dimension::plain, key::between(0, 0.3), "Share."),
                         key::number(&Drops::tension, "tension", dimension::plain, key::positive(), "Tension."),
+                        key::boolean(&Drops::wets, "wets", "Wets walls.").read_above("tension", 0.1),
+                        key::number(&Drops::angle, "angle", dimension::plain, key::positive(), "Angle.")
+                            .read_with("wets", {"true"}),
                         key::number(&Drops::least, "least", dimension::plain, key::positive(), "Least."),
                         key::number(&Drops::most, "most", dimension::plain, key::positive(), "Most.")},
             .check = [](const Drops& drops) {
@@ -73,7 +77,7 @@ const Table& table() {
 
 struct Read {
     std::variant<Waves, Drops> settings;
-    std::vector<std::string> problems;
+    std::vector<std::string> problems, warnings;
 };
 
 Read read(const std::string& text) {
@@ -81,7 +85,7 @@ Read read(const std::string& text) {
     std::vector<Diagnostic> problems;
     const Value resolved = check_keys(parse_toml(text, "case.toml", problems), table(), false, problems);
     if (problems.empty()) {
-        out.settings = Methods::read(resolved, problems);
+        out.settings = Methods::read(resolved, "[liquid]", problems, out.warnings);
     }
     for (const Diagnostic& problem : problems) {
         out.problems.push_back(to_string(problem));
@@ -111,6 +115,19 @@ TEST(Methods, a_key_of_a_method_that_is_not_chosen_is_refused_with_place_and_own
                             "\"waves\"; leave it out, or choose that method"));
     EXPECT_THAT(read("method = \"drops\"\nspacing = 0.1\nroom_cm = 3\n").problems,
                 ElementsAre(HasSubstr("case.toml:3:1: 'room_cm' is a key of [liquid] with method = \"waves\"")));
+}
+
+TEST(Methods, a_key_that_is_not_read_beside_others_is_told_with_what_reads_it) {
+    const std::string drops = "method = \"drops\"\nspacing = 0.1\n";
+    EXPECT_THAT(
+        read(drops + "angle = 2\n").warnings,
+        ElementsAre("case.toml:3:9: 'angle' of [liquid] does nothing here: wets is false; leave it out, or wets "
+                    "= true"));
+    EXPECT_THAT(read(drops + "wets = true\nangle = 2\n").warnings,
+                ElementsAre("case.toml:3:8: 'wets' of [liquid] does nothing here: tension is 0.07; leave it out, or "
+                            "tension above 0.1"));
+    EXPECT_THAT(read(drops + "tension = 0.5\nwets = true\nangle = 2\n").warnings, IsEmpty());
+    EXPECT_THAT(read(drops + "angle = 1.0\n").warnings, IsEmpty());  // its default says nothing that could be lost
 }
 
 TEST(Methods, a_key_of_no_method_is_unknown) {
@@ -147,8 +164,9 @@ TEST(Methods, equal_rows_stand_once_and_name_their_methods) {
         }
         rows.push_back(row);
     }
-    EXPECT_THAT(rows, ElementsAre("method", "spacing", "courant waves", "damping waves", "courant drops",
-                                  "tension drops", "least drops", "most drops", "room waves"));
+    EXPECT_THAT(rows,
+                ElementsAre("method", "spacing", "courant waves", "damping waves", "courant drops", "tension drops",
+                            "wets drops", "angle drops", "least drops", "most drops", "room waves"));
 }
 
 TEST(Methods, a_scene_key_that_does_not_exist_is_a_bug_of_the_method) {

@@ -297,6 +297,9 @@ geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const s
         }
         shape.spheres.push_back({{x, y, z}, radius, {}});
     }
+    if (problems.empty() && shape.spheres.empty()) {
+        problems.push_back({name + " lists no sphere", "lines x y z radius in metres"});
+    }
     if (!problems.empty()) {
         return problems;
     }
@@ -306,7 +309,7 @@ geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const s
 geometry::Outcome<Multisphere> checked(Multisphere shape) {
     std::vector<geometry::GeometryProblem> problems;
     if (shape.spheres.empty()) {
-        problems.push_back({"no sphere lies in the shape", "smaller spheres, or a list with at least one"});
+        problems.push_back({"no sphere lies in the shape", "smaller spheres"});
     }
     for (std::size_t i = 0; i < shape.spheres.size(); ++i) {
         const ShapeSphere& s = shape.spheres[i];

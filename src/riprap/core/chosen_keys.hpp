@@ -12,8 +12,8 @@
 
 namespace riprap::key {
 
-/// A word that chooses a law, and the keys of all laws of the list. A key of one law cannot be that of another: a value
-/// given once would reach only one of them.
+/// A word that chooses a law, and the keys of all laws of the list, each read with the word of its law. A key of one
+/// law cannot be that of another: a value given once would reach only one of them.
 /// @param question  what is chosen, without a full stop; the help of the laws follows
 template <class S, class... Laws>
 KeyList<S> chosen(Chosen<Laws...> S::*member, std::string_view name, std::string_view question) {
@@ -33,7 +33,7 @@ KeyList<S> chosen(Chosen<Laws...> S::*member, std::string_view name, std::string
                      }}};
     const auto add_keys_of = [&]<class Law>(const Law* /*law*/) {
         if constexpr (requires { Law::keys(); }) {
-            for (const BoundKey<Law>& key : Law::keys()) {
+            for (const BoundKey<Law>& key : Law::keys().read_with(name, {Law::word})) {
                 if (std::any_of(list.begin(), list.end(),
                                 [&key](const BoundKey<S>& other) { return other.row.name == key.row.name; })) {
                     throw InternalError("two laws of '" + std::string(name) + "' have a key '" +

@@ -51,6 +51,14 @@ using KeyValue = std::variant<std::monostate, bool, std::int64_t, double, Vec3, 
 
 enum class KeyKind : std::uint8_t { boolean, integer, number, choice, vector };
 
+/// A condition under which a key is read: another key of the same method has one of these values.
+struct KeyCondition {
+    std::string_view key;
+    std::vector<std::string_view> words{};  ///< of a choice, or "true" or "false"; none: a number above `above`
+    double above{0};
+    friend bool operator==(const KeyCondition&, const KeyCondition&) = default;
+};
+
 /// Name, meaning and accepted values of a key.
 struct KeyRow {
     std::string_view name;
@@ -60,6 +68,7 @@ struct KeyRow {
     Range range{};                          ///< of numbers, integers and components
     std::vector<std::string_view> words{};  ///< of a choice; of a number the word that stands for no number
     bool is_required{false};
+    std::vector<KeyCondition> conditions{};  ///< the key does nothing unless all hold
 };
 
 /// A key and the member of S that it fills.
@@ -72,6 +81,15 @@ struct BoundKey {
     /// Makes the key one without a default: a case has to give it.
     BoundKey required() && {
         row.is_required = true;
+        return std::move(*this);
+    }
+    /// Makes the key one that is read only where `other` has one of the words, or a number above `above`.
+    BoundKey read_with(std::string_view other, std::vector<std::string_view> words) && {
+        row.conditions.push_back({other, std::move(words)});
+        return std::move(*this);
+    }
+    BoundKey read_above(std::string_view other, double above) && {
+        row.conditions.push_back({other, {}, above});
         return std::move(*this);
     }
     /// Keys of a base fill the base of a derived struct.
@@ -112,6 +130,13 @@ class KeyList {
             first.add(key);
         }
         return first;
+    }
+    /// Adds a condition to every key of the list.
+    KeyList read_with(std::string_view other, const std::vector<std::string_view>& words) && {
+        for (BoundKey<S>& key : keys_) {
+            key.row.conditions.push_back({other, words});
+        }
+        return std::move(*this);
     }
     auto begin() const { return keys_.begin(); }
     auto end() const { return keys_.end(); }

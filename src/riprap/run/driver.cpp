@@ -313,16 +313,14 @@ int Driver::fail(const Progress& progress, const std::string& reason) {
     checkpoint(progress);
     summarise(progress, "failed", reason, simulation_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
+    const bool has_advice = reason.find("; ") != std::string::npos;  // what to change, as in problems with a case
     const char* const advice =
-        model().particles() == nullptr ? "a smaller time_step, a stiffer material or more damping usually helps"
-        : simulation_.fixed_step_problem().empty()
-            ? "water that leaves the domain needs a wall there, or an [[fluid.outflow]] that lets it go and counts it; "
-              "where walls move, the fluid.domain has to hold all of their way; else a smaller fluid.courant or "
-              "fluid.spacing usually helps"
-            : "the water moves faster now than when the case was checked";
+        has_advice                       ? ""
+        : model().particles() == nullptr ? "\n  a smaller time_step, a stiffer material or more damping usually helps"
+        : simulation_.fixed_step_problem().empty() ? "\n  a smaller fluid.courant or fluid.spacing usually helps"
+                                                   : "\n  the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
-        fmt::print(stderr,
-                   "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n  {}\n",
+        fmt::print(stderr, "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}{}\n",
                    tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, reason, state().step,
                    state().time, printable(folder_.checkpoint_latest().string()), advice);
     }

@@ -41,7 +41,7 @@ MethodKeys<DemSettings> DemSettings::keys() {
                "An overlap deeper than this fraction of the inscribed radius ends the run."),
         number(&S::max_speed, "max_speed", dimension::velocity, positive(), "A faster block ends the run.")};
     return {.help = "explicit discrete elements, polyhedra with a distance potential",
-            .keys = within(&S::contact, contact_keys()) +
+            .keys = within(&S::contact, contact_keys()).read_with("contact", {"distance_potential"}) +
                     chosen(&S::friction, "tangential_law", "Tangential law of a contact") + keys};
 }
 

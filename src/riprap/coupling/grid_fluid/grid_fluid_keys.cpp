@@ -20,10 +20,13 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                     "Width of a cell over that of its neighbour nearer to the box of fine_low and fine_high; 1: all "
                     "cells are equal."),
              vector(&S::fine_low, "fine_low", dimension::length, any(),
-                    "Low corner of the box with cells of `spacing`, where others grow."),
-             vector(&S::fine_high, "fine_high", dimension::length, any(), "High corner of that box."),
+                    "Low corner of the box with cells of `spacing`, where others grow.")
+                 .read_above("growth", 1),
+             vector(&S::fine_high, "fine_high", dimension::length, any(), "High corner of that box.")
+                 .read_above("growth", 1),
              number_or(&S::coarsest, "coarsest", "none", dimension::length, positive(),
-                       "Width up to which cells grow; \"none\": any."),
+                       "Width up to which cells grow; \"none\": any.")
+                 .read_above("growth", 1),
              number(&S::rest_density, "density", dimension::density, positive(), "At rest, without pressure."),
              number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
                     "Kinematic viscosity of water."),
@@ -48,7 +51,8 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
              choice(&S::vof, "vof", {{"plic", VofScheme::plic}, {"compressive", VofScheme::compressive}},
                     "Advection of the surface: by planes in cells, or by compressive fluxes."),
              number(&S::compression, "compression", dimension::plain, between(0, 4),
-                    "Strength of the compressive scheme."),
+                    "Strength of the compressive scheme.")
+                 .read_with("vof", {"compressive"}),
              integer(&S::outer_corrections, "outer_corrections", 1, 4,
                      "Passes over transport, momentum and pressure in a step; 2: second order in time."),
              integer(

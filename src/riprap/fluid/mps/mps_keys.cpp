@@ -47,7 +47,8 @@ MethodKeys<MpsSettings> MpsSettings::keys() {
                     number(&S::collision_distance, "collision_distance", dimension::plain, between(0, 1),
                            "Share of the spacing below which particles collide; 0 = off."),
                     number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),
-                           "Speed of separation over speed of approach in such a collision."),
+                           "Speed of separation over speed of approach in such a collision.")
+                        .read_above("collision_distance", 0),
                     number(&S::courant, "courant", dimension::plain, above(0, 1),
                            "Share of the time that the fastest water needs through a spacing that a step may last."),
                     integer(&S::sort_interval, "sort_interval", 1, 1e6,

@@ -18,6 +18,19 @@
 namespace riprap::fluid {
 namespace {
 
+/// What to change where the pressure equation is not solved.
+const char* advice_on(linear::SolveStatus status) {
+    switch (status) {
+        case linear::SolveStatus::too_many_iterations:
+            return "more fluid.max_iterations or a larger fluid.tolerance; a smaller fluid.courant and a larger "
+                   "fluid.spacing need fewer iterations";
+        case linear::SolveStatus::stagnated:
+            return "a larger fluid.tolerance";
+        default:
+            return "a smaller fluid.courant";
+    }
+}
+
 Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
 Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
@@ -179,10 +192,9 @@ void load_walls(const MpsSettings& settings, const ParticleState& state, Boundar
     if (!solve.is_converged()) {
         report.problem = fmt::format(
             "the pressure equation of {} unknowns is not solved at t = {:.6g} s: {} after {} iterations, residual "
-            "{:.3g} where {:.3g} is asked for; a shorter step (fluid.courant), a larger fluid.tolerance or more "
-            "fluid.max_iterations",
+            "{:.3g} where {:.3g} is asked for; {}",
             s.equation.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
-            settings.tolerance);
+            settings.tolerance, advice_on(solve.status));
     }
     load(settings, walls, g, s);
 }

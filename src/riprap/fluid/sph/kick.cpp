@@ -131,6 +131,11 @@ void find_lost_particle(const ParticleSettings& settings, const ParticleState& s
     if (report.problem.empty()) {
         describe(state, first_unsound(state, [&](std::size_t i) { return settings.domain.admits(state.position[i]); }),
                  time, "has left the domain", report);
+        if (!report.problem.empty()) {
+            report.problem +=
+                "; a wall there holds the water, an [[fluid.outflow]] lets it go and counts it, and where "
+                "walls move, fluid.domain has to hold all of their way";
+        }
     }
 }
 

@@ -17,21 +17,28 @@ KeyList<S> scheme_keys() {
                "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. "
                "(2003), density by summation, for comparison: it needs an artificial_alpha of 0.1 or more."),
         choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
-               "Equation of state."),
-        number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Exponent of the Tait equation.")};
+               "Equation of state.")
+            .read_with("scheme", {"delta_sph"}),
+        number(&S::tait_exponent, "tait_exponent", dimension::plain, between(1, 10), "Exponent of the Tait equation.")
+            .read_with("scheme", {"delta_sph"})
+            .read_with("state_equation", {"tait"})};
 }
 
 KeyList<S> particle_order_keys() {
     return {number(&S::density_diffusion, "density_diffusion", dimension::plain, between(0, 1),
-                   "Strength of the diffusion of density."),
+                   "Strength of the diffusion of density.")
+                .read_with("scheme", {"delta_sph"}),
             number(&S::acoustic_damping, "acoustic_damping", dimension::plain, between(0, 1),
-                   "Strength of the bulk viscosity that damps sound inside the water; 0 = off. None without "
-                   "gradient_correction."),
+                   "Strength of the bulk viscosity that damps sound inside the water; 0 = off.")
+                .read_with("scheme", {"delta_sph"})
+                .read_with("gradient_correction", {"true"}),
             boolean(&S::gradient_correction, "gradient_correction",
                     "Inside the water density follows the divergence of velocity, not the arrangement of particles; "
-                    "false for comparison. Laid out for smoothing_ratio = 1.5."),
+                    "false for comparison. Laid out for smoothing_ratio = 1.5.")
+                .read_with("scheme", {"delta_sph"}),
             number(&S::shifting, "shifting", dimension::plain, between(0, 100),
-                   "Strength of the shifting of particles; 0 = off."),
+                   "Strength of the shifting of particles; 0 = off.")
+                .read_with("scheme", {"delta_sph"}),
             number(&S::courant, "courant", dimension::plain, above(0, 1),
                    "Share of the time that sound needs through a smoothing length that a step may last; a warning "
                    "tells where a lattice would be unstable."),

@@ -24,13 +24,15 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                        "Strength of the diffusion of number density."),
                 boolean(&S::diffuses_hydrostatic, "diffuses_hydrostatic",
                         "Diffusion of all of the number density as in the source, not only of what gravity does not "
-                        "explain; still water then creeps."),
+                        "explain; still water then creeps.")
+                    .read_above("density_diffusion", 0),
                 number(&S::shifting, "shifting", dimension::plain, between(0, 10),
                        "Multiple of the shifting of particles of the source; 0 = off."),
                 number(&S::collision_distance, "collision_distance", dimension::plain, between(0, 1),
                        "Share of the spacing below which particles at the surface collide; 0 = off."),
                 number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),
-                       "Speed of separation over speed of approach in such a collision."),
+                       "Speed of separation over speed of approach in such a collision.")
+                    .read_above("collision_distance", 0),
                 number(&S::courant, "courant", dimension::plain, above(0, 1),
                        "Share of the time that sound needs through a spacing that a step may last."),
                 choice(&S::wall_loads, "wall_loads",

@@ -313,7 +313,7 @@ void build_fluid(CaseBuild& build) {
         return;
     }
     build.is_dry.resize(static_cast<std::size_t>(build.model.bodies.size()), 0);  // those of packs say nothing
-    FluidMethods::Settings chosen = FluidMethods::read(*table, build.problems);
+    FluidMethods::Settings chosen = FluidMethods::read(*table, "[fluid]", build.problems, build.warnings);
     std::visit([&](auto& settings) { build_fluid_of(build, *table, settings); }, chosen);
 }
 

@@ -34,34 +34,6 @@ void read_properties(const Value& table, const std::vector<material::PropertyKey
     }
 }
 
-/// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it,
-/// the case must give one.
-/// @param value  of a material, what the rule mixes
-template <class Of>
-Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, const Of& value,
-                   material::Property property, Mixing if_alike = Mixing::minimum) {
-    if (contact.find(key) != nullptr) {
-        return get_word(contact, key, mixing_rules());
-    }
-    if (!sim::reads_property(build.model, property)) {
-        return if_alike;
-    }
-    const Material* first = nullptr;
-    for (const std::int32_t id : build.used_materials) {
-        const Material& other = build.model.materials[MaterialId{id}];
-        if (first == nullptr) {
-            first = &other;
-        } else if (std::invoke(value, *first) != std::invoke(value, other)) {
-            build.problem(
-                contact.place,
-                fmt::format("materials '{}' and '{}' differ, and [contact] lacks '{}'", first->name, other.name, key),
-                "one of \"minimum\", \"maximum\", \"mean\", \"geometric\", \"harmonic\"");
-            break;
-        }
-    }
-    return if_alike;
-}
-
 /// Places of keys with a value that the solid method does not read.
 struct Unread {
     SourcePlace place;  ///< of the first
@@ -105,6 +77,39 @@ void warn_of_unread(CaseBuild& build, std::string_view key, material::Property p
                              fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key,
                                          unread.where, others, method, is_read ? " with these settings" : ""),
                              is_read ? "leave it out" : "leave it out, or solid.method = " + readers}));
+}
+
+/// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it,
+/// the case must give one.
+/// @param value  of a material, what the rule mixes
+template <class Of>
+Mixing mixing_rule(CaseBuild& build, const Value& contact, std::string_view key, const Of& value,
+                   material::Property property, Mixing if_alike = Mixing::minimum) {
+    const bool is_read = sim::reads_property(build.model, property);
+    if (const Value* given = contact.find(key)) {
+        const Mixing rule = get_word(contact, key, mixing_rules());
+        if (!is_read && rule != if_alike) {
+            warn_of_unread(build, key, property, {given->place, "[contact]", 1});
+        }
+        return rule;
+    }
+    if (!is_read) {
+        return if_alike;
+    }
+    const Material* first = nullptr;
+    for (const std::int32_t id : build.used_materials) {
+        const Material& other = build.model.materials[MaterialId{id}];
+        if (first == nullptr) {
+            first = &other;
+        } else if (std::invoke(value, *first) != std::invoke(value, other)) {
+            build.problem(
+                contact.place,
+                fmt::format("materials '{}' and '{}' differ, and [contact] lacks '{}'", first->name, other.name, key),
+                "one of \"minimum\", \"maximum\", \"mean\", \"geometric\", \"harmonic\"");
+            break;
+        }
+    }
+    return if_alike;
 }
 
 void read_pair(CaseBuild& build, const Value& pair) {

@@ -45,7 +45,7 @@ void build_settings(CaseBuild& build) {
     model.time.time_step = step.is_text() ? 0 : step.as_number();
     read_keys(root, time_keys(), model.time);
 
-    model.solid = SolidMethods::read(get(root, "solid"), build.problems);
+    model.solid = SolidMethods::read(get(root, "solid"), "[solid]", build.problems, build.warnings);
 }
 
 }  // namespace riprap::scene

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "riprap/core/key.hpp"
@@ -35,5 +38,29 @@ void read_keys(const Value& table, const KeyList<S>& keys, S& settings) {
         }
     }
 }
+
+/// A key of settings that a case has filled.
+struct FilledKey {
+    KeyRow row;
+    KeyValue value;
+    bool is_default{false};
+};
+
+template <class S>
+std::vector<FilledKey> filled_keys(const KeyList<S>& keys, const S& settings) {
+    const S defaults{};
+    std::vector<FilledKey> filled;
+    for (const BoundKey<S>& key : keys) {
+        const KeyValue value = key.get(settings);
+        filled.push_back({key.row, value, value == key.get(defaults)});
+    }
+    return filled;
+}
+
+/// Warns of keys that have another value than their default while a condition of theirs does not hold.
+/// @param table   resolved, with the places of the values
+/// @param header  "[solid]"
+void warn_of_unread_keys(const Value& table, std::string_view header, std::span<const FilledKey> keys,
+                         std::vector<std::string>& warnings);
 
 }  // namespace riprap::scene

@@ -61,6 +61,7 @@ struct Key {
     /// Words of the methods that have the key, in a table that chooses a method; in any other table, of the solid
     /// methods that read it. Every one when empty.
     std::vector<std::string_view> methods{};
+    std::vector<KeyCondition> conditions{};  ///< the key does nothing unless all hold
     bool is_of(std::string_view word) const;
 };
 

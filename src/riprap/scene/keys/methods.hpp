@@ -28,11 +28,14 @@ struct MethodList<std::variant<S...>> {
 
     static std::vector<Method> all() { return {method<S>()...}; }
 
-    /// The settings of the method that the resolved `table` chooses, and a problem for values that do not go together.
-    static std::variant<S...> read(const Value& table, std::vector<Diagnostic>& problems) {
+    /// The settings of the method that the resolved `table` chooses, a problem for values that do not go together, and
+    /// a warning for values that the method does not read beside others.
+    /// @param header  "[solid]"
+    static std::variant<S...> read(const Value& table, std::string_view header, std::vector<Diagnostic>& problems,
+                                   std::vector<std::string>& warnings) {
         std::variant<S...> settings;
         const std::string& word = get_text(table, "method");
-        ((word == S::method_name && (settings = read_one<S>(table, problems), true)) || ...);
+        ((word == S::method_name && (settings = read_one<S>(table, header, problems, warnings), true)) || ...);
         return settings;
     }
 
@@ -43,10 +46,12 @@ struct MethodList<std::variant<S...>> {
         return {T::method_name, said.help, rows_of(said.keys), said.scene_keys};
     }
     template <class T>
-    static T read_one(const Value& table, std::vector<Diagnostic>& problems) {
+    static T read_one(const Value& table, std::string_view header, std::vector<Diagnostic>& problems,
+                      std::vector<std::string>& warnings) {
         const MethodKeys<T> said = T::keys();
         T settings;
         read_keys(table, said.keys, settings);
+        warn_of_unread_keys(table, header, filled_keys(said.keys, settings), warnings);
         if (said.check != nullptr) {
             for (const KeyProblem& problem : said.check(settings)) {
                 const Value* given = table.find(problem.key);

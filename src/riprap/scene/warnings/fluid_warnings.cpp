@@ -124,8 +124,7 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     }
     build.warnings.emplace_back(
         "scheme = \"muller\" has a state equation of its own and neither diffusion of density, corrected gradients, "
-        "damping of sound nor shifting: state_equation, tait_exponent, density_diffusion, acoustic_damping, "
-        "gradient_correction and shifting do nothing; its energies do not add up, and the ledger ends the run unless "
+        "damping of sound nor shifting; its energies do not add up, and the ledger ends the run unless "
         "output.ledger_tolerance is 1");
     constexpr double least_alpha = 0.1, known_ratio = 1.2;
     const double alpha = sph.viscosity.get<fluid::ArtificialViscosity>().alpha;

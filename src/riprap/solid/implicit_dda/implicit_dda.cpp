@@ -40,8 +40,8 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
         number(&SolveSettings::tolerance, "solver_tolerance", dimension::plain, between(1e-14, 1e-2),
                "Residual of the equations over their right-hand side."),
         number(&SolveSettings::relaxation, "relaxation", dimension::plain,
-               {.low = 0, .high = 2, .is_low_open = true, .is_high_open = true},
-               "Over-relaxation factor of the solver \"sor\".")};
+               {.low = 0, .high = 2, .is_low_open = true, .is_high_open = true}, "Over-relaxation factor.")
+            .read_with("solver", {"sor"})};
     const KeyList<Engine> engine_keys{
         number(&Engine::max_displacement, "max_displacement", dimension::plain, above(0, 1),
                "A step that moves a corner farther than this share of the smallest block is cut."),

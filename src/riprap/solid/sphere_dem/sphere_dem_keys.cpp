@@ -52,21 +52,27 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
         number_or_auto(
             &S::sphere_radius, "sphere_radius", dimension::length, positive(),
             "Radius of the samples, at most half of the least extent of a part. \"auto\": a third of the least "
-            "inscribed radius."),
-        number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies."),
-        number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies."),
-        number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution."),
+            "inscribed radius.")
+            .read_with("spheres", {"surface"}),
+        number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies.")
+            .read_with("normal_law", {"hertz"}),
+        number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies.")
+            .read_with("normal_law", {"hertz"}),
+        number(&S::restitution, "restitution", dimension::plain, above(0, 1), "Coefficient of restitution.")
+            .read_with("contact_ratio", {"auto"}),
         number(&S::rolling_friction, "rolling_friction", dimension::plain, non_negative(),
-               "Coefficient of rolling friction mu_r: limit of the couple, over R* F_n."),
+               "Coefficient of rolling friction mu_r: limit of the couple, over R* F_n.")
+            .read_with("rolling", {"constant", "spring"}),
         number_or_auto(
             &S::contact_ratio, "contact_ratio", dimension::plain, non_negative(),
             "Damping ratio of a contact: epsilon of the Hertz dashpot, xi of a linear one. \"auto\": follows from "
             "`restitution`."),
         number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
         number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
-               "Normal stiffness of a contact under normal_law = \"linear\"."),
-        number(&S::shear_ratio, "shear_ratio", dimension::plain, positive(),
-               "Tangential over normal stiffness under normal_law = \"linear\".")};
+               "Normal stiffness of a contact.")
+            .read_with("normal_law", {"linear"}),
+        number(&S::shear_ratio, "shear_ratio", dimension::plain, positive(), "Tangential over normal stiffness.")
+            .read_with("normal_law", {"linear"})};
     return {.help = "explicit discrete elements, bodies of spheres", .keys = own + within(&S::laws, law_keys())};
 }
 
