@@ -129,6 +129,36 @@ TEST(ImplicitDda, a_block_settles_to_the_overlap_of_its_weight) {
     EXPECT_NEAR(run.report.deepest, 2500 * gravity / 4e7, 1e-9);
 }
 
+TEST(ImplicitDda, a_face_with_stiffness_per_area_sinks_in_by_its_pressure_over_that) {
+    for (const double side : {1.0, 2.0}) {
+        Trial run;
+        run.rock(1e12, {1e7, 1e7, true});
+        run.system.gravity = {0, 0, -gravity};
+        run.ground();
+        add_box(run.system, run.state.blocks, {side, side, 1}, {.position = {0, 0, 0.501}});
+        run.settings.dynamic = 0;
+        run.step(150);
+        EXPECT_NEAR(run.report.deepest, 2500 * gravity / 1e7, 1e-8);
+    }
+}
+
+TEST(ImplicitDda, a_corner_with_stiffness_per_area_counts_for_the_least_area) {
+    Trial run;
+    affine::Surface surface{1e9, 1e9, true};
+    surface.least_area = 1e-2;
+    run.rock(1e12, surface);
+    run.system.gravity = {0, 0, -gravity};
+    run.ground();
+    // a box on one edge, its centre above it: balanced
+    const double c = std::sqrt(0.5);
+    const Mat3 turn{{{c, 0, c}, {0, 1, 0}, {-c, 0, c}}};
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, std::sqrt(0.5)}, .deformation = turn});
+    run.settings.dynamic = 0;
+    run.step(100);
+    EXPECT_EQ(run.report.contact_count, 2);
+    EXPECT_NEAR(run.report.deepest, 2500 * gravity / (2 * 1e7), 1e-6);
+}
+
 /// Block on a plane with gravity tilted by `slope`, at the overlap of its weight.
 Trial incline(double slope, double friction, double dt) {
     Trial run;

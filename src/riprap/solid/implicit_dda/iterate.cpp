@@ -63,7 +63,7 @@ Round update_contacts(const OpenCloseRule& rule, Scratch& scratch) {
 
 affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report) {
     Equations& equations = scratch.equations;
-    const OpenCloseRule rule{0, 0, settings.slide_tolerance};
+    const OpenCloseRule rule{0, 0, settings.slide_tolerance.value_or(-1)};
     for (report.open_close = 1; report.open_close <= 2 * settings.open_close; ++report.open_close) {
         assemble(scratch.contacts, equations);
         Laps laps;
