@@ -184,6 +184,24 @@ TEST(ImplicitDda, a_block_on_a_slope_slides_by_coulomb) {
     }
 }
 
+TEST(ImplicitDda, contacts_whose_friction_has_not_settled_are_counted) {
+    // The block bounces in its springs as it slides, so that the push, and friction with it, changes in every step.
+    for (const int rounds : {1, 60}) {
+        Trial run = incline(0.5, 0.3, 2e-3);
+        run.settings.open_close = 60;
+        run.step(5);
+        EXPECT_EQ(run.report.sliding_count, 4);
+        run.state.blocks.position[1].z -= 1e-5;
+        run.settings.open_close = rounds;
+        std::int64_t open = 0;
+        for (int i = 0; i < 5; ++i) {
+            run.step();
+            open += run.report.open_frictions;
+        }
+        EXPECT_EQ(open > 0, rounds == 1) << open;
+    }
+}
+
 TEST(ImplicitDda, a_block_steeper_than_its_slope_stays_and_does_not_creep) {
     Trial run = incline(30 * degree, std::tan(35 * degree), 0.01);
     run.step(50);

@@ -74,6 +74,7 @@ struct StepReport {
     double largest_displacement{0};  ///< of a corner [m]
     int open_close{0}, solver_iterations{0};
     std::int64_t contact_count{0}, sliding_count{0};
+    std::int64_t open_frictions{0};  ///< sliding contacts whose friction was still changing after the last round
     std::array<std::int32_t, 2> unsettled{-1, -1};  ///< blocks of a contact that opened and closed without end
     std::int32_t singular{-1};                      ///< block whose rows of the equations have no solution
 };

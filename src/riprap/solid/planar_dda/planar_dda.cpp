@@ -159,3 +159,4 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
 }
 
 }  // namespace riprap::solid
+    report.open_frictions = taken.open_frictions;
