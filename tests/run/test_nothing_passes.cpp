@@ -102,6 +102,16 @@ TEST(NothingPasses, InImplicitDda) {
     EXPECT_LT(end.time, 0.0055);
 }
 
+TEST(NothingPasses, InPlanarDda) {
+    const std::string plane =
+        "dimension = 2\ngravity = [0, 0]\nend = 0.02\n[solid]\nmethod = 'planar_dda'\n"
+        "contact_stiffness = 1000.0\nyoungs_modulus = 1e7\n";
+    const End end = end_of(plane + rock("1e7") + body("plate", "box = [1, 0.02]", "fixed = true") +
+                           body("cube", "box = [0.1, 0.1]", "position = [0, 0.2]\nvelocity = [0, -30]"));
+    EXPECT_THAT(end.reason, AllOf(HasSubstr("cube"), HasSubstr("plate")));
+    EXPECT_LT(end.time, 0.0075);
+}
+
 TEST(NothingPasses, OfBodiesThatMeetBySpheres) {
     const End end = end_of(solids("sphere_dem", "youngs_modulus = 1e4") + bullet);
     EXPECT_THAT(end.reason, AllOf(HasSubstr("cube"), HasSubstr("plate")));

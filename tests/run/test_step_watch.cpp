@@ -64,6 +64,17 @@ TEST(StepWatch, the_step_that_meets_the_end_is_not_among_the_shortest) {
     EXPECT_EQ(counts.longest, 4e-3);
 }
 
+TEST(StepWatch, warns_once_of_friction_that_does_not_settle_and_counts_contacts_and_steps) {
+    Watched run;
+    sim::StepReport report = quiet();
+    report.open_frictions = 3;
+    EXPECT_THAT(run.look(report), ElementsAre(HasSubstr("friction of 3 sliding contacts has not settled")));
+    EXPECT_THAT(run.look(report), IsEmpty());
+    EXPECT_EQ(run.counts.with_open_friction, 2);
+    EXPECT_EQ(run.counts.open_frictions, 6);
+    EXPECT_THAT(StepWatch::totals(run.counts, 4), ElementsAre(HasSubstr("in 2 of 4 steps, 6 contacts in all")));
+}
+
 TEST(StepWatch, warns_once_of_a_body_behind_an_opening_and_counts_the_steps) {
     Watched run;
     sim::StepReport report = quiet();

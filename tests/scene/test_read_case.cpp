@@ -89,6 +89,29 @@ stop = 3
     EXPECT_LT(norm(loads[2].point - Vec3{-0.2, -0.6, 1.2}), 1e-12);
 }
 
+TEST(ReadCase, a_load_varies_in_time_by_its_table) {
+    const std::string text = minimal_case + R"(repeat = { counts = [2, 1, 1], pitch = [5, 0, 0] }
+[[body.load]]
+table = { time = [1, 2, 4], force = [[0, 0, 10], [0, 0, 20], [2, 0, 20]] }
+start = 0.5
+)";
+    const LoadedCase loaded = read(text);
+    ASSERT_EQ(loaded.model.loads.size(), 2U);
+    for (const body::PointLoad& load : loaded.model.loads) {
+        EXPECT_EQ(load.at(1.4), Vec3{});  // before the first row, counted from start
+        EXPECT_LT(norm(load.at(2.25) - Vec3{0, 0, 17.5}), 1e-12);
+        EXPECT_LT(norm(load.at(3.5) - Vec3{1, 0, 20}), 1e-12);
+        EXPECT_EQ(load.at(90), (Vec3{2, 0, 20}));
+    }
+    const TemporaryFolder folder;
+    folder.write("pull.csv", "t, x, y, z\n0, 1, 2, 3\n2, 3, 2, 3\n");
+    const LoadedCase from_file =
+        read(minimal_case + "[[body.load]]\ntable = { file = \"pull.csv\" }\n", {}, folder.path());
+    EXPECT_EQ(from_file.model.loads.at(0).at(1), (Vec3{2, 2, 3}));
+    EXPECT_THAT(problems_of(with(text, "[1, 2, 4]", "[1, 2, 2]")), ElementsAre(HasSubstr("does not follow 2")));
+    EXPECT_THAT(problems_of(with(text, "start = 0.5", "force = [1, 0, 0]")), ElementsAre(HasSubstr("'table'")));
+}
+
 TEST(ReadCase, a_byte_order_mark_is_no_part_of_the_text) {
     EXPECT_EQ(read("\xEF\xBB\xBF" + minimal_case).model.case_hash, read(minimal_case).model.case_hash);
 }

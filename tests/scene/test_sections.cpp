@@ -105,6 +105,28 @@ analysis = "bar.ana"
     }
 }
 
+TEST(Sections, loads_of_an_analysis_file_may_vary_in_time) {
+    const TemporaryFolder folder;
+    folder.write("bar.geo",
+                 "0.01\n5 4 0 0 1 1 0 0\n0 0 4 0 1\n4 0 4 1 1\n4 1 0 1 1\n0 1 0 0 1\n2 -1 2 2 1\n1 0.5 1 0.5\n3 0.5\n");
+    const auto write = [&](const std::string& records) {
+        folder.write("bar.ana", "<DDA><Analysis><Loadpointlist><Loadpoint numpoints=\"3\"> " + records +
+                                    " </Loadpoint></Loadpointlist></Analysis></DDA>");
+    };
+    const std::string text =
+        head + "[[section]]\nname = \"bar\"\nmaterial = \"rock\"\ngeometry = \"bar.geo\"\nanalysis = \"bar.ana\"\n";
+    write("0 100 -10; 2 300 -10; 4 0 0;");
+    const LoadedCase loaded = read(text, {}, folder.path());
+    ASSERT_EQ(loaded.model.loads.size(), 1U);
+    const body::PointLoad& load = loaded.model.loads[0];
+    EXPECT_LT(norm(load.at(1) - Vec3{200, -10, 0}), 1e-12);
+    EXPECT_LT(norm(load.at(3) - Vec3{150, -5, 0}), 1e-12);
+    EXPECT_EQ(load.at(9), Vec3{});
+    EXPECT_THAT(loaded.notes, Contains(HasSubstr("load 0 of the analysis file, 3 rows from 0 s on, acts on 'bar[")));
+    write("0 100 -10; 2 300 -10; 1 0 0;");
+    EXPECT_THAT(problems_of(text, {}, folder.path()), ElementsAre(HasSubstr("load 0: time 1 s does not follow 2 s")));
+}
+
 TEST(Sections, a_load_acts_on_the_block_that_its_point_lies_in_or_on) {
     const std::string section = head + R"([[section]]
 name = "rock"

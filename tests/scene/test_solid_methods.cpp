@@ -106,6 +106,31 @@ TEST(SolidMethods, a_contact_stiffness_that_carries_no_block_is_refused_at_its_k
     EXPECT_THAT(problems_of(with_stiffness("29e3")), IsEmpty());
 }
 
+TEST(SolidMethods, contacts_have_a_stiffness_of_a_point_or_per_area) {
+    for (const std::string method : {"explicit_dda", "implicit_dda"}) {
+        const std::string text = minimal_case + "[solid]\nmethod = \"" + method + "\"\nyoungs_modulus = 1e9\n";
+        EXPECT_THAT(problems_of(text + "contact_stiffness_per_area = \"1e9 Pa/m\"\n"), IsEmpty());
+        EXPECT_THAT(problems_of(text + "contact_stiffness_per_area = 1e9\ncontact_stiffness = 1e7\n"),
+                    ElementsAre(AllOf(HasSubstr("case.toml:13:30:"), HasSubstr("a stiffness of a point and one per"))));
+        EXPECT_THAT(problems_of(text + "contact_stiffness_per_area = 1e5\n"),
+                    ElementsAre(AllOf(HasSubstr("case.toml:13:30: contact_stiffness_per_area is 1e+05 Pa/m"),
+                                      HasSubstr("'block' sinks in by more than its radius"))));
+        EXPECT_THAT(problems_of(text + "contact_stiffness_per_area = 1e18\n"), ElementsAre(HasSubstr("1e6 E/r")));
+        EXPECT_THAT(problems_of(with(text, "normal_stiffness", "shear_stiffness = 1e6\nnormal_stiffness") +
+                                "contact_stiffness_per_area = 1e9\n"),
+                    ElementsAre(HasSubstr("beside a shear stiffness of 1e+06 N/m of a point")));
+    }
+    EXPECT_THAT(problems_of(with(planar_case, "[[body]]", "contact_stiffness_per_area = 1e9\n[[body]]")),
+                ElementsAre(HasSubstr("contact_stiffness_per_area")));
+}
+
+TEST(SolidMethods, sliding_ends_by_reversal_or_by_a_slip_in_a_step) {
+    const std::string text = minimal_case + "[solid]\nmethod = \"implicit_dda\"\n";
+    EXPECT_THAT(problems_of(text + "slide_tolerance = \"0.1 mm\"\n"), IsEmpty());
+    EXPECT_THAT(problems_of(text + "slide_tolerance = \"reversal\"\n"), IsEmpty());
+    EXPECT_THAT(problems_of(text + "slide_tolerance = -1.0\n"), ElementsAre(HasSubstr("slide_tolerance")));
+}
+
 TEST(SolidMethods, a_bolt_is_tied_to_points_of_two_bodies_one_of_which_moves) {
     const LoadedCase loaded = read(planar_case + bolt_lines + "pretension = \"1 kN\"\n");
     ASSERT_EQ(loaded.model.bolts.size(), 1U);

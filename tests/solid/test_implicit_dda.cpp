@@ -129,6 +129,36 @@ TEST(ImplicitDda, a_block_settles_to_the_overlap_of_its_weight) {
     EXPECT_NEAR(run.report.deepest, 2500 * gravity / 4e7, 1e-9);
 }
 
+TEST(ImplicitDda, a_face_with_stiffness_per_area_sinks_in_by_its_pressure_over_that) {
+    for (const double side : {1.0, 2.0}) {
+        Trial run;
+        run.rock(1e12, {1e7, 1e7, true});
+        run.system.gravity = {0, 0, -gravity};
+        run.ground();
+        add_box(run.system, run.state.blocks, {side, side, 1}, {.position = {0, 0, 0.501}});
+        run.settings.dynamic = 0;
+        run.step(150);
+        EXPECT_NEAR(run.report.deepest, 2500 * gravity / 1e7, 1e-8);
+    }
+}
+
+TEST(ImplicitDda, a_corner_with_stiffness_per_area_counts_for_the_least_area) {
+    Trial run;
+    affine::Surface surface{1e9, 1e9, true};
+    surface.least_area = 1e-2;
+    run.rock(1e12, surface);
+    run.system.gravity = {0, 0, -gravity};
+    run.ground();
+    // a box on one edge, its centre above it: balanced
+    const double c = std::sqrt(0.5);
+    const Mat3 turn{{{c, 0, c}, {0, 1, 0}, {-c, 0, c}}};
+    add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, std::sqrt(0.5)}, .deformation = turn});
+    run.settings.dynamic = 0;
+    run.step(100);
+    EXPECT_EQ(run.report.contact_count, 2);
+    EXPECT_NEAR(run.report.deepest, 2500 * gravity / (2 * 1e7), 1e-6);
+}
+
 /// Block on a plane with gravity tilted by `slope`, at the overlap of its weight.
 Trial incline(double slope, double friction, double dt) {
     Trial run;
@@ -151,6 +181,24 @@ TEST(ImplicitDda, a_block_on_a_slope_slides_by_coulomb) {
         run.step(80);
         const double a = gravity * (std::sin(30 * degree) - std::cos(30 * degree) * friction);
         EXPECT_NEAR((run.state.blocks.velocity[1].x - before) / 0.8, a, 1e-3 * a) << angle;
+    }
+}
+
+TEST(ImplicitDda, contacts_whose_friction_has_not_settled_are_counted) {
+    // The block bounces in its springs as it slides, so that the push, and friction with it, changes in every step.
+    for (const int rounds : {1, 60}) {
+        Trial run = incline(0.5, 0.3, 2e-3);
+        run.settings.open_close = 60;
+        run.step(5);
+        EXPECT_EQ(run.report.sliding_count, 4);
+        run.state.blocks.position[1].z -= 1e-5;
+        run.settings.open_close = rounds;
+        std::int64_t open = 0;
+        for (int i = 0; i < 5; ++i) {
+            run.step();
+            open += run.report.open_frictions;
+        }
+        EXPECT_EQ(open > 0, rounds == 1) << open;
     }
 }
 

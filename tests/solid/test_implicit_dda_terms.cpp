@@ -226,6 +226,16 @@ TEST(OpenClose, the_modes_follow_the_table) {
     EXPECT_EQ(next(lock, -0.01, much, little, {}), slide);
 }
 
+TEST(OpenClose, a_contact_that_slips_by_less_than_the_slide_tolerance_locks_as_in_the_source) {
+    const ContactSprings springs{100, 50, 0.5, 0, 0};
+    const Vec3 slip{0.02, 0, 0}, little{5e-5, 0, 0}, direction{1, 0, 0};  // the slip lies beyond the limit of 0.01 m
+    for (const double tolerance : {1e-4, 1e-5, -1.0}) {
+        ContactTrial trial{ContactMode::slide, false, {}, -0.01, slip, little, 0, direction, 0, false};
+        update_mode(springs, {0, 0, tolerance}, trial);
+        EXPECT_EQ(trial.mode, tolerance == 1e-4 ? ContactMode::lock : ContactMode::slide);
+    }
+}
+
 TEST(OpenClose, an_intact_contact_holds_tension_up_to_its_strength) {
     const ContactSprings springs{100, 50, 0.5, 3, 2};
     ContactTrial trial{ContactMode::lock, true, {}, 0.019, {}, {}, 0, {}, 0, false};

@@ -5,11 +5,25 @@
 
 namespace riprap::body {
 
+Vec3 ForceTable::at(double t) const {
+    const auto next = std::upper_bound(time.begin(), time.end(), t);
+    if (next == time.begin()) {
+        return {};
+    }
+    const auto b = static_cast<std::size_t>(next - time.begin()), a = b - 1;
+    if (next == time.end()) {
+        return force.back();
+    }
+    const double share = (t - time[a]) / (time[b] - time[a]);
+    return (1 - share) * force[a] + share * force[b];
+}
+
 Vec3 PointLoad::at(double time) const {
     if (time < start || time > stop) {
         return {};
     }
-    return (ramp > 0 ? std::min(1.0, (time - start) / ramp) : 1.0) * force;
+    const Vec3 full = table ? table->at(time - start) : force;
+    return (ramp > 0 ? std::min(1.0, (time - start) / ramp) : 1.0) * full;
 }
 
 LoadView PointLoadSum::add(std::span<const PointLoad> loads, const BodyState& bodies, double time,

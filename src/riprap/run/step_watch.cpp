@@ -16,6 +16,8 @@ double bound_of(const sim::StepReport& report) { return std::min(report.dt_bound
 void StepCounts::add(const sim::StepReport& report, bool meets_end) {
     above_bound += report.dt > bound_of(report) ? 1 : 0;
     unsettled += report.is_water_settled ? 0 : 1;
+    with_open_friction += report.open_frictions > 0 ? 1 : 0;
+    open_frictions += report.open_frictions;
     with_intruder += report.intruder.empty() ? 0 : 1;
     solver_iterations += report.solver_iterations;
     most_iterations = std::max(most_iterations, report.solver_iterations);
@@ -36,6 +38,13 @@ std::vector<Notice> StepWatch::look(const sim::StepReport& report, const sim::St
                          "of them is still open; the summary counts the steps",
                          when, report.water_passes, report.water_residual),
              "water_residual", report.water_residual});
+    }
+    if (report.open_frictions > 0 && counts.with_open_friction == 1) {
+        notices.push_back(
+            {fmt::format("{}: the friction of {} sliding contacts has not settled within the rounds of the open-close "
+                         "iteration; a higher open_close or a shorter step lets it; the summary counts them",
+                         when, report.open_frictions),
+             "open_frictions", static_cast<double>(report.open_frictions)});
     }
     if (!report.intruder.empty() && counts.with_intruder == 1) {
         notices.push_back(
@@ -64,6 +73,11 @@ std::vector<std::string> StepWatch::totals(const StepCounts& counts, std::int64_
     if (counts.unsettled > 0) {
         lines.push_back(fmt::format("the accelerations of light bodies in water did not settle in {} of {} steps",
                                     counts.unsettled, steps));
+    }
+    if (counts.with_open_friction > 0) {
+        lines.push_back(
+            fmt::format("the friction of sliding contacts did not settle in {} of {} steps, {} contacts in all",
+                        counts.with_open_friction, steps, counts.open_frictions));
     }
     if (counts.with_intruder > 0) {
         lines.push_back(fmt::format("bodies stood behind openings in {} of {} steps", counts.with_intruder, steps));

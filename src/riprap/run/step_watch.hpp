@@ -12,14 +12,16 @@ namespace riprap::run {
 
 /// Counts of the steps of a run, over all processes that ran it.
 struct StepCounts {
-    std::int64_t above_bound{0};        ///< longer than what the contacts, or the water, allowed
-    std::int64_t unsettled{0};          ///< in which the added-mass iteration ended for want of passes
-    std::int64_t with_intruder{0};      ///< with a moving body behind an opening
-    std::int64_t solver_iterations{0};  ///< of the water's pressure equation, all steps
-    std::int64_t most_iterations{0};    ///< in one step
-    double worst_residual{0};           ///< of it, over its right-hand side [-]
-    double longest{0};                  ///< [s]
-    double shortest{0};                 ///< that which meets the end not counted; 0 before there is one [s]
+    std::int64_t above_bound{0};         ///< longer than what the contacts, or the water, allowed
+    std::int64_t unsettled{0};           ///< in which the added-mass iteration ended for want of passes
+    std::int64_t with_open_friction{0};  ///< in which friction of contacts was still changing as their iteration ended
+    std::int64_t open_frictions{0};      ///< such contacts, all steps
+    std::int64_t with_intruder{0};       ///< with a moving body behind an opening
+    std::int64_t solver_iterations{0};   ///< of the water's pressure equation, all steps
+    std::int64_t most_iterations{0};     ///< in one step
+    double worst_residual{0};            ///< of it, over its right-hand side [-]
+    double longest{0};                   ///< [s]
+    double shortest{0};                  ///< that which meets the end not counted; 0 before there is one [s]
 
     void add(const sim::StepReport& report, bool meets_end);
 
@@ -27,6 +29,8 @@ struct StepCounts {
     static void visit_fields(Self& self, Visit&& visit) {
         visit("run.steps_above_bound", self.above_bound);
         visit("run.steps_unsettled", self.unsettled);
+        visit("run.steps_with_open_friction", self.with_open_friction);
+        visit("run.open_frictions", self.open_frictions);
         visit("run.steps_with_intruder", self.with_intruder);
         visit("run.solver_iterations", self.solver_iterations);
         visit("run.most_iterations", self.most_iterations);

@@ -71,6 +71,8 @@ std::string summary_json(const Summary& summary) {
                     {"retries", summary.retries},
                     {"steps_above_bound", summary.counts.above_bound},
                     {"steps_unsettled", summary.counts.unsettled},
+                    {"steps_with_open_friction", summary.counts.with_open_friction},
+                    {"open_frictions", summary.counts.open_frictions},
                     {"steps_with_intruder", summary.counts.with_intruder},
                     {"solver_iterations", summary.counts.solver_iterations},
                     {"solver_iterations_max", summary.counts.most_iterations},

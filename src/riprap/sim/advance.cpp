@@ -61,6 +61,7 @@ void join(const solid::SolidReport& piece, const Accounts& accounts, State& stat
     all.max_potential = std::max(all.max_potential, piece.max_potential);
     all.max_depth = std::max(all.max_depth, piece.max_depth);
     all.contact_count = piece.contact_count;
+    all.open_frictions += piece.open_frictions;
     all.pair_count = piece.pair_count;
     all.pairs_rebuilt = all.pairs_rebuilt || piece.pairs_rebuilt;
 }

@@ -69,7 +69,8 @@ struct SolidReport {
     double max_potential{0};                                   ///< deepest normalised overlap [-]
     double max_depth{0};                                       ///< [m]
     std::int64_t contact_count{0};
-    std::int64_t pair_count{0};  ///< candidates in the pair cache: Scratch, no quantity of a record
+    std::int64_t open_frictions{0};  ///< sliding contacts whose friction was still changing as the iteration ended
+    std::int64_t pair_count{0};      ///< candidates in the pair cache: Scratch, no quantity of a record
     bool pairs_rebuilt{false};
 };
 

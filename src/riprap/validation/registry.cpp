@@ -337,6 +337,8 @@ std::span<const ValidationCase> ding_in_plane_cases() {
                        ding::planar_shaken_stack},
         ValidationCase{"ding", "planar_air_cannon", "Ice from an air cannon hits ballast", true,
                        ding::planar_air_cannon},
+        ValidationCase{"ding", "planar_air_cannon_level", "Ice from an air cannon, along the track", true,
+                       ding::planar_air_cannon_level},
         ValidationCase{"ding", "planar_cross_section", "Ice falls on ballast beside a rail", true,
                        ding::planar_cross_section},
         ValidationCase{"ding", "planar_train_speed", "Ice from a moving train hits ballast", true,

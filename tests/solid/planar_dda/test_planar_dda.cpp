@@ -94,6 +94,23 @@ TEST(PlanarDda, ABlockSlidesDownAnInclineAsCoulombSays) {
     }
 }
 
+TEST(PlanarDda, ContactsWhoseFrictionHasNotSettledAreCounted) {
+    for (const double tolerance : {1e-6, 1e-30}) {  // the second asks for more than doubles hold
+        Blocks blocks({.normal_stiffness = 1e8, .shear_stiffness = 4e7, .friction = 0.3});
+        blocks.settings.friction_tolerance = tolerance;
+        blocks.settings.max_iterations = tolerance < 1e-20 ? 1 : 7;
+        blocks.add_box({-5, -1}, {30, 1}, true);
+        blocks.add_box({0, 1e-4}, {1, 0.5});
+        blocks.state.rates[6] = 1;
+        std::int64_t open = 0;
+        for (int k = 0; k < 100; ++k) {
+            ASSERT_TRUE(blocks.run(1, 1e-3, {0, -g}));
+            open += blocks.report.open_frictions;
+        }
+        EXPECT_EQ(open > 0, tolerance < 1e-20) << open;
+    }
+}
+
 TEST(PlanarDda, TheLedgerClosesWhileABlockFallsTiltsSlidesAndStops) {
     Blocks blocks({.normal_stiffness = 1e7, .shear_stiffness = 4e6, .friction = 0.4, .damping_ratio = 0.1},
                   {2500, 1e8, 0.25});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -42,9 +43,10 @@ struct CaseBuild {
     std::vector<coupling::PaddleAbsorption> absorptions{};  ///< of paddles that have one
     std::vector<SourcePlace> absorption_places{};           ///< of their 'absorb'
     std::vector<WavePaddle> paddles{};
-    std::optional<fluid::Domain> domain{};         ///< of the water, once it is known to be good
-    bool has_all_bodies{true};                     ///< none is missing for a problem of its own
-    bool has_sound_bodies{true};                   ///< none is too small, too large or too far away to be computed with
+    std::optional<fluid::Domain> domain{};  ///< of the water, once it is known to be good
+    bool has_all_bodies{true};              ///< none is missing for a problem of its own
+    bool has_sound_bodies{true};            ///< none is too small, too large or too far away to be computed with
+    std::map<const Value*, std::shared_ptr<const body::ForceTable>> force_tables{};  ///< of loads, by their tables
     std::set<std::string> records{};               ///< names of all probes, gauges and damage of the case
     std::vector<std::uint8_t> is_dry{}, sticks{};  ///< of bodies that say so, by body; those beyond the end do not
 

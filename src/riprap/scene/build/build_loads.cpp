@@ -5,6 +5,7 @@
 
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/load_tables.hpp"
+#include "riprap/scene/build/time_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
 namespace riprap::scene {
@@ -19,8 +20,25 @@ bool check_times(CaseBuild& build, const Value& load) {
     return false;
 }
 
-body::PointLoad load_on(BodyId body, const Value& load) {
-    body::PointLoad read{.body = body, .force = get_vector(load, "force")};
+bool read_force_table(CaseBuild& build, const Value& load) {
+    const Value* table = load.find("table");
+    if (table == nullptr) {
+        return true;
+    }
+    TimeTable rows = read_time_table(build, *table, "force");
+    const bool is_read = !rows.time.empty();
+    build.force_tables[table] =
+        std::make_shared<body::ForceTable>(body::ForceTable{std::move(rows.time), std::move(rows.value)});
+    return is_read;
+}
+
+body::PointLoad load_on(const CaseBuild& build, BodyId body, const Value& load) {
+    body::PointLoad read{.body = body};
+    if (const Value* force = load.find("force")) {
+        read.force = to_vector(*force);
+    } else {
+        read.table = build.force_tables.at(load.find("table"));
+    }
     read.start = get_number(load, "start");
     read.ramp = get_number(load, "ramp");
     read.stop = get_number_or(load, "stop", read.stop);
@@ -34,7 +52,7 @@ bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body
         return false;
     }
     for (const Value& one : loads.items) {
-        if (!check_times(build, one)) {
+        if (!check_times(build, one) || !read_force_table(build, one)) {
             return false;
         }
     }
@@ -51,7 +69,7 @@ bool check_loads(CaseBuild& build, const Value& loads, const body::NewBody& body
 void add_loads(CaseBuild& build, const Value& loads, BodyId body, const Pose& pose, double scale) {
     const Vec3 center = build.state.bodies.position[static_cast<std::size_t>(body.value)];
     for (const Value& one : loads.items) {
-        body::PointLoad load = load_on(body, one);
+        body::PointLoad load = load_on(build, body, one);
         if (const Value* at = one.find("at")) {
             const Vec3 place = pose.position + rotate(pose.orientation, scale * to_vector(*at));
             load.point = rotate_back(pose.orientation, place - center);

@@ -3,53 +3,10 @@
 
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
+#include "riprap/scene/build/time_tables.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
 namespace riprap::scene {
-
-namespace {
-
-/// Rows of a displacement table, from the case or from a CSV file. Empty with a problem when they are wrong.
-body::TableMotion read_motion_table(CaseBuild& build, const Value& table) {
-    body::TableMotion motion;
-    SourcePlace place = table.place;
-    if (const Value* file = table.find("file")) {
-        place = file->place;
-        const auto rows =
-            build.files.read_table(file->text, build.is_planar ? 3 : 4, limits::table_rows, place, build.problems);
-        if (!rows) {
-            return {};
-        }
-        for (const std::vector<double>& row : *rows) {
-            motion.time.push_back(row[0]);
-            motion.displacement.push_back({row[1], row[2], build.is_planar ? 0.0 : row[3]});
-        }
-    } else {
-        for (const Value& time : get(table, "time").items) {
-            motion.time.push_back(time.as_number());
-        }
-        for (const Value& displacement : get(table, "displacement").items) {
-            motion.displacement.push_back(to_vector(displacement));
-        }
-    }
-    if (motion.time.empty() || motion.time.size() != motion.displacement.size()) {
-        build.problem(place,
-                      fmt::format("{} times and {} displacements", motion.time.size(), motion.displacement.size()),
-                      "as many of both, at least one");
-        return {};
-    }
-    for (std::size_t i = 1; i < motion.time.size(); ++i) {
-        if (motion.time[i] <= motion.time[i - 1]) {
-            build.problem(
-                place, fmt::format("time {} of row {} does not follow {}", motion.time[i], i + 1, motion.time[i - 1]),
-                "increasing times");
-            return {};
-        }
-    }
-    return motion;
-}
-
-}  // namespace
 
 std::int32_t add_motion(CaseBuild& build, const Value& table) {
     body::PrescribedMotion motion;
@@ -77,7 +34,8 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
         motion = std::move(*paddle);
     } else {
         const std::size_t before = build.problems.size();
-        motion.law = read_motion_table(build, get(table, "table"));
+        TimeTable rows = read_time_table(build, get(table, "table"), "displacement");
+        motion.law = body::TableMotion{std::move(rows.time), std::move(rows.value)};
         if (build.problems.size() > before) {
             return -1;
         }

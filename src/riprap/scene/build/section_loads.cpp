@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "riprap/core/index.hpp"
@@ -44,6 +45,23 @@ std::int64_t block_at_or_under(const std::vector<SectionBlock>& blocks, const Ve
     return under == blocks.end() ? inside : under - blocks.begin();
 }
 
+/// Force against time of load `k` of an analysis file; null with a problem where its times do not increase.
+std::shared_ptr<const body::ForceTable> forces_of(CaseBuild& build, const Value& table, std::size_t k,
+                                                  std::span<const std::array<double, 3>> records) {
+    auto forces = std::make_shared<body::ForceTable>();
+    for (const auto& [time, x, y] : records) {
+        if (!forces->time.empty() && time <= forces->time.back()) {
+            build.problem(get(table, "analysis").place,
+                          fmt::format("load {}: time {:g} s does not follow {:g} s", k, time, forces->time.back()),
+                          "increasing times");
+            return nullptr;
+        }
+        forces->time.push_back(time);
+        forces->force.push_back({x, y, 0});
+    }
+    return forces;
+}
+
 }  // namespace
 
 void add_file_loads(CaseBuild& build, const Value& table, const std::vector<SectionBlock>& blocks,
@@ -51,20 +69,22 @@ void add_file_loads(CaseBuild& build, const Value& table, const std::vector<Sect
                     std::int32_t first) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
         const auto& records = loads[k].records;
-        const auto is_as_first = [&](const auto& r) { return r[1] == records[0][1] && r[2] == records[0][2]; };
-        const bool is_constant = std::all_of(records.begin(), records.end(), is_as_first);
         const std::int64_t i = k < points.size() ? block_at(blocks, points[k]) : -1;
-        if (!is_constant || i < 0) {
-            build.problem(get(table, "analysis").place,
-                          fmt::format("load {} {}", k, i < 0 ? "has no load point in a block" : "varies with time"),
-                          "loads that stay, at load points of the geometry file that lie in a block");
+        if (i < 0) {
+            build.problem(get(table, "analysis").place, fmt::format("load {} has no load point in a block", k),
+                          "loads at load points of the geometry file that lie in a block");
             continue;
         }
         const BodyId id{first + static_cast<std::int32_t>(i)};
-        body::PointLoad load{.body = id, .force = {records[0][1], records[0][2], 0}};
+        body::PointLoad load{.body = id};
         load.point = Vec3{points[k].x, points[k].y, 0} - build.state.bodies.position[at(id.value)];
-        load.start = records.front()[0];
+        load.table = forces_of(build, table, k, records);
+        if (load.table == nullptr) {
+            continue;
+        }
         build.model.loads.push_back(load);
+        build.notes.push_back(fmt::format("load {} of the analysis file, {} rows from {:g} s on, acts on '{}'", k,
+                                          records.size(), records.front()[0], build.model.bodies.name(id)));
     }
 }
 
@@ -74,7 +94,7 @@ void add_loads_at(CaseBuild& build, const Value& table, const std::vector<Sectio
         const Vec2 x = to_point(get(one, "at"));
         const std::int64_t i = block_at_or_under(blocks, x);
         const BodyId id{first + static_cast<std::int32_t>(i)};
-        if (!check_times(build, one)) {
+        if (!check_times(build, one) || !read_force_table(build, one)) {
             continue;
         }
         if (i < 0 || !is_free(bodies, id, std::numeric_limits<double>::max())) {
@@ -84,7 +104,7 @@ void add_loads_at(CaseBuild& build, const Value& table, const std::vector<Sectio
                           "a point in a block that moves");
             continue;
         }
-        body::PointLoad load = load_on(id, one);
+        body::PointLoad load = load_on(build, id, one);
         load.point = Vec3{x.x, x.y, 0} - build.state.bodies.position[at(id.value)];
         build.model.loads.push_back(load);
         build.notes.push_back(fmt::format("the load at ({:.6g}, {:.6g}) acts on '{}'", x.x, x.y, bodies.name(id)));

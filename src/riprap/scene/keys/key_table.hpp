@@ -124,6 +124,7 @@ const Table& spheres_table();
 const Table& shape_table();
 const Table& orientation_table();
 const Table& motion_table();
+const Table& load_data_table();
 const Table& load_table();
 const Table& repeat_table();
 const Table& pack_table();

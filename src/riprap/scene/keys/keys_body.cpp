@@ -15,13 +15,27 @@ Form count_triple(std::int64_t largest) { return list(integer(1, static_cast<dou
 
 }  // namespace
 
+const Table& load_data_table() {
+    static const Table table{
+        "load.table",
+        "load = [ { table = { ... } }, ... ]",
+        "Force against time from `start` on, linear between rows; none before the first, the last one afterwards. Of "
+        "loads on bodies and on sections.",
+        {{"time", {list(number(dimension::time), 1, limits::table_rows)}, "Increasing times.", {}},
+         {"force", {list(vector(dimension::force), 1, limits::table_rows)}, "Force at each time.", {}},
+         {"file", {path()}, "CSV file with a header line and rows t, x, y, z in SI; in a plane t, x, y.", {}}},
+        {{GroupRule::exactly_one, {"time", "file"}}, {GroupRule::all_or_none, {"time", "force"}}}};
+    return table;
+}
+
 const Table& load_table() {
     static const Table table{
         "body.load",
         "load = [ { ... }, ... ]",
         "A force on a point of the body. Its direction is fixed in space, its point moves with the body. Its work is "
         "booked as solid.external. Every copy of a repeated body bears it.",
-        {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
+        {{"force", {vector(dimension::force)}, "The force at its full size.", {}},
+         {"table", {form::table(load_data_table)}, "Force against time, instead of 'force'.", {}},
          {"at",
           {vector(dimension::length)},
           "Point of application, in the frame of the shape (grows with the scales of repeat); the centre of mass when "
@@ -33,7 +47,8 @@ const Table& load_table() {
           {number(dimension::time, non_negative())},
           "Time in which it grows to its full size.",
           Value::of(0.0)},
-         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}}};
+         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}},
+        {{GroupRule::exactly_one, {"force", "table"}}}};
     return table;
 }
 

@@ -45,14 +45,16 @@ const Table& section_load_table() {
         "[[section.load]]",
         "A force on the block that a point of the section lies in. Its direction is fixed in space, its point moves "
         "with the block.",
-        {{"force", {vector(dimension::force)}, "The force at its full size.", {}, true},
+        {{"force", {vector(dimension::force)}, "The force at its full size.", {}},
+         {"table", {form::table(load_data_table)}, "Force against time, instead of 'force'.", {}},
          {"at", {point()}, "Point of application, where it is at the start.", {}, true},
          {"start", {number(dimension::time, non_negative())}, "No force before.", Value::of(0.0)},
          {"ramp",
           {number(dimension::time, non_negative())},
           "Time in which it grows to its full size.",
           Value::of(0.0)},
-         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}}};
+         {"stop", {number(dimension::time, positive())}, "No force afterwards; never when not given.", {}}},
+        {{GroupRule::exactly_one, {"force", "table"}}}};
     return table;
 }
 
@@ -75,7 +77,8 @@ const Table& section_table() {
           {}},
          {"analysis",
           {path()},
-          "Analysis file of the same family (.ana). Its constant loads act on the load points of the geometry; where "
+          "Analysis file of the same family (.ana). Its loads, which may vary in time, act on the load points of the "
+          "geometry; where "
           "the case says otherwise about material, joints or step there is a warning.",
           {}},
          {"lines", {list(points(2, 10'000), 1, 100'000)}, "Joints, each a list of two or more points [x, y].", {}},

@@ -84,6 +84,7 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::pressure, "a pressure", "Pa"},
     NamedDimension{dimension::stiffness, "a stiffness", "N/m"},
     NamedDimension{{2, 1, -2, 0}, "an energy", "J"},
+    NamedDimension{{-2, 1, -2, 0}, "a stiffness per area", "Pa/m"},
 };
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -59,6 +60,10 @@ struct Surface {
     double cohesion{0};          ///< c of a bond, per area; lost for good where a contact opens or slides [Pa]
     double tension{0};           ///< strength of a bond across the contact, likewise [Pa]
     double damping_ratio{0};     ///< share of critical damping, explicit only [-]
+    double least_area{0};        ///< that a point counts for at least where stiffness is per area [m^2]
+
+    /// Returns by what a contact point multiplies the stiffnesses.
+    double factor(double area) const { return is_per_area ? std::max(area, least_area) : 1; }
 };
 
 /// Blocks, their shapes and materials: Model. Arrays have one entry per block unless said.

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "riprap/body/ground.hpp"
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground.hpp"
@@ -28,16 +30,17 @@ std::pair<Mat3, Mat3> stretch_of(const Mat3& f) {
     return {back(root), back({1 / root.x, 1 / root.y, 1 / root.z})};
 }
 
-Surface surface_of(const material::PairProperties& pair, const Elasticity& elasticity) {
-    const double shear =
-        pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * elasticity.contact_stiffness;
-    return {elasticity.contact_stiffness,
+Surface surface_of(const material::PairProperties& pair, const Elasticity& elasticity, double least_area) {
+    const double normal = elasticity.stiffness_per_area.value_or(elasticity.contact_stiffness);
+    const double shear = pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * normal;
+    return {normal,
             shear,
-            false,
+            elasticity.stiffness_per_area.has_value(),
             pair.friction,
             pair.cohesion,
             pair.tensile_strength,
-            pair.damping_ratio};
+            pair.damping_ratio,
+            least_area};
 }
 
 /// The surface of ground; that of a planar scene reaches beyond the blocks to both sides, which are as thick as it is.
@@ -72,6 +75,28 @@ std::int32_t shape_of_body(const SolidScene& scene, std::int32_t b, BlockSystem&
 
 }  // namespace
 
+double smallest_radius(const SolidScene& scene) {
+    double smallest = 0;
+    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+        const body::Part& part = scene.bodies.parts[at(scene.bodies.part_begin[at(b)])];
+        if (body::may_move(scene.bodies, at(b)) && !scene.shapes.is_half_space(part.shape)) {
+            const double radius = scene.shapes.view(part.shape).circumradius;
+            smallest = smallest > 0 ? std::min(smallest, radius) : radius;
+        }
+    }
+    return smallest;
+}
+
+double least_contact_area(const SolidScene& scene) {
+    const double radius = smallest_radius(scene);
+    return 0.01 * radius * radius;
+}
+
+double corner_stiffness(const SolidScene& scene, const Elasticity& elasticity) {
+    return elasticity.stiffness_per_area ? *elasticity.stiffness_per_area * least_contact_area(scene)
+                                         : elasticity.contact_stiffness;
+}
+
 std::vector<SceneProblem> scene_problems(const SolidScene& scene) {
     std::vector<SceneProblem> problems;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
@@ -104,9 +129,11 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
         system.materials.push_back(
             {scene.materials[MaterialId{m}].density, elasticity.youngs_modulus, elasticity.poisson_ratio});
     }
+    const double least_area = least_contact_area(scene);
     for (int a = 0; a < scene.materials.size(); ++a) {
         for (int b = 0; b < scene.materials.size(); ++b) {
-            system.surfaces.push_back(surface_of(scene.materials.pair(MaterialId{a}, MaterialId{b}), elasticity));
+            system.surfaces.push_back(
+                surface_of(scene.materials.pair(MaterialId{a}, MaterialId{b}), elasticity, least_area));
         }
     }
     const body::BodySet& bodies = scene.bodies;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "riprap/core/step.hpp"
@@ -16,7 +17,19 @@ struct Elasticity {
     double youngs_modulus{5e9};     ///< E [Pa]
     double poisson_ratio{0.25};     ///< nu [-]
     double contact_stiffness{1e8};  ///< k_n of a contact point [N/m]; k_s by the shear ratio of the pair
+    /// k_n over the area that a contact point stands for, instead of contact_stiffness [Pa/m]. Blocks in space only.
+    std::optional<double> stiffness_per_area{};
 };
+
+/// Radius of the smallest body that may move and is no half-space; 0 = none [m].
+double smallest_radius(const SolidScene& scene);
+
+/// Area that a contact point stands for at least where stiffness goes by area: a hundredth of the square of the
+/// smallest radius. Corners and edges touch without an area, and would sink in otherwise [m^2].
+double least_contact_area(const SolidScene& scene);
+
+/// Stiffness of a contact of two corners [N/m].
+double corner_stiffness(const SolidScene& scene, const Elasticity& elasticity);
 
 /// Returns the bodies that no block can be made of: those of several parts that are no ground.
 std::vector<SceneProblem> scene_problems(const SolidScene& scene);

@@ -10,13 +10,20 @@
 
 namespace riprap {
 template <class S>
-class KeyList;  // core/key.hpp
-}
+class KeyList;      // core/key.hpp
+struct KeyProblem;  // likewise
+}  // namespace riprap
 
 namespace riprap::solid::affine {
 
 /// Returns the keys that fill Elasticity.
 KeyList<Elasticity> elastic_keys();
+
+/// Returns those of blocks in space, whose contact points stand for areas.
+KeyList<Elasticity> elastic_keys_in_space();
+
+/// Refuses two stiffnesses of contacts at once.
+std::vector<KeyProblem> problems_of(const Elasticity& elasticity);
 
 /// Returns the properties of materials that contact points read.
 /// @param has_dashpots  the method damps its contact points

@@ -57,7 +57,7 @@ struct Side {
 
 /// Springs and dashpots of a contact point: stiffness of the point or per area, damping as a share of critical.
 contact::PenaltySprings springs_of(const affine::Surface& surface, double area, double mobility) {
-    const double factor = surface.is_per_area ? area : 1;
+    const double factor = surface.factor(area);
     contact::PenaltySprings springs;
     springs.normal_stiffness = factor * surface.normal_stiffness;
     springs.shear_stiffness = factor * surface.shear_stiffness;

@@ -48,9 +48,8 @@ double stable_step(const affine::BlockSystem& system, const affine::BlockState& 
     for (std::int32_t block = 0; block < system.size(); ++block) {
         const auto b = at(block);
         if (system.is_fixed[b] == 0) {
-            const double area = system.surface_of(block, block).is_per_area
-                                    ? system.shape_of(block).size * system.shape_of(block).size
-                                    : 1;
+            const affine::Shape& shape = system.shape_of(block);
+            const double area = system.surface_of(block, block).factor(shape.size * shape.size);
             const double contact = springs * stiffest * area * (loose[b] + std::sqrt(loose[b] * lightest));
             least = std::min(least, step_of(strain[b] + contact, 0));
         }

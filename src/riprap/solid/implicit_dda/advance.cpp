@@ -153,6 +153,7 @@ affine::Outcome advance_in_pieces(const BlockSystem& system, const std::vector<F
             total.static_loss += report.static_loss;
             total.external_work += report.external_work;
             total.open_close += report.open_close;
+            total.open_frictions += report.open_frictions;
             total.solver_iterations += report.solver_iterations;
             piece *= 1.5;
         } else if (outcome.shorten > 0 && piece * outcome.shorten > dt / 1024) {
@@ -167,6 +168,7 @@ affine::Outcome advance_in_pieces(const BlockSystem& system, const std::vector<F
     report.static_loss = total.static_loss;
     report.external_work = total.external_work;
     report.open_close = total.open_close;
+    report.open_frictions = total.open_frictions;
     report.solver_iterations = total.solver_iterations;
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
@@ -21,9 +22,9 @@ struct Settings {
     double reach{0.01};  ///< contacts are sought up to this share of the smallest block apart, besides the way
                          ///< of a step [-]
     double max_displacement{
-        0.1};                    ///< of a corner in a step, share of the smallest block; a longer one cuts the step [-]
-    double slide_tolerance{-1};  ///< see OpenCloseRule [m]
-    double dynamic{1};           ///< kappa: share of the velocity that a step starts with; 0 = static [-]
+        0.1};  ///< of a corner in a step, share of the smallest block; a longer one cuts the step [-]
+    std::optional<double> slide_tolerance{};  ///< see OpenCloseRule; empty = by reversal [m]
+    double dynamic{1};                        ///< kappa: share of the velocity that a step starts with; 0 = static [-]
 };
 
 /// A point of a block held by a spring [Ding2021, section 2.2, in three dimensions].
@@ -73,6 +74,7 @@ struct StepReport {
     double largest_displacement{0};  ///< of a corner [m]
     int open_close{0}, solver_iterations{0};
     std::int64_t contact_count{0}, sliding_count{0};
+    std::int64_t open_frictions{0};  ///< sliding contacts whose friction was still changing after the last round
     std::array<std::int32_t, 2> unsettled{-1, -1};  ///< blocks of a contact that opened and closed without end
     std::int32_t singular{-1};                      ///< block whose rows of the equations have no solution
 };

@@ -45,15 +45,19 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
     const KeyList<Engine> engine_keys{
         number(&Engine::max_displacement, "max_displacement", dimension::plain, above(0, 1),
                "A step that moves a corner farther than this share of the smallest block is cut."),
+        number_or(&Engine::slide_tolerance, "slide_tolerance", "reversal", dimension::length, non_negative(),
+                  "A sliding contact locks where it slips by less than this in a step, as in the source, or by "
+                  "\"reversal\": where its slip turns back or falls below the strength."),
         integer(&Engine::open_close, "open_close", 1, 100,
                 "Rounds of the open-close iteration before the step is cut."),
         number(&Engine::dynamic, "dynamic_factor", dimension::plain, between(0, 1),
                "Share of the velocity that the next step begins with: 1 = dynamic, 0 = static.")};
     return {.help = "implicit discontinuous deformation analysis, deformable convex blocks",
             .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys) +
-                    within(&S::elasticity, affine::elastic_keys()) +
+                    within(&S::elasticity, affine::elastic_keys_in_space()) +
                     KeyList<S>{number(&S::step, "step", dimension::time, positive(),
-                                      "Time step; shorter where contacts do not settle.")}};
+                                      "Time step; shorter where contacts do not settle.")},
+            .check = [](const S& settings) { return affine::problems_of(settings.elasticity); }};
 }
 
 std::vector<material::PropertyUse> ImplicitDda::reads(const Settings& /*settings*/) {
@@ -76,10 +80,10 @@ std::size_t ImplicitDda::Scratch::bytes() const {
 
 namespace {
 std::vector<implicit_dda::FixedPoint> fixed_points_of(const SolidScene& scene, const affine::Elasticity& elasticity) {
+    const double usual = 100 * corner_stiffness(scene, elasticity);
     std::vector<implicit_dda::FixedPoint> points;
     for (const body::FixedPoint& p : scene.fixed_points) {
-        points.push_back(
-            {p.body.value, p.point, p.place, p.stiffness > 0 ? p.stiffness : 100 * elasticity.contact_stiffness});
+        points.push_back({p.body.value, p.point, p.place, p.stiffness > 0 ? p.stiffness : usual});
     }
     return points;
 }

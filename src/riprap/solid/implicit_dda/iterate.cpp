@@ -35,12 +35,13 @@ Round update_pair(const OpenCloseRule& rule, std::int64_t number, Scratch& scrat
         evaluate(motion, c);
         const double friction = c.trial.friction;
         const Vec3 direction = c.trial.direction;
+        c.trial.change = 0;
         if (update_mode(c.springs, rule, c.trial)) {
             round.changed = i;
             is_stale = true;
         } else if (c.trial.mode == ContactMode::slide) {
-            round.unsettled =
-                std::max(round.unsettled, norm(c.trial.friction * c.trial.direction - friction * direction));
+            c.trial.change = norm(c.trial.friction * c.trial.direction - friction * direction);
+            round.unsettled = std::max(round.unsettled, c.trial.change);
         }
         is_stale = is_stale || c.trial.mode == ContactMode::slide;
         round.push = std::max(round.push, -c.springs.normal * c.trial.gap);
@@ -59,11 +60,17 @@ Round update_contacts(const OpenCloseRule& rule, Scratch& scratch) {
         256);
 }
 
+/// Counts contacts whose friction changed by more than a tolerance [N] in the last round.
+std::int64_t count_changing(const Scratch& scratch, double tolerance) {
+    return std::count_if(scratch.contacts.begin(), scratch.contacts.end(),
+                         [tolerance](const ContactTerm& c) { return c.trial.change > tolerance; });
+}
+
 }  // namespace
 
 affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report) {
     Equations& equations = scratch.equations;
-    const OpenCloseRule rule{0, 0, settings.slide_tolerance};
+    const OpenCloseRule rule{0, 0, settings.slide_tolerance.value_or(-1)};
     for (report.open_close = 1; report.open_close <= 2 * settings.open_close; ++report.open_close) {
         assemble(scratch.contacts, equations);
         Laps laps;
@@ -79,7 +86,9 @@ affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& 
                     settings.cut};
         }
         const auto [changed, push, unsettled] = update_contacts(rule, scratch);
-        if (changed < 0 && (unsettled <= friction_tolerance * push || report.open_close > settings.open_close)) {
+        const double tolerance = friction_tolerance * push;
+        if (changed < 0 && (unsettled <= tolerance || report.open_close > settings.open_close)) {
+            report.open_frictions = unsettled > tolerance ? count_changing(scratch, tolerance) : 0;
             return {};
         }
         if (changed >= 0 && report.open_close >= settings.open_close) {

@@ -27,6 +27,7 @@ struct ContactTrial {
     Vec3 direction{};        ///< l of sliding, a against b [-]
     double across{0};        ///< stiffness F_f/|t| with which friction turns with the slip [N/m]
     bool has_locked{false};  ///< went from sliding to lock in this step; if it slides again, it goes on sliding
+    double change{0};        ///< of the friction while sliding, in the last round [N]
 };
 
 /// When sliding ends.

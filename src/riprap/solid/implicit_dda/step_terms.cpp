@@ -12,7 +12,7 @@ using affine::BlockSystem, affine::rows_at;
 namespace {
 
 ContactSprings springs_of(const affine::Surface& surface, double area) {
-    const double factor = surface.is_per_area ? area : 1;
+    const double factor = surface.factor(area);
     return {factor * surface.normal_stiffness, factor * surface.shear_stiffness, surface.friction,
             surface.cohesion * area, surface.tension * area};
 }

@@ -62,7 +62,8 @@ void update_shear(const Contact& contact, Trial& trial, Changes& changes) {
     changes.locked_or_slid += mode != trial.mode ? 1 : 0;
     trial.mode = mode;
     const double friction = slides ? std::copysign(limit, trial.slip) : 0;
-    changes.friction = std::max(changes.friction, slides ? std::abs(friction - trial.friction) : 0.0);
+    trial.change = slides ? std::abs(friction - trial.friction) : 0;
+    changes.friction = std::max(changes.friction, trial.change);
     trial.friction = friction;
 }
 
@@ -97,6 +98,7 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
         const Unknowns &da = scratch.motion[at(contact.a)], &db = scratch.motion[at(contact.b)];
         trial.gap = contact.gap.after(da, db);
         trial.slip = trial.slip_start + dot(contact.slip.a, da) + dot(contact.slip.b, db);
+        trial.change = 0;
         const double normal = normal_if_closed(contact, trial, dt);
         if (trial.mode == Mode::open) {
             if (trial.gap < -settings.close_tolerance && normal > 0 && is_foot_on_edge(contact, trial)) {

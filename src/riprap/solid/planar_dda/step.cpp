@@ -51,6 +51,12 @@ std::string name_of(const Model& model, const Contact& contact) {
                        model.name_of(contact.b));
 }
 
+/// Counts contacts whose friction changed by more than a tolerance [N] after the last solution.
+std::int64_t count_changing(const Scratch& scratch, double tolerance) {
+    return std::count_if(scratch.trials.begin(), scratch.trials.end(),
+                         [tolerance](const Trial& trial) { return trial.change > tolerance; });
+}
+
 /// Open-close iteration: solves until no contact opens, closes, locks or slides and no bond breaks. A front of closing
 /// or opening that runs through a stack may take as many rounds as it has blocks; only rounds in which a contact goes
 /// back to what it was before count against the limit, as those are what a shorter step helps.
@@ -79,6 +85,8 @@ Outcome settle_contacts(const Model& model, const Settings& settings, const Stat
         if (!is_settled && ++friction_rounds < 3 * settings.max_iterations) {
             continue;
         }
+        report.open_frictions =
+            is_settled ? 0 : count_changing(scratch, settings.friction_tolerance * changes.largest_normal);
         if (break_bonds(settings, scratch) == 0) {
             return {};
         }

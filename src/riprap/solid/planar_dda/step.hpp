@@ -30,6 +30,7 @@ struct StepReport {
     int iterations{0};  ///< solutions of the equations
     int factorizations{0};
     std::int32_t closed_contacts{0};
+    std::int64_t open_frictions{0};  ///< sliding contacts whose friction was still changing after the last solution
     std::int64_t touching_pairs{0};  ///< of blocks with closed contacts
     double largest_displacement{0};  ///< of a corner [m]
     double largest_overlap{0};       ///< of a closed contact, after the step [m]
@@ -47,6 +48,7 @@ struct Trial {
     double slip_start{0};    ///< at the start of the step, against the lock point [m]
     double normal{0};        ///< force of spring, multiplier and dashpot, positive in compression [N]
     double friction{0};      ///< force used where it slides, with the sign of the slip [N]
+    double change{0};        ///< of that force after the last solution [N]
 };
 
 /// Buffers of a step; nothing that has to be kept.

@@ -127,8 +127,25 @@ struct Watch {
     Strike result{};
     Vec2 touch{};
     double fastest{0};                       ///< rise of the ice so far [m/s]
+    double last_touch{0};                    ///< time until which the ice has touched a stone [s]
     std::vector<double> rise{}, drift{};     ///< largest rise and drift of every stone [m]
     std::vector<std::vector<Vec2>> paths{};  ///< of every stone: time and height while it is well above the bed
+
+    /// Looks for a strike after the ice has been clear of all stones for 50 ms, in which it falls by 12 mm.
+    void look_for_second_strike() {
+        if (result.impact_time == 0) {
+            return;
+        }
+        for (std::int32_t b = bed.first_stone; b < bed.first_stone + bed.stone_count; ++b) {
+            // a stone in flight that it meets is no strike on the bed
+            if (trial.center(b).y <= bed.surface && trial.do_touch(ice, b)) {
+                if (result.second_strike == 0 && last_touch > 0 && trial.time - last_touch > 0.05) {
+                    result.second_strike = trial.time;
+                }
+                last_touch = trial.time;
+            }
+        }
+    }
 
     void look() {
         if (result.impact_time == 0) {
@@ -142,6 +159,9 @@ struct Watch {
         }
         for (std::int32_t k = 0; k < bed.stone_count; ++k) {
             const Vec2 moved = trial.center(bed.first_stone + k) - bed.start[at(k)];
+            if (k == struck && moved.y > rise[at(k)]) {
+                result.marked_apex = trial.time;
+            }
             rise[at(k)] = std::max(rise[at(k)], moved.y);
             drift[at(k)] = std::max(drift[at(k)], std::abs(moved.x));
             if (trial.center(bed.first_stone + k).y > bed.surface + 0.08) {
@@ -260,19 +280,22 @@ Strike strike(const BallastBed& bed, const Shot& shot) {
     watch.drift.assign(at(bed.stone_count), 0);
     watch.paths.resize(at(bed.stone_count));
     trial.dt = shot.height > 0.2 ? 1e-3 : 1e-4;
-    double end = 2;
-    while (trial.time < end) {
-        const bool is_near = trial.center(ice).y - lowest < bed.surface + 0.08;
-        trial.dt = is_near || watch.result.impact_time > 0 ? 1e-4 : trial.dt;
-        trial.step();
-        watch.look();
-        if (watch.result.impact_time > 0) {
-            end = std::min(end, watch.result.impact_time + shot.after);
+    const auto run = [&](double after, const auto& look) {
+        const auto end = [&] { return watch.result.impact_time > 0 ? watch.result.impact_time + after : 2.0; };
+        while (trial.time < end()) {
+            const bool is_near = trial.center(ice).y - lowest < bed.surface + 0.08;
+            trial.dt = is_near || watch.result.impact_time > 0 ? 1e-4 : trial.dt;
+            trial.step();
+            look();
+            watch.look_for_second_strike();
         }
+    };
+    run(shot.after, [&] {
+        watch.look();
         for (const std::int32_t rail : bed.rails) {
             watch.result.has_hit_rail = watch.result.has_hit_rail || trial.do_touch(ice, rail);
         }
-    }
+    });
     for (const double rise : watch.rise) {
         watch.result.flying += rise > 0.047 ? 1 : 0;
         watch.result.above_330 += rise > 0.33 ? 1 : 0;
@@ -284,6 +307,7 @@ Strike strike(const BallastBed& bed, const Shot& shot) {
     watch.look_at_crater();
     watch.result.ice = trial.center(ice) - center;
     watch.result.parabola = watch.misfit();
+    run(shot.watch, [] {});
     watch.result.ledger = trial.ledger_error();
     return watch.result;
 }

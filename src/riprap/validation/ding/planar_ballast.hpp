@@ -44,6 +44,8 @@ struct Strike {
     std::vector<double> ice_ways{};     ///< of the ice from where it touched, at these times [m]
     std::vector<double> marked_ways{};  ///< of the marked stone from its place [m]
     bool has_hit_rail{false};
+    double marked_apex{0};    ///< time at which the marked stone is highest [s]
+    double second_strike{0};  ///< time at which ice that had left the bed meets it again; 0 = it does not [s]
     double ledger{0};
 };
 
@@ -55,7 +57,8 @@ struct Shot {
     int corners{32};      ///< of a regular polygon; 0 = the rectangle of `size`
     bool is_flat{false};  ///< it comes with an edge first, not with a corner
     geometry::Vec2 size{0.05, 0.05};  ///< radius of the polygon, or both sides [m]
-    double after{0.3};                ///< time computed from the touch [s]
+    double after{0.3};                ///< time from the touch over which everything is measured [s]
+    double watch{0};                  ///< longer time from the touch in which a second strike is looked for [s]
 };
 
 /// Throws ice on a copy of the bed. Ice that comes along the bed meets no walls above it: a track has none.

@@ -10,6 +10,7 @@ namespace riprap::validation::ding {
 void planar_free_fall(const CaseSetting& setting, CaseReport& report);
 void planar_shaken_stack(const CaseSetting& setting, CaseReport& report);
 void planar_air_cannon(const CaseSetting& setting, CaseReport& report);
+void planar_air_cannon_level(const CaseSetting& setting, CaseReport& report);
 void planar_cross_section(const CaseSetting& setting, CaseReport& report);
 void planar_train_speed(const CaseSetting& setting, CaseReport& report);
 void planar_incident_angle(const CaseSetting& setting, CaseReport& report);
