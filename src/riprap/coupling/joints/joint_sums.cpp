@@ -140,7 +140,7 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
             }
             const JointGaps<Real> gaps =
                 kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
+            if (gaps.open == 0 && !kernel_.do_meet(met)) {
                 return;
             }
             const Lanes volume = others_in_lanes<Real>(other.volume);
@@ -154,18 +154,23 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
             from[3] = zero;
             AroundSlot<Real>& at_other = slots[place];
             if (gaps.bits != 0) {
-                const Lanes shift = max(gaps.width, zero);
-                const JointLinks<Real> touching = kernel_.nearer(met, shift, gaps);
-                const Lanes to_own =
-                    touching.slope * dot(touching.apart, own.normal) - slope * dot(met.apart, own.normal);
-                const Lanes to_other = slope * dot(met.apart, normal) - touching.slope * dot(touching.apart, normal);
-                sum[3] += select(gaps.are_there, volume * to_own, zero);
-                from[3] = select(gaps.are_there, own.volume * to_other, zero);
-                const auto is_met = gaps.are_there & (touching.slope < zero);
-                const Lanes here = select(is_met, shift, none);
+                Lanes here;
+                if (gaps.open == 0) {  // they are together already
+                    here = select(gaps.are_there & (slope < zero), zero, none);
+                } else {
+                    const Lanes shift = max(gaps.width, zero);
+                    const JointLinks<Real> touching = kernel_.nearer(met, shift, gaps);
+                    const Lanes to_own =
+                        touching.slope * dot(touching.apart, own.normal) - slope * dot(met.apart, own.normal);
+                    const Lanes to_other =
+                        slope * dot(met.apart, normal) - touching.slope * dot(touching.apart, normal);
+                    sum[3] += select(gaps.are_there, volume * to_own, zero);
+                    from[3] = select(gaps.are_there, own.volume * to_other, zero);
+                    here = select(gaps.are_there & (touching.slope < zero), shift, none);
+                    pairs |= kernel_.do_closed_meet(met, gaps);
+                }
                 gap = min(gap, here);
                 lessen_others<Real>(at_other.gap, here);
-                pairs |= kernel_.do_closed_meet(met, gaps);
             }
             add_to_others<Real, 4>(at_other.sums, from);
             meets |= pairs;
@@ -253,7 +258,7 @@ void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> s
             }
             const JointGaps<Real> gaps =
                 kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
+            if (gaps.open == 0 && !kernel_.do_meet(met)) {
                 return;
             }
             std::array<Lanes, 3> push;
@@ -261,7 +266,7 @@ void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> s
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 push[axis] = strength * met.apart[axis];
             }
-            if (gaps.bits != 0) {
+            if (gaps.open != 0) {
                 const JointLinks<Real> closed = kernel_.closed(met, gaps);
                 const Lanes left =
                     select(gaps.are_there, half * (share + others_in_lanes<Real>(side.left_to_do)), zero);
