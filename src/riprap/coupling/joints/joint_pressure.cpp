@@ -54,7 +54,7 @@ class JointStep {
     void find(const JointPairs& pairs, std::span<const PlacedFour<Real>> placed, std::span<const Vec3> slopes,
               const body::Motion& motion, const JointScene& scene, std::vector<Vec3>& force);
     std::size_t bytes() const {
-        return bytes_of(around_, marks_, found_, shares_, pieces_, felt_, felt_slots_, sides_, forces_);
+        return bytes_of(around_, marks_, found_, shares_, pieces_, are_pieces_, felt_, felt_slots_, sides_, forces_);
     }
 
  private:
@@ -70,6 +70,7 @@ class JointStep {
     std::vector<JointWater> found_;         ///< of each sample of each four
     std::vector<std::uint8_t> shares_;      ///< of each side, a bit for each sample that shares the joint
     std::vector<RimPiece> pieces_;          ///< of each sample of each four
+    std::vector<std::uint8_t> are_pieces_;  ///< of each four, a bit for each sample that is one
     std::vector<FeltFour<Real>> felt_;      ///< of each four
     std::vector<FeltSlot<Real>> felt_slots_;
     std::vector<SideFour<Real>> sides_;  ///< of each side
@@ -104,8 +105,10 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
         bits = static_cast<std::uint8_t>(bits | shares_[k]);
     }
     pieces_.resize(found_.size());
+    are_pieces_.resize(pairs.fours().size());
     felt_.resize(pairs.fours().size());
     parallel::for_each(std::ssize(felt_), [&](std::int64_t four) {
+        unsigned are_pieces = 0;
         FeltFour<Real>& felt = felt_[at(four)];
         felt = {};
         for (std::size_t lane = 0; lane < four_size; ++lane) {
@@ -124,8 +127,10 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
                 const double weight = strength * scene.near.volume(pairs.fours()[at(four)].sample(lane));
                 piece = {weight * share, weight * (1 - share), 0};
                 felt.is_asked = felt.is_asked || piece.wet > 0;
+                are_pieces |= piece.wet + piece.dry > 0 ? 1U << lane : 0U;
             }
         }
+        are_pieces_[at(four)] = static_cast<std::uint8_t>(are_pieces);
     });
 }
 
@@ -176,12 +181,10 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
     const std::span<const JointSide> sides = pairs.sides_of(joint);
     const std::size_t first = at(pairs.joints()[joint].first_side);
     for (std::size_t k = 0; k < sides.size(); ++k) {
-        for (std::uint32_t left = shares_[first + k]; left != 0; left &= left - 1) {
-            const auto four = at(sides[k].four), lane = static_cast<std::size_t>(__builtin_ctz(left));
+        const auto four = at(sides[k].four);
+        for (unsigned left = shares_[first + k] & are_pieces_[four]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
             const RimPiece& part = pieces_[four_size * four + lane];
-            if (!(part.wet + part.dry > 0)) {
-                continue;
-            }
             const Vec3& place = scene.walls.position[pairs.fours()[four].sample(lane)];
             origin = pieces.empty() ? place : origin;
             pieces.push_back({four, lane, dot(pull, nearest(place - origin))});
@@ -223,19 +226,19 @@ void JointStep<Real>::press(const JointPairs& pairs, const JointSums<Real>& sums
     const std::size_t first = at(pairs.joints()[joint].first_side);
     const std::span<const JointSide> sides = pairs.sides_of(joint);
     for (std::size_t k = 0; k < sides.size(); ++k) {
+        if (shares_[first + k] == 0) {
+            continue;  // which nobody reads
+        }
         const auto four = at(sides[k].four);
+        const Four<Real> pressure = rim.empty() ? Four<Real>{} : sums.pressure(four, rim);
         SideFour<Real>& side = sides_[first + k];
         side = {};
-        if (shares_[first + k] != 0 && !rim.empty()) {
-            side.pressure = sums.pressure(four, rim);
-        }
-        for (std::size_t lane = 0; lane < four_size; ++lane) {
-            const JointWater& here = found_[four_size * four + lane];
-            const bool is_shared = (shares_[first + k] >> lane & 1U) != 0;
-            side.pressure[lane] = is_shared ? side.pressure[lane] : 0;
-            const JointFour& samples = pairs.fours()[four];
-            const double of_water = samples.has(lane) ? scene.water.pressure[samples.sample(lane)] : 0;
-            side.left_to_do[lane] = static_cast<Real>(left_to_do(here, of_water, double{side.pressure[lane]}));
+        for (unsigned left = shares_[first + k]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+            const double of_water = scene.water.pressure[pairs.fours()[four].sample(lane)];
+            side.pressure[lane] = pressure[lane];
+            side.left_to_do[lane] =
+                static_cast<Real>(left_to_do(found_[four_size * four + lane], of_water, double{pressure[lane]}));
         }
     }
 }

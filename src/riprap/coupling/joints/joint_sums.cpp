@@ -21,11 +21,14 @@ void lessen_own(Four<Real>& four, Sixteen<Real> lanes) {
 /// and the other way.
 template <class Real>
 void lessen_others(Four<Real>& four, Sixteen<Real> lanes) {
+    using Lane4 = Wide<Real, four_size>;
     std::array<Real, fluid::lane_count> all;
     lanes.store(all.data());
-    for (std::size_t l = 0; l < all.size(); ++l) {
-        four[l % four_size] = std::min(four[l % four_size], all[l]);
+    Lane4 least = Lane4::load(four.data());
+    for (std::size_t l = 0; l < all.size(); l += four_size) {
+        least = min(least, Lane4::load(all.data() + l));
     }
+    least.store(four.data());
 }
 
 /// A bit for each of one four with some pair, and for each of the other.
