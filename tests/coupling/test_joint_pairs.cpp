@@ -116,8 +116,8 @@ TEST(JointPairs, are_up_to_date_while_their_list_is_kept) {
     Strewn scene(false);
     JointPairs pairs;
     scene.update(pairs);
-    scene.motion.pose[0].position = {0.2, 0, 0};  // less than the skin
-    scene.motion.pose[1].orientation = normalized(Quat{1, 0, 0.005, 0});
+    scene.motion.pose[0].position = {0.04, 0, 0};  // less than half of the least skin
+    scene.motion.pose[1].orientation = normalized(Quat{1, 0, 0.001, 0});
     place_samples(scene.samples, scene.motion, scene.walls);
     scene.update(pairs);
     EXPECT_EQ(scene.listed(pairs, false), scene.all_within(false));
