@@ -154,10 +154,18 @@ void JointPairs::find_pairs(const fluid::BoundaryParticles& walls, const fluid::
     std::vector<FoundUnits> found(ranges.size());
     parallel::for_each_uneven(std::ssize(ranges), 1,
                               [&](std::int64_t range) { search.find(ranges[at(range)], found[at(range)]); });
-    units_.clear();
-    slots_.clear();
-    met_.clear();
-    joined_.clear();
+    const auto clear = [&found](auto& all, auto part) {
+        std::size_t count = 0;
+        for (const FoundUnits& of_range : found) {
+            count += (of_range.*part).size();
+        }
+        make_room(all, count);
+        all.clear();
+    };
+    clear(units_, &FoundUnits::units);
+    clear(slots_, &FoundUnits::slots);
+    clear(met_, &FoundUnits::met);
+    clear(joined_, &FoundUnits::joined);
     for (FoundUnits& of_range : found) {
         for (std::size_t k = 0; k < of_range.units.size(); ++k) {
             const JointUnit& unit = of_range.units[k];
@@ -239,7 +247,7 @@ void JointPairs::list_slots_of_fours() {
     for (std::size_t k = 0; k < fours_.size(); ++k) {
         first_of_four_[k + 1] += first_of_four_[k];
     }
-    slots_of_fours_.resize(slots_.size());
+    make_room(slots_of_fours_, slots_.size());
     std::vector<std::int32_t> next(first_of_four_.begin(), first_of_four_.end() - 1);
     for (std::size_t k = 0; k < slots_.size(); ++k) {
         slots_of_fours_[at(next[at(slots_[k].four)]++)] = static_cast<std::int32_t>(k);

@@ -104,9 +104,9 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
         std::uint8_t& bits = is_side[at(pairs.sides()[k].four)];
         bits = static_cast<std::uint8_t>(bits | shares_[k]);
     }
-    pieces_.resize(found_.size());
-    are_pieces_.resize(pairs.fours().size());
-    felt_.resize(pairs.fours().size());
+    make_room(pieces_, found_.size());
+    make_room(are_pieces_, pairs.fours().size());
+    make_room(felt_, pairs.fours().size());
     parallel::for_each(std::ssize(felt_), [&](std::int64_t four) {
         unsigned are_pieces = 0;
         FeltFour<Real>& felt = felt_[at(four)];
@@ -138,7 +138,7 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
 /// rest.
 template <class Real>
 void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums) {
-    felt_slots_.resize(pairs.slots().size());
+    make_room(felt_slots_, pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
         sums.feel(at(number), felt_, slots_of(felt_slots_, unit), slots_of(marks_, unit));
@@ -258,7 +258,7 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     }
     find_pieces(pairs, scene);
     feel(pairs, sums);
-    sides_.resize(pairs.sides().size());
+    make_room(sides_, pairs.sides().size());
     const auto is_wet = [&](std::int64_t joint) {
         const Joint& here = pairs.joints()[at(joint)];
         return wet.is_wet_partner[WetSolids::entry(here.high)] != 0 ||
@@ -269,7 +269,7 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
             press(pairs, sums, scene, at(joint));
         }
     });
-    forces_.resize(pairs.slots().size());
+    make_room(forces_, pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
         if (unit.joint >= 0 && is_wet(unit.joint)) {

@@ -86,8 +86,8 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
         return solid != no_solid && wet.meets_wet[WetSolids::entry(solid)] != 0;
     };
     const std::vector<std::uint8_t> are_at_joints = find_who_is_at_joints(pairs, sums);
-    around.resize(pairs.slots().size());
-    marks.resize(pairs.slots().size());
+    make_room(around, pairs.slots().size());
+    make_room(marks, pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
         const std::size_t first = at(unit.first_slot), count = at(unit.own_count + unit.other_count);
@@ -97,7 +97,7 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
             sums.look_around(at(number), std::span(around).subspan(first, count), of_unit);
         }
     });
-    found.resize(four_size * pairs.fours().size());
+    make_room(found, four_size * pairs.fours().size());
     parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t number) {
         const JointFour& four = pairs.fours()[at(number)];
         std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(four_size) * number, four_size, JointWater{});
