@@ -116,8 +116,8 @@ TEST(JointPairs, are_up_to_date_while_their_list_is_kept) {
     Strewn scene(false);
     JointPairs pairs;
     scene.update(pairs);
-    scene.motion.pose[0].position = {0.2, 0, 0};  // less than the skin
-    scene.motion.pose[1].orientation = normalized(Quat{1, 0, 0.005, 0});
+    scene.motion.pose[0].position = {0.04, 0, 0};  // less than half of the least skin
+    scene.motion.pose[1].orientation = normalized(Quat{1, 0, 0.001, 0});
     place_samples(scene.samples, scene.motion, scene.walls);
     scene.update(pairs);
     EXPECT_EQ(scene.listed(pairs, false), scene.all_within(false));
@@ -165,8 +165,9 @@ TEST(JointPairs, sums_in_float_are_those_in_double_and_opposite_for_both_sides) 
         const std::size_t count = at(unit.own_count + unit.other_count);
         std::vector<ForceSlot<float>> a(count);
         std::vector<ForceSlot<double>> b(count);
-        fast.push(u, of_fast, a);
-        plain.push(u, of_plain, b);
+        std::vector<std::uint8_t> marks(count, SlotMark::meets);
+        fast.push(u, of_fast, a, marks);
+        plain.push(u, of_plain, b, marks);
         double largest = 0, total = 0;
         for (std::size_t k = 0; k < count; ++k) {
             for (std::size_t lane = 0; lane < four_size; ++lane) {

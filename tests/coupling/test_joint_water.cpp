@@ -64,9 +64,9 @@ struct Faces {
         std::vector<AroundSlot<float>> around;
         std::vector<JointWater> found;
         const JointSums<float> sums(pairs, pairs.placed(), settings, {});
-        std::vector<std::uint8_t> is_seen;
+        std::vector<std::uint8_t> marks;
         find_joint_water(pairs, sums, samples, slopes, motion, at_walls, settings,
-                         find_wet_solids(pairs, motion.pose.size(), at_walls), around, is_seen, found);
+                         find_wet_solids(pairs, motion.pose.size(), at_walls), around, marks, found);
         JointWater nearest;
         double distance = 1e300;
         for (std::size_t i = 0; i < found.size(); ++i) {

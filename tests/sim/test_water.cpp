@@ -236,6 +236,23 @@ TEST(Water, feels_all_walls_in_its_reach_wherever_it_has_come_and_is_spared_the_
     EXPECT_LE(renewals, 30);
 }
 
+TEST(Water, looks_for_walls_anew_in_a_state_from_when_samples_had_another_order) {
+    Basin basin = dam_break(), anew = dam_break();
+    {
+        Scratch first;
+        basin.steps(3, first);
+    }
+    anew.state = basin.state;
+    anew.state.coupling.near_travel = -1;  // as in a state without any
+    std::vector<std::int32_t>& near = basin.state.coupling.near_samples;
+    near.erase(near.begin() + 5);
+    Scratch of_basin, of_anew;
+    basin.steps(1, of_basin);
+    anew.steps(1, of_anew);
+    EXPECT_EQ(near, anew.state.coupling.near_samples);
+    EXPECT_EQ(state_hash(basin.state), state_hash(anew.state));
+}
+
 TEST(Water, steps_have_the_same_bits_at_any_thread_count) {
     const int threads = parallel::thread_count();
     std::array<std::uint64_t, 2> hash{};

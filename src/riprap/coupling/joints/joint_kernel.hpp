@@ -33,6 +33,7 @@ struct JointLanes {
 template <class Real>
 struct JointGaps {
     std::uint32_t bits;                           ///< those narrow enough to share a joint; 0: nothing else is there
+    std::uint32_t open;                           ///< those of them with room between, which brings them together
     WideMask<Real, fluid::lane_count> are_there;  ///< the same
     std::array<Sixteen<Real>, 3> across;          ///< n_ij, unit
     Sixteen<Real> width;                          ///< negative where they overlap [m]
@@ -71,6 +72,7 @@ class JointKernel {
         auto may_be = dot(own_normal, other_normal) < Lanes(-0.5);
         may_be = may_be & (pairs.square < Lanes(limits_.reach * limits_.reach));
         gaps.bits = bits_of<Real>(may_be);
+        gaps.open = 0;
         if (gaps.bits == 0) {
             return gaps;
         }
@@ -85,6 +87,7 @@ class JointKernel {
         gaps.width = -dot(pairs.apart, gaps.across) - depth;
         gaps.are_there = may_be & (gaps.width < Lanes(limits_.gap));
         gaps.bits = bits_of<Real>(gaps.are_there);
+        gaps.open = gaps.bits & bits_below(Lanes(0), gaps.width);
         return gaps;
     }
     /// Links with such faces brought together as far as they are to feel the joint, by s: see JointPressure.

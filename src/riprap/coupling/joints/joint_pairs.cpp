@@ -21,37 +21,62 @@ namespace {
 constexpr std::int64_t grain = 64;
 /// Angle that a body may turn before pairs are looked for again [rad].
 constexpr double most_turn = 0.15;
-/// Share of a spacing that two samples may come nearer before pairs are looked for again.
-constexpr double skin = 0.5;
+/// Spacings that two samples may come nearer before pairs are looked for again, at most and at least.
+constexpr double most_skin = 0.5, least_skin = 0.1;
 
-}  // namespace
-
-double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_driven) {
-    // Where driven and still solids meet, what is near a loose body must see the other one to know that it ends there.
+/// Returns the distance within which members are looked for about loose bodies [m]. Where driven and still solids meet,
+/// what is near a loose body must see the other one to know that it ends there.
+double reach_with(double skin, const fluid::ParticleSettings& settings, bool has_driven) {
     return (has_driven ? 2 : 1) * JointKernelLimits(settings).reach + skin * settings.spacing;
 }
 
-bool JointPairs::is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
-                               const fluid::BoundaryParticles& walls, double spacing) const {
-    if (paired_at_.size() != at(near.size()) || posed_at_.size() != motion.pose.size()) {
-        return false;
-    }
+}  // namespace
+
+JointPairs::JointPairs() : skin_(least_skin) {}
+
+double JointPairs::reach(const fluid::ParticleSettings& settings, bool has_driven) {
+    return reach_with(most_skin, settings, has_driven);
+}
+
+/// Tells whether some body has turned farther than lists of faces that look at each other allow.
+bool JointPairs::has_turned(const body::Motion& motion) const {
     const double least = std::cos(0.5 * most_turn);
-    const bool has_turned = parallel::any_of(static_cast<std::int64_t>(posed_at_.size()), [&](std::int64_t b) {
+    return parallel::any_of(static_cast<std::int64_t>(posed_at_.size()), [&](std::int64_t b) {
         const Quat &now = motion.pose[at(b)].orientation, &then = posed_at_[at(b)].orientation;
         return !(std::abs(now.w * then.w + now.x * then.x + now.y * then.y + now.z * then.z) > least);
     });
-    if (has_turned) {
-        return false;
-    }
-    const double farthest = parallel::reduce(
+}
+
+/// Returns the farthest way of a sample since lists were made [m].
+double JointPairs::farthest_way(const SampleView& near, const JointSolids& solids,
+                                const fluid::BoundaryParticles& walls) const {
+    const double square = parallel::reduce(
         near.size(), 0.0,
         [&](std::int64_t i) {
             const bool is_still = solids.is_still[at(near.body(at(i)).value)] != 0;
             return is_still ? 0.0 : norm_squared(walls.position[at(i)] - paired_at_[at(i)]);
         },
         [](double a, double b) { return std::max(a, b); });
-    return farthest < 0.25 * skin * skin * spacing * spacing;
+    return std::sqrt(square);
+}
+
+/// Tells whether the lists still hold all pairs; if not, chooses the skin of those that are to be made.
+bool JointPairs::keep(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
+                      const fluid::BoundaryParticles& walls, double spacing) {
+    if (paired_at_.size() != at(near.size()) || posed_at_.size() != motion.pose.size()) {
+        return false;
+    }
+    ++age_;
+    const double way = farthest_way(near, solids, walls) / spacing;
+    if (way < 0.5 * skin_ && !has_turned(motion)) {
+        return true;
+    }
+    // A skin s makes the sums of a step dearer by s/2 and lasts s/(2 u) steps at a motion of u a step until lists,
+    // which cost 2.5 such sums, are made anew: least in sum at s^2 = 10 u.
+    if (way > 0) {
+        skin_ = std::clamp(std::sqrt(28 * way / static_cast<double>(age_)), least_skin, most_skin);
+    }
+    return false;
 }
 
 void JointPairs::find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
@@ -67,7 +92,7 @@ void JointPairs::find_members(const SampleView& near, const JointSolids& solids,
             loose.push_back(walls.position[i]);
         }
     }
-    const double most = reach(settings, has_driven_);
+    const double most = reach_with(skin_, settings, has_driven_);
     const fluid::NearestImage nearest(settings.domain);
     fluid::CellGrid grid;
     grid.build(loose, settings.domain, most);
@@ -120,7 +145,7 @@ void JointPairs::find_pairs(const fluid::BoundaryParticles& walls, const fluid::
     fluid::BoxTree boxes;
     boxes.build(places, settings.domain);
     constexpr double slack = 1e-4;  // spacings, and of n_i . n_j: more than single precision can be off
-    const double beyond = (skin + slack) * settings.spacing;
+    const double beyond = (skin_ + slack) * settings.spacing;
     const JointSearch search(
         fours_, placed_, fixed_, boxes,
         {static_cast<float>(JointKernelLimits(settings).reach + beyond),
@@ -129,10 +154,18 @@ void JointPairs::find_pairs(const fluid::BoundaryParticles& walls, const fluid::
     std::vector<FoundUnits> found(ranges.size());
     parallel::for_each_uneven(std::ssize(ranges), 1,
                               [&](std::int64_t range) { search.find(ranges[at(range)], found[at(range)]); });
-    units_.clear();
-    slots_.clear();
-    met_.clear();
-    joined_.clear();
+    const auto clear = [&found](auto& all, auto part) {
+        std::size_t count = 0;
+        for (const FoundUnits& of_range : found) {
+            count += (of_range.*part).size();
+        }
+        make_room(all, count);
+        all.clear();
+    };
+    clear(units_, &FoundUnits::units);
+    clear(slots_, &FoundUnits::slots);
+    clear(met_, &FoundUnits::met);
+    clear(joined_, &FoundUnits::joined);
     for (FoundUnits& of_range : found) {
         for (std::size_t k = 0; k < of_range.units.size(); ++k) {
             const JointUnit& unit = of_range.units[k];
@@ -214,7 +247,7 @@ void JointPairs::list_slots_of_fours() {
     for (std::size_t k = 0; k < fours_.size(); ++k) {
         first_of_four_[k + 1] += first_of_four_[k];
     }
-    slots_of_fours_.resize(slots_.size());
+    make_room(slots_of_fours_, slots_.size());
     std::vector<std::int32_t> next(first_of_four_.begin(), first_of_four_.end() - 1);
     for (std::size_t k = 0; k < slots_.size(); ++k) {
         slots_of_fours_[at(next[at(slots_[k].four)]++)] = static_cast<std::int32_t>(k);
@@ -226,7 +259,7 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
     const std::span<const Vec3> places = std::span(walls.position).first(at(near.size()));
     const fluid::Box box = fluid::box_of(places);
     fixed_ = fluid::FixedPoint({JointKernelLimits(settings).reach, settings.domain}, max(box.high - box.low, Vec3{}));
-    const bool is_kept = is_up_to_date(near, solids, motion, walls, settings.spacing);
+    const bool is_kept = keep(near, solids, motion, walls, settings.spacing);
     if (!is_kept) {
         find_members(near, solids, walls, settings);
     }
@@ -234,6 +267,7 @@ void JointPairs::update(const SampleView& near, const JointSolids& solids, const
     if (!is_kept) {
         find_pairs(walls, settings);
         posed_at_ = motion.pose;
+        age_ = 0;
     }
 }
 

@@ -56,10 +56,12 @@ struct JointUnit {
 };
 
 /// Which samples of different solids are within JointKernel::reach of each other, four by four, each pair of them once.
-/// Listed with a skin and kept while no sample has moved half of it. Sums add zero for pairs that are listed in vain,
-/// in an order that is that of the samples, so nothing depends on when the list was made.
+/// Listed with a skin that follows from how fast samples move, and kept while none has moved half of it. Sums add zero
+/// for pairs that are listed in vain, in an order that is that of the samples, so nothing depends on when the list was
+/// made.
 class JointPairs {
  public:
+    JointPairs();
     /// Reach of the search for members about loose bodies; periods of the domain must be at least twice that [m].
     /// @param has_driven  some body is driven: what it shuts off is looked for too
     static double reach(const fluid::ParticleSettings& settings, bool has_driven);
@@ -112,8 +114,10 @@ class JointPairs {
                                                   std::int64_t end) {
         return std::span(all).subspan(at(first), at(end - first));
     }
-    bool is_up_to_date(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
-                       const fluid::BoundaryParticles& walls, double spacing) const;
+    bool has_turned(const body::Motion& motion) const;
+    double farthest_way(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls) const;
+    bool keep(const SampleView& near, const JointSolids& solids, const body::Motion& motion,
+              const fluid::BoundaryParticles& walls, double spacing);
     void find_members(const SampleView& near, const JointSolids& solids, const fluid::BoundaryParticles& walls,
                       const fluid::ParticleSettings& settings);
     void find_pairs(const fluid::BoundaryParticles& walls, const fluid::ParticleSettings& settings);
@@ -131,6 +135,8 @@ class JointPairs {
     std::vector<std::int32_t> first_of_four_, slots_of_fours_;
     std::vector<Vec3> paired_at_;  ///< places of all samples then; empty = nothing found yet [m]
     std::vector<Pose> posed_at_;   ///< of all bodies then
+    double skin_;                  ///< of the lists [spacings]
+    std::int64_t age_{0};          ///< updates since they were made
     bool has_driven_{false};
 };
 

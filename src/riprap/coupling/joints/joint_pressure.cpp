@@ -54,7 +54,7 @@ class JointStep {
     void find(const JointPairs& pairs, std::span<const PlacedFour<Real>> placed, std::span<const Vec3> slopes,
               const body::Motion& motion, const JointScene& scene, std::vector<Vec3>& force);
     std::size_t bytes() const {
-        return bytes_of(around_, found_, shares_, pieces_, felt_, felt_slots_, sides_, forces_);
+        return bytes_of(around_, marks_, found_, shares_, pieces_, are_pieces_, felt_, felt_slots_, sides_, forces_);
     }
 
  private:
@@ -66,14 +66,14 @@ class JointStep {
                   std::vector<RimFour<Real>>& rim) const;
 
     std::vector<AroundSlot<Real>> around_;  ///< of each slot
+    std::vector<std::uint8_t> marks_;       ///< of each slot, what it holds
     std::vector<JointWater> found_;         ///< of each sample of each four
     std::vector<std::uint8_t> shares_;      ///< of each side, a bit for each sample that shares the joint
     std::vector<RimPiece> pieces_;          ///< of each sample of each four
+    std::vector<std::uint8_t> are_pieces_;  ///< of each four, a bit for each sample that is one
     std::vector<FeltFour<Real>> felt_;      ///< of each four
     std::vector<FeltSlot<Real>> felt_slots_;
     std::vector<SideFour<Real>> sides_;  ///< of each side
-    // Of each unit: whether its slots hold something of these sums.
-    std::vector<std::uint8_t> is_seen_, is_felt_, is_pressed_;
     std::vector<ForceSlot<Real>> forces_;
     std::span<const PlacedFour<Real>> placed_;
 };
@@ -88,9 +88,10 @@ template <class Real>
 void JointStep<Real>::find_sides(const JointPairs& pairs) {
     shares_.assign(pairs.sides().size(), 0);
     for (std::size_t k = 0; k < pairs.slots().size(); ++k) {
-        if (pairs.slots()[k].side >= 0 && is_seen_[at(pairs.slots()[k].unit)] != 0) {
+        const unsigned meets = marks_[k] & SlotMark::meets;
+        if (meets != 0 && pairs.slots()[k].side >= 0) {
             std::uint8_t& shares = shares_[at(pairs.slots()[k].side)];
-            shares = static_cast<std::uint8_t>(shares | around_[k].meets);
+            shares = static_cast<std::uint8_t>(shares | meets);
         }
     }
 }
@@ -103,9 +104,11 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
         std::uint8_t& bits = is_side[at(pairs.sides()[k].four)];
         bits = static_cast<std::uint8_t>(bits | shares_[k]);
     }
-    pieces_.resize(found_.size());
-    felt_.resize(pairs.fours().size());
+    make_room(pieces_, found_.size());
+    make_room(are_pieces_, pairs.fours().size());
+    make_room(felt_, pairs.fours().size());
     parallel::for_each(std::ssize(felt_), [&](std::int64_t four) {
+        unsigned are_pieces = 0;
         FeltFour<Real>& felt = felt_[at(four)];
         felt = {};
         for (std::size_t lane = 0; lane < four_size; ++lane) {
@@ -124,8 +127,10 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
                 const double weight = strength * scene.near.volume(pairs.fours()[at(four)].sample(lane));
                 piece = {weight * share, weight * (1 - share), 0};
                 felt.is_asked = felt.is_asked || piece.wet > 0;
+                are_pieces |= piece.wet + piece.dry > 0 ? 1U << lane : 0U;
             }
         }
+        are_pieces_[at(four)] = static_cast<std::uint8_t>(are_pieces);
     });
 }
 
@@ -133,11 +138,10 @@ void JointStep<Real>::find_pieces(const JointPairs& pairs, const JointScene& sce
 /// rest.
 template <class Real>
 void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums) {
-    felt_slots_.resize(pairs.slots().size());
-    is_felt_.resize(pairs.units().size());
-    parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t unit) {
-        const bool is_felt = sums.feel(at(unit), felt_, slots_of(felt_slots_, pairs.units()[at(unit)]));
-        is_felt_[at(unit)] = is_felt ? 1 : 0;
+    make_room(felt_slots_, pairs.slots().size());
+    parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
+        const JointUnit& unit = pairs.units()[at(number)];
+        sums.feel(at(number), felt_, slots_of(felt_slots_, unit), slots_of(marks_, unit));
     });
     parallel::for_each_uneven(std::ssize(felt_), grain, [&](std::int64_t four) {
         if (!felt_[at(four)].is_asked) {
@@ -145,7 +149,7 @@ void JointStep<Real>::feel(const JointPairs& pairs, const JointSums<Real>& sums)
         }
         std::array<double, four_size> weights{}, sum{};
         for (const std::int32_t slot : pairs.slots_of(at(four))) {
-            for (std::size_t lane = 0; is_felt_[at(pairs.slots()[at(slot)].unit)] != 0 && lane < four_size; ++lane) {
+            for (std::size_t lane = 0; (marks_[at(slot)] & SlotMark::felt) != 0 && lane < four_size; ++lane) {
                 weights[lane] += felt_slots_[at(slot)][0][lane];
                 sum[lane] += felt_slots_[at(slot)][1][lane];
             }
@@ -177,12 +181,10 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
     const std::span<const JointSide> sides = pairs.sides_of(joint);
     const std::size_t first = at(pairs.joints()[joint].first_side);
     for (std::size_t k = 0; k < sides.size(); ++k) {
-        for (std::uint32_t left = shares_[first + k]; left != 0; left &= left - 1) {
-            const auto four = at(sides[k].four), lane = static_cast<std::size_t>(__builtin_ctz(left));
+        const auto four = at(sides[k].four);
+        for (unsigned left = shares_[first + k] & are_pieces_[four]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
             const RimPiece& part = pieces_[four_size * four + lane];
-            if (!(part.wet + part.dry > 0)) {
-                continue;
-            }
             const Vec3& place = scene.walls.position[pairs.fours()[four].sample(lane)];
             origin = pieces.empty() ? place : origin;
             pieces.push_back({four, lane, dot(pull, nearest(place - origin))});
@@ -224,19 +226,19 @@ void JointStep<Real>::press(const JointPairs& pairs, const JointSums<Real>& sums
     const std::size_t first = at(pairs.joints()[joint].first_side);
     const std::span<const JointSide> sides = pairs.sides_of(joint);
     for (std::size_t k = 0; k < sides.size(); ++k) {
+        if (shares_[first + k] == 0) {
+            continue;  // which nobody reads
+        }
         const auto four = at(sides[k].four);
+        const Four<Real> pressure = rim.empty() ? Four<Real>{} : sums.pressure(four, rim);
         SideFour<Real>& side = sides_[first + k];
         side = {};
-        if (shares_[first + k] != 0 && !rim.empty()) {
-            side.pressure = sums.pressure(four, rim);
-        }
-        for (std::size_t lane = 0; lane < four_size; ++lane) {
-            const JointWater& here = found_[four_size * four + lane];
-            const bool is_shared = (shares_[first + k] >> lane & 1U) != 0;
-            side.pressure[lane] = is_shared ? side.pressure[lane] : 0;
-            const JointFour& samples = pairs.fours()[four];
-            const double of_water = samples.has(lane) ? scene.water.pressure[samples.sample(lane)] : 0;
-            side.left_to_do[lane] = static_cast<Real>(left_to_do(here, of_water, double{side.pressure[lane]}));
+        for (unsigned left = shares_[first + k]; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+            const double of_water = scene.water.pressure[pairs.fours()[four].sample(lane)];
+            side.pressure[lane] = pressure[lane];
+            side.left_to_do[lane] =
+                static_cast<Real>(left_to_do(found_[four_size * four + lane], of_water, double{pressure[lane]}));
         }
     }
 }
@@ -248,7 +250,7 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     placed_ = placed;
     const JointSums<Real> sums(pairs, placed, scene.settings, scene.gravity);
     const WetSolids wet = find_wet_solids(pairs, motion.pose.size(), scene.water);
-    find_joint_water(pairs, sums, scene.near, slopes, motion, scene.water, scene.settings, wet, around_, is_seen_,
+    find_joint_water(pairs, sums, scene.near, slopes, motion, scene.water, scene.settings, wet, around_, marks_,
                      found_);
     find_sides(pairs);
     if (std::ranges::find_if(shares_, [](std::uint8_t bits) { return bits != 0; }) == shares_.end()) {
@@ -256,24 +258,22 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     }
     find_pieces(pairs, scene);
     feel(pairs, sums);
-    sides_.resize(pairs.sides().size());
+    make_room(sides_, pairs.sides().size());
     const auto is_wet = [&](std::int64_t joint) {
         const Joint& here = pairs.joints()[at(joint)];
         return wet.is_wet_partner[WetSolids::entry(here.high)] != 0 ||
                wet.is_wet_partner[WetSolids::entry(here.low)] != 0;
     };
-    is_pressed_.resize(pairs.units().size());
     parallel::for_each_uneven(std::ssize(pairs.joints()), 4, [&](std::int64_t joint) {
         if (is_wet(joint)) {
             press(pairs, sums, scene, at(joint));
         }
     });
-    forces_.resize(pairs.slots().size());
+    make_room(forces_, pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
-        is_pressed_[at(number)] = is_seen_[at(number)] != 0 && unit.joint >= 0 && is_wet(unit.joint) ? 1 : 0;
-        if (is_pressed_[at(number)] != 0) {
-            sums.push(at(number), sides_, slots_of(forces_, unit));
+        if (unit.joint >= 0 && is_wet(unit.joint)) {
+            sums.push(at(number), sides_, slots_of(forces_, unit), slots_of(marks_, unit));
         }
     });
     force.resize(at(scene.near.size()));
@@ -281,7 +281,7 @@ void JointStep<Real>::find(const JointPairs& pairs, std::span<const PlacedFour<R
     parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t four) {
         std::array<Vec3, four_size> sum{};
         for (const std::int32_t slot : pairs.slots_of(at(four))) {
-            for (std::size_t lane = 0; is_pressed_[at(pairs.slots()[at(slot)].unit)] != 0 && lane < four_size; ++lane) {
+            for (std::size_t lane = 0; (marks_[at(slot)] & SlotMark::force) != 0 && lane < four_size; ++lane) {
                 const ForceSlot<Real>& part = forces_[at(slot)];
                 sum[lane] += Vec3{part[0][lane], part[1][lane], part[2][lane]};
             }

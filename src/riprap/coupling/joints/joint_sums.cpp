@@ -21,11 +21,14 @@ void lessen_own(Four<Real>& four, Sixteen<Real> lanes) {
 /// and the other way.
 template <class Real>
 void lessen_others(Four<Real>& four, Sixteen<Real> lanes) {
+    using Lane4 = Wide<Real, four_size>;
     std::array<Real, fluid::lane_count> all;
     lanes.store(all.data());
-    for (std::size_t l = 0; l < all.size(); ++l) {
-        four[l % four_size] = std::min(four[l % four_size], all[l]);
+    Lane4 least = Lane4::load(four.data());
+    for (std::size_t l = 0; l < all.size(); l += four_size) {
+        least = min(least, Lane4::load(all.data() + l));
     }
+    least.store(four.data());
 }
 
 /// A bit for each of one four with some pair, and for each of the other.
@@ -103,7 +106,11 @@ void JointSums<Real>::for_each_entry(const JointUnit& unit, std::span<const Join
         std::span(pairs_.slots()).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count));
     for (std::size_t k = 0; k < entries.size();) {
         const std::uint32_t own = entries[k].own();
-        begin(own, slots[own]);
+        if (!begin(own, slots[own])) {
+            for (; k < entries.size() && entries[k].own() == own; ++k) {
+            }
+            continue;
+        }
         for (; k < entries.size() && entries[k].own() == own; ++k) {
             const std::size_t other = at(unit.own_count) + entries[k].other();
             meet(other, slots[other]);
@@ -112,24 +119,27 @@ void JointSums<Real>::for_each_entry(const JointUnit& unit, std::span<const Join
     }
 }
 
+// Calls for each pair of fours cost a tenth of it, of this sum and the next.
 template <class Real>
-void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>> slots) const {
-    const JointUnit& unit = pairs_.units()[number];
+[[gnu::flatten]] void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>> slots,
+                                                   std::span<std::uint8_t> marks) const {
     AroundSlot<Real> nothing;
     nothing.gap.fill(far());
-    std::ranges::fill(slots, nothing);
     Own own;
     std::array<Lanes, 4> sum;
     Lanes gap;
     std::uint32_t meets = 0;
+    bool is_anything = false;
     const Lanes zero(0), none(far());
     for_each_entry(
-        unit, pairs_.joined(number),
+        pairs_.units()[number], pairs_.joined(number),
         [&](std::size_t, const JointSlot& slot) {
             own = own_of(slot);
             sum.fill(zero);
             gap = none;
             meets = 0;
+            is_anything = false;
+            return true;
         },
         [&](std::size_t place, const JointSlot& slot) {
             const PlacedFour<Real>& other = placed_[at(slot.four)];
@@ -140,7 +150,7 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
             }
             const JointGaps<Real> gaps =
                 kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
+            if (gaps.open == 0 && !kernel_.do_meet(met)) {
                 return;
             }
             const Lanes volume = others_in_lanes<Real>(other.volume);
@@ -153,34 +163,46 @@ void JointSums<Real>::look_around(std::size_t number, std::span<AroundSlot<Real>
             }
             from[3] = zero;
             AroundSlot<Real>& at_other = slots[place];
+            if (marks[place] == 0) {
+                at_other = nothing;
+            }
+            is_anything = true;
             if (gaps.bits != 0) {
-                const Lanes shift = max(gaps.width, zero);
-                const JointLinks<Real> touching = kernel_.nearer(met, shift, gaps);
-                const Lanes to_own =
-                    touching.slope * dot(touching.apart, own.normal) - slope * dot(met.apart, own.normal);
-                const Lanes to_other = slope * dot(met.apart, normal) - touching.slope * dot(touching.apart, normal);
-                sum[3] += select(gaps.are_there, volume * to_own, zero);
-                from[3] = select(gaps.are_there, own.volume * to_other, zero);
-                const auto is_met = gaps.are_there & (touching.slope < zero);
-                const Lanes here = select(is_met, shift, none);
+                Lanes here;
+                if (gaps.open == 0) {  // they are together already
+                    here = select(gaps.are_there & (slope < zero), zero, none);
+                } else {
+                    const Lanes shift = max(gaps.width, zero);
+                    const JointLinks<Real> touching = kernel_.nearer(met, shift, gaps);
+                    const Lanes to_own =
+                        touching.slope * dot(touching.apart, own.normal) - slope * dot(met.apart, own.normal);
+                    const Lanes to_other =
+                        slope * dot(met.apart, normal) - touching.slope * dot(touching.apart, normal);
+                    sum[3] += select(gaps.are_there, volume * to_own, zero);
+                    from[3] = select(gaps.are_there, own.volume * to_other, zero);
+                    here = select(gaps.are_there & (touching.slope < zero), shift, none);
+                    pairs |= kernel_.do_closed_meet(met, gaps);
+                }
                 gap = min(gap, here);
                 lessen_others<Real>(at_other.gap, here);
-                pairs |= kernel_.do_closed_meet(met, gaps);
             }
             add_to_others<Real, 4>(at_other.sums, from);
             meets |= pairs;
-            at_other.meets |= others_with_pairs(pairs);
+            marks[place] = static_cast<std::uint8_t>(marks[place] | SlotMark::around | others_with_pairs(pairs));
         },
         [&](std::size_t place) {
-            add_to_own<Real, 4>(slots[place].sums, sum);
-            lessen_own<Real>(slots[place].gap, gap);
-            slots[place].meets = own_with_pairs(meets);
+            if (is_anything) {
+                slots[place] = nothing;
+                add_to_own<Real, 4>(slots[place].sums, sum);
+                lessen_own<Real>(slots[place].gap, gap);
+                marks[place] = static_cast<std::uint8_t>(SlotMark::around | own_with_pairs(meets));
+            }
         });
 }
 
 template <class Real>
-bool JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> felt,
-                           std::span<FeltSlot<Real>> slots) const {
+[[gnu::flatten]] void JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> felt,
+                                            std::span<FeltSlot<Real>> slots, std::span<std::uint8_t> marks) const {
     const JointUnit& unit = pairs_.units()[number];
     bool is_felt = false, is_asked = false;
     for (std::int32_t k = 0; k < unit.own_count + unit.other_count; ++k) {
@@ -189,10 +211,15 @@ bool JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
         is_asked = is_asked || four.is_asked;
     }
     if (!is_felt || !is_asked) {
-        return false;
+        return;
     }
     const Lanes per_reach(1 / limits_.reach), zero(0), one(1);
-    std::ranges::fill(slots, FeltSlot<Real>{});
+    const auto mark = [&](std::size_t place) {
+        if ((marks[place] & SlotMark::felt) == 0) {
+            slots[place] = {};
+            marks[place] |= SlotMark::felt;
+        }
+    };
     Own own;
     Lanes weight, pressure;
     std::array<Lanes, 2> sum;
@@ -205,6 +232,7 @@ bool JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
             weight = own_in_lanes<Real>(here->weight);
             pressure = own_in_lanes<Real>(here->felt);
             sum.fill(zero);
+            return here->is_asked || here->is_felt;
         },
         [&](std::size_t place, const JointSlot& slot) {
             const FeltFour<Real>& there = felt[at(slot.four)];
@@ -217,29 +245,44 @@ bool JointSums<Real>::feel(std::size_t number, std::span<const FeltFour<Real>> f
             const Lanes of_other = nearness * others_in_lanes<Real>(there.weight), of_own = nearness * weight;
             sum[0] += of_other;
             sum[1] += of_other * (others_in_lanes<Real>(there.felt) + head);
+            mark(place);
             add_to_others<Real, 2>(slots[place], {of_own, of_own * (pressure - head)});
         },
-        [&](std::size_t place) { add_to_own<Real, 2>(slots[place], sum); });
-    return true;
+        [&](std::size_t place) {
+            mark(place);
+            add_to_own<Real, 2>(slots[place], sum);
+        });
 }
 
 template <class Real>
-void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> sides,
-                           std::span<ForceSlot<Real>> slots) const {
+void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> sides, std::span<ForceSlot<Real>> slots,
+                           std::span<std::uint8_t> marks) const {
     const Lanes zero(0), one(1), half(0.5);
-    std::ranges::fill(slots, ForceSlot<Real>{});
+    for (std::size_t place = 0; place < slots.size(); ++place) {
+        if ((marks[place] & SlotMark::meets) != 0) {
+            slots[place] = {};
+            marks[place] |= SlotMark::force;
+        }
+    }
     Own own;
     Lanes pressure, share;
     std::array<Lanes, 4> sum;
     for_each_entry(
         pairs_.units()[number], pairs_.joined(number),
-        [&](std::size_t, const JointSlot& slot) {
+        [&](std::size_t place, const JointSlot& slot) {
+            if ((marks[place] & SlotMark::meets) == 0) {
+                return false;
+            }
             own = own_of(slot);
             pressure = own_in_lanes<Real>(sides[at(slot.side)].pressure);
             share = own_in_lanes<Real>(sides[at(slot.side)].left_to_do);
             sum.fill(zero);
+            return true;
         },
         [&](std::size_t place, const JointSlot& slot) {
+            if ((marks[place] & SlotMark::meets) == 0) {
+                return;
+            }
             const SideFour<Real>& side = sides[at(slot.side)];
             const Lanes both = pressure + others_in_lanes<Real>(side.pressure);
             if (bits_below(zero, both) == 0) {
@@ -253,7 +296,7 @@ void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> s
             }
             const JointGaps<Real> gaps =
                 kernel_.gaps(met, own.normal, normal, own.depth + others_in_lanes<Real>(other.depth));
-            if (gaps.bits == 0 && !kernel_.do_meet(met)) {
+            if (gaps.open == 0 && !kernel_.do_meet(met)) {
                 return;
             }
             std::array<Lanes, 3> push;
@@ -261,7 +304,7 @@ void JointSums<Real>::push(std::size_t number, std::span<const SideFour<Real>> s
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 push[axis] = strength * met.apart[axis];
             }
-            if (gaps.bits != 0) {
+            if (gaps.open != 0) {
                 const JointLinks<Real> closed = kernel_.closed(met, gaps);
                 const Lanes left =
                     select(gaps.are_there, half * (share + others_in_lanes<Real>(side.left_to_do)), zero);
@@ -293,6 +336,7 @@ void JointSums<Real>::reach(std::size_t number, std::span<std::uint32_t> slots) 
         [&](std::size_t, const JointSlot& slot) {
             own = own_of(slot);
             met = 0;
+            return true;
         },
         [&](std::size_t place, const JointSlot& slot) {
             const std::uint32_t pairs = bits_below(lanes_of(own, slot).square, Lanes(limits_.reach * limits_.reach));

@@ -18,7 +18,12 @@ struct AroundSlot {
     std::array<Four<Real>, 4> sums{};  ///< G_others in x, y and z; what water between faces adds when it fills the gap,
                                        ///< along the normal of the sample [1/m]
     Four<Real> gap{};                  ///< to the nearest face that looks at it, or `far` [m]
-    std::uint32_t meets{0};            ///< a bit for each sample that shares a joint with the other solid
+};
+/// Says what a slot holds of the sums of a step. Most hold nothing: solids are listed that are near each other, but
+/// whose faces are apart.
+struct SlotMark {
+    static constexpr std::uint8_t meets = 15;  ///< a bit for each sample that shares a joint with the other solid
+    static constexpr std::uint8_t around = 16, felt = 32, force = 64;  ///< an AroundSlot, FeltSlot, ForceSlot
 };
 /// Holds what four samples feel of the water.
 template <class Real>
@@ -51,11 +56,14 @@ class JointSums {
 
     /// Gap without a face [m].
     Real far() const { return static_cast<Real>(4 * limits_.reach); }
-    /// Each of these writes what is found at the slots of a unit.
-    void look_around(std::size_t unit, std::span<AroundSlot<Real>> slots) const;
-    /// @returns whether anybody feels anything; if not, nothing is written
-    bool feel(std::size_t unit, std::span<const FeltFour<Real>> felt, std::span<FeltSlot<Real>> slots) const;
-    void push(std::size_t unit, std::span<const SideFour<Real>> sides, std::span<ForceSlot<Real>> slots) const;
+    /// Each of these writes what is found at the slots of a unit, and marks those slots.
+    /// @param marks  of its slots, none at first
+    void look_around(std::size_t unit, std::span<AroundSlot<Real>> slots, std::span<std::uint8_t> marks) const;
+    void feel(std::size_t unit, std::span<const FeltFour<Real>> felt, std::span<FeltSlot<Real>> slots,
+              std::span<std::uint8_t> marks) const;
+    /// @param marks  those of look_around
+    void push(std::size_t unit, std::span<const SideFour<Real>> sides, std::span<ForceSlot<Real>> slots,
+              std::span<std::uint8_t> marks) const;
     /// A bit for each sample within JointKernel's reach of the other solid.
     void reach(std::size_t unit, std::span<std::uint32_t> slots) const;
     /// Returns the pressure that a rim gives four samples.
@@ -65,7 +73,8 @@ class JointSums {
     using Lanes = Sixteen<Real>;
     struct Own;
 
-    /// Calls begin(slot), meet(slot, four) and end(slot) for entries of one own slot after the other.
+    /// Calls begin(slot), meet(slot, four) and end(slot) for entries of one own slot after the other; those of a slot
+    /// are left out where begin returns false.
     template <class Begin, class Meet, class End>
     void for_each_entry(const JointUnit& unit, std::span<const JointEntry> entries, const Begin& begin,
                         const Meet& meet, const End& end) const;

@@ -80,24 +80,24 @@ template <class Real>
 void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
                       std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
                       const fluid::ParticleSettings& settings, const WetSolids& wet,
-                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& marks,
                       std::vector<JointWater>& found) {
     const auto meets_wet = [&](std::int32_t solid) {
         return solid != no_solid && wet.meets_wet[WetSolids::entry(solid)] != 0;
     };
     const std::vector<std::uint8_t> are_at_joints = find_who_is_at_joints(pairs, sums);
-    around.resize(pairs.slots().size());
-    is_seen.resize(pairs.units().size());
+    make_room(around, pairs.slots().size());
+    make_room(marks, pairs.slots().size());
     parallel::for_each_uneven(std::ssize(pairs.units()), 4, [&](std::int64_t number) {
         const JointUnit& unit = pairs.units()[at(number)];
-        is_seen[at(number)] =
-            !pairs.joined(at(number)).empty() && (meets_wet(unit.own_solid) || meets_wet(unit.other_solid)) ? 1 : 0;
-        if (is_seen[at(number)] != 0) {
-            sums.look_around(at(number),
-                             std::span(around).subspan(at(unit.first_slot), at(unit.own_count + unit.other_count)));
+        const std::size_t first = at(unit.first_slot), count = at(unit.own_count + unit.other_count);
+        const std::span<std::uint8_t> of_unit = std::span(marks).subspan(first, count);
+        std::ranges::fill(of_unit, std::uint8_t{0});
+        if (meets_wet(unit.own_solid) || meets_wet(unit.other_solid)) {
+            sums.look_around(at(number), std::span(around).subspan(first, count), of_unit);
         }
     });
-    found.resize(four_size * pairs.fours().size());
+    make_room(found, four_size * pairs.fours().size());
     parallel::for_each_uneven(std::ssize(pairs.fours()), grain, [&](std::int64_t number) {
         const JointFour& four = pairs.fours()[at(number)];
         std::fill_n(found.begin() + static_cast<std::ptrdiff_t>(four_size) * number, four_size, JointWater{});
@@ -108,7 +108,7 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
         Four<Real> gap;
         gap.fill(sums.far());
         for (const std::int32_t slot : pairs.slots_of(at(number))) {
-            if (is_seen[at(pairs.slots()[at(slot)].unit)] == 0) {
+            if (marks[at(slot)] == 0) {
                 continue;
             }
             const AroundSlot<Real>& part = around[at(slot)];

@@ -34,14 +34,14 @@ WetSolids find_wet_solids(const JointPairs& pairs, std::size_t bodies, const flu
 /// neither at nor near: where all of these are dry, all of the rim is, and the joint presses nothing apart.
 /// @param slopes   of solid_slopes, for each sample of the set that `near` looks at
 /// @param water    at each sample of `near`
-/// @param around   receives one for each slot of each unit that is looked at
-/// @param is_seen  receives for each unit whether it is
+/// @param around   receives one for each slot, of those that are marked so
+/// @param marks    receives one SlotMark for each slot
 /// @param found    receives one for each sample of each of pairs.fours(); its memory is reused
 template <class Real>
 void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, const SampleView& near,
                       std::span<const Vec3> slopes, const body::Motion& motion, const fluid::WaterAtWalls& water,
                       const fluid::ParticleSettings& settings, const WetSolids& wet,
-                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& is_seen,
+                      std::vector<AroundSlot<Real>>& around, std::vector<std::uint8_t>& marks,
                       std::vector<JointWater>& found);
 
 /// Share of what is open at a wall that moving water fills with particles, at least.

@@ -10,7 +10,7 @@ template <class Real>
 void place_fours(std::span<const JointFour> fours, const SampleView& near, const body::Motion& motion,
                  const fluid::BoundaryParticles& walls, const fluid::FixedPoint& fixed,
                  std::vector<PlacedFour<Real>>& placed) {
-    placed.resize(fours.size());
+    make_room(placed, fours.size());
     parallel::for_each(std::ssize(fours), [&](std::int64_t number) {
         const JointFour& four = fours[at(number)];
         PlacedFour<Real>& here = placed[at(number)];

@@ -37,6 +37,15 @@ struct PlacedFour {
     Four<Real> depth, volume;                 ///< [m], [m^3]
 };
 
+/// Gives an array so many entries of any value, without the room beyond them that grows with it.
+template <class T>
+void make_room(std::vector<T>& array, std::size_t count) {
+    if (array.capacity() < count) {
+        std::vector<T>().swap(array);
+    }
+    array.resize(count);
+}
+
 /// Places some fours of the samples `near` where walls are.
 template <class Real>
 void place_fours(std::span<const JointFour> fours, const SampleView& near, const body::Motion& motion,

@@ -10,6 +10,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/samples/near_samples.hpp"
+#include "riprap/fluid/particle/lanes.hpp"
 
 namespace riprap::coupling {
 
@@ -69,6 +70,21 @@ void place_areas(const SampleView& samples, const body::Motion& motion, double s
     });
 }
 
+/// Tells whether numbers of samples are whole fours, as near_samples gives them. Those of a State from before it did so
+/// are not, nor are they of samples in the order that they have now.
+bool are_whole_fours(std::span<const std::int32_t> numbers, std::int64_t samples) {
+    constexpr std::int32_t four = fluid::cluster_size;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const std::int32_t next = numbers[k] + 1;
+        const bool has_next = k + 1 < numbers.size() && numbers[k + 1] == next;
+        const bool begins = numbers[k] % four == 0 || (k > 0 && numbers[k - 1] == numbers[k] - 1);
+        if (!begins || (next % four != 0 && next < samples && !has_next)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 double fastest_of(const fluid::ParticleState& particles) {
     return std::sqrt(parallel::reduce(
         particles.size(), 0.0, [&](std::int64_t i) { return norm_squared(particles.velocity[at(i)]); },
@@ -102,7 +118,9 @@ void find_near_samples(const FluidScene& scene, const ParticleFluid& water, cons
     const double ahead = 0.5 * dt *
                          std::max(fastest_of(state.particles),
                                   speed_of_joints(water, is_loose, scene.bodies, state.bodies, scratch.joints));
-    if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin) {
+    const bool is_other_order =
+        scratch.near_numbers != coupling.near_samples && !are_whole_fours(coupling.near_samples, water.samples.size());
+    if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin || is_other_order) {
         coupling.near_samples = find_samples(water, scene.bodies, state.particles.position, margin + ahead, scratch);
         coupling.near_travel = 0;
     }

@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/lanes.hpp"
 
 namespace riprap::coupling {
 
@@ -165,11 +166,15 @@ std::vector<std::int32_t> near_samples(const SampleSet& samples, const body::Mot
                 ? 1
                 : 0;
     });
+    constexpr std::size_t four = fluid::cluster_size;
     std::vector<std::int32_t> numbers;
     numbers.reserve(at(std::ranges::count(is_near, 1)));
-    for (std::size_t i = 0; i < is_near.size(); ++i) {
-        if (is_near[i] != 0) {
-            numbers.push_back(static_cast<std::int32_t>(i));
+    for (std::size_t first = 0; first < is_near.size(); first += four) {
+        const std::size_t end = std::min(is_near.size(), first + four);
+        if (std::find(is_near.begin() + first, is_near.begin() + end, 1) != is_near.begin() + end) {
+            for (std::size_t i = first; i < end; ++i) {
+                numbers.push_back(static_cast<std::int32_t>(i));
+            }
         }
     }
     return numbers;

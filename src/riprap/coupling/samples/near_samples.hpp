@@ -13,8 +13,8 @@ namespace riprap::coupling {
 
 /// Numbers of the samples that water may feel, in rising order: all those of bodies that can move, but for bodies that
 /// are told to be far, and of those that never do the ones that some particle comes within `reach` of. Some farther
-/// ones are among them, none is left out. Most walls stand dry most of the time, and a dry sample adds nothing to any
-/// sum.
+/// ones are among them, none is left out: fours of samples stay together, as sums take them at once. Most walls stand
+/// dry most of the time, and a dry sample adds nothing to any sum.
 ///
 /// The water is entered into cells of half a reach; a sample is near where one of the cells up to two away holds water,
 /// over periodic sides too.

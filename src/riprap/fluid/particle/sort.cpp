@@ -92,7 +92,7 @@ std::vector<std::uint32_t> order_by_place(std::span<const Vec3> points, const Do
         std::array<std::uint32_t, 3> lattice{};
         for (int axis = 0; is_finite(points[k]) && axis < domain.dimension; ++axis) {
             lattice[static_cast<std::size_t>(axis)] =
-                static_cast<std::uint32_t>(std::min(most, (points[k][axis] - box.low[axis]) / step));
+                static_cast<std::uint32_t>(std::min(most, (points[k][axis] - box.low[axis]) / step + 0.5));
         }
         keys[k] = place_on_curve(lattice, domain.dimension);
         order[k] = static_cast<std::uint32_t>(i);
