@@ -5,6 +5,7 @@
 //     #@ KEY try VALUE              this value, instead of one near the default
 //     #@ KEY with TABLE.KEY=VALUE   beside another value of other keys, on both sides of the comparison
 //     #@ KEY same: REASON           the result must not change
+//     #@ KEY steps N                after so many steps
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,13 +24,14 @@ using scene::FormKind;
 using scene::Key;
 using scene::Table;
 
-constexpr int steps = 4;
+constexpr int usual_steps = 4;
 
 /// A value to try for a key, and the other assignments that it needs.
 struct Trial {
     std::string value;              ///< empty: one near the default
     std::vector<std::string> with;  ///< other assignments
     bool is_same{false};
+    int steps{usual_steps};
 };
 
 struct MethodCase {
@@ -55,6 +57,8 @@ MethodCase read_method_case(const std::string& side, std::string_view word) {
             trial.value = rest;
         } else if (what == "with") {
             trial.with.push_back(rest);
+        } else if (what == "steps") {
+            trial.steps = std::stoi(rest);
         } else {
             EXPECT_TRUE(what == "same:" && !rest.empty()) << path << ": " << line;
             trial.is_same = true;
@@ -112,7 +116,7 @@ void try_every_key(const std::string& side, const Table& table) {
         if (testing::Test::HasFailure()) {
             continue;
         }
-        std::map<std::vector<std::string>, std::string> plain;  // by what stands beside the key
+        std::map<std::pair<std::vector<std::string>, int>, std::string> plain;  // by what stands beside the key
         for (const Key& key : table.part_of(method).keys) {
             const std::string name(key.name);
             const Trial trial = one.trials[name];
@@ -125,11 +129,11 @@ void try_every_key(const std::string& side, const Table& table) {
             for (const std::string& value : values) {
                 SCOPED_TRACE(fmt::format("{}, {} = {}", method, name, value));
                 try {
-                    std::string& without = plain[trial.with];
-                    without = without.empty() ? result_of(one.text, trial.with, steps) : without;
+                    std::string& without = plain[{trial.with, trial.steps}];
+                    without = without.empty() ? result_of(one.text, trial.with, trial.steps) : without;
                     std::vector<std::string> assignments = trial.with;
                     assignments.push_back(fmt::format("{}.{}={}", side, name, value));
-                    const std::string with = result_of(one.text, assignments, steps);
+                    const std::string with = result_of(one.text, assignments, trial.steps);
                     EXPECT_EQ(with == without, trial.is_same) << (trial.is_same ? "it acts" : "nothing reads it");
                 } catch (const std::exception& error) {
                     ADD_FAILURE() << error.what();
@@ -189,7 +193,8 @@ void try_every_condition(const std::string& side, const Table& table) {
                 std::vector<std::string> with = without;
                 with.push_back(given);
                 EXPECT_TRUE(is_told(one.text, with, name));
-                EXPECT_EQ(result_of(one.text, with, steps), result_of(one.text, without, steps)) << "it acts";
+                EXPECT_EQ(result_of(one.text, with, trial.steps), result_of(one.text, without, trial.steps))
+                    << "it acts";
             }
         }
     }
