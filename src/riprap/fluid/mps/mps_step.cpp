@@ -18,7 +18,7 @@
 namespace riprap::fluid {
 namespace {
 
-/// What to change where the pressure equation is not solved.
+/// Tells what to change where the pressure equation is not solved.
 const char* advice_on(linear::SolveStatus status) {
     switch (status) {
         case linear::SolveStatus::too_many_iterations:

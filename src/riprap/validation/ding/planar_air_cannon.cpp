@@ -13,7 +13,7 @@ using geometry::Vec2;
 
 namespace {
 
-/// How ice comes to the bed, by the speed that the air cannon gives it [m/s].
+/// Gives how ice comes to the bed, by the speed of the air cannon [m/s].
 struct Approach {
     const char* words;
     Vec2 (*velocity)(double speed);
