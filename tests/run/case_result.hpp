@@ -20,7 +20,7 @@ inline std::string result_of(const std::string& text, std::span<const std::strin
     for (int taken = 0; taken < steps && simulation.steps_left() > 0;) {
         const StepOutcome outcome = simulation.step(sim::Measure::energy);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            throw std::runtime_error(outcome.reason);
+            throw std::runtime_error(outcome.why.text);
         }
         taken += outcome.is_accepted() ? 1 : 0;
     }

@@ -46,7 +46,7 @@ inline std::unique_ptr<Simulation> run(const CaseFolder& folder, const std::stri
     while (simulation->steps_left() > 0) {
         const StepOutcome outcome = simulation->step(sim::Measure::energy);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            throw std::runtime_error(outcome.reason);
+            throw std::runtime_error(outcome.why.text);
         }
     }
     return simulation;

@@ -31,7 +31,7 @@ struct Scene {
     void go(double time) {
         while (simulation.state().time < time) {
             const StepOutcome outcome = simulation.step(sim::Measure::energy);
-            ASSERT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.reason;
+            ASSERT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.why.text;
         }
     }
     double value(const char* column) const {

@@ -129,7 +129,7 @@ void read_all(const Trial& trial, std::map<std::string, std::string>& values) {
     Simulation simulation(scene::read_case_text(trial.text, "case.toml", "/nonexistent", trial.overrides));
     for (int taken = 0; taken < trial.steps;) {
         const StepOutcome outcome = simulation.step(sim::Measure::energy);
-        ASSERT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.reason;
+        ASSERT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.why.text;
         taken += outcome.is_accepted() ? 1 : 0;
     }
     const sim::Model& model = simulation.model();

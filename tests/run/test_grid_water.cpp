@@ -46,7 +46,7 @@ struct Walk {
     void go(std::int64_t last) {
         while (simulation.state().step < last) {
             const StepOutcome outcome = simulation.step(sim::Measure::energy);
-            ASSERT_TRUE(outcome.is_accepted()) << outcome.reason;
+            ASSERT_TRUE(outcome.is_accepted()) << outcome.why.text;
         }
     }
     double value(const char* column) const {

@@ -22,7 +22,7 @@ std::unique_ptr<Simulation> start(const std::string& text, const std::vector<std
 void step(Simulation& simulation) {
     const StepOutcome outcome = simulation.step(sim::Measure::energy);
     if (outcome.kind == StepOutcome::Kind::refused) {
-        throw std::runtime_error(outcome.reason);
+        throw std::runtime_error(outcome.why.text);
     }
 }
 

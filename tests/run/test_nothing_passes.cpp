@@ -26,7 +26,7 @@ End end_of(const std::string& text) {
     while (simulation.steps_left() > 0) {
         const StepOutcome outcome = simulation.step(sim::Measure::flow);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            return {outcome.reason, simulation.state().time, simulation.summary().retries};
+            return {outcome.why.text, simulation.state().time, simulation.summary().retries};
         }
     }
     return {"", simulation.state().time, simulation.summary().retries};

@@ -43,7 +43,7 @@ std::unique_ptr<Simulation> run_case(const std::string& text, int steps,
     for (int taken = 0; taken < steps;) {
         const StepOutcome outcome = simulation->step(sim::Measure::energy);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            throw std::runtime_error(outcome.reason);
+            throw std::runtime_error(outcome.why.text);
         }
         taken += outcome.is_accepted() ? 1 : 0;
     }
@@ -195,7 +195,7 @@ class Bonds : public ::testing::TestWithParam<const char*> {
         auto simulation = std::make_unique<Simulation>(scene::read_case_text(text, "case.toml", "/nonexistent", {}));
         while (simulation->state().time < 0.66 && value(simulation, "block.distance") < 0.01) {
             if (const StepOutcome outcome = simulation->step(sim::Measure::energy); !outcome.is_accepted()) {
-                throw std::runtime_error(outcome.reason);
+                throw std::runtime_error(outcome.why.text);
             }
         }
         return simulation;

@@ -18,8 +18,9 @@ struct TimeSpan {
 
 /// Result of one verb of a method; `problem` empty = done.
 struct Outcome {
-    std::string problem;  ///< quantity, body or cell, and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
-    double shorten{0};    ///< share of the span to try instead; 0 = no shorter one helps [-]
+    std::string problem;   ///< quantity, body or cell, and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
+    double shorten{0};     ///< share of the span to try instead; 0 = no shorter one helps [-]
+    std::string remedy{};  ///< what to change in the case, where that follows from the problem
     bool ok() const { return problem.empty(); }
 };
 

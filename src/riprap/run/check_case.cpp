@@ -229,7 +229,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::initialise(model, initial);
     sim::State state = initial;
     const sim::StepReport report = advance(model, state, scratch, check.time_step);
-    check.refusal = report.status.text.empty() ? certain_crush(loaded) : report.status.text;
+    check.refusal = report.status.ok() ? certain_crush(loaded) : report.status.with_remedy();
     check.contacts = report.contact_count;
     check.max_overlap = report.max_depth;
     check.max_potential = report.max_potential;

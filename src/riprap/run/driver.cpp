@@ -172,7 +172,7 @@ int Driver::run(const Watch& watch) {
         Due due;
         const StepOutcome outcome = take_step(due);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            return fail(progress, outcome.reason);
+            return fail(progress, outcome);
         }
         if (outcome.kind == StepOutcome::Kind::retried) {
             tell_retry(outcome);
@@ -195,7 +195,7 @@ int Driver::run(const Watch& watch) {
 
 void Driver::tell_retry(const StepOutcome& outcome) {
     const std::string text = fmt::format("step {} was refused and is taken again from t = {:.6g} s with {:.6g} s: {}",
-                                         state().step + 1, state().time, simulation_.next_dt(), outcome.reason);
+                                         state().step + 1, state().time, simulation_.next_dt(), outcome.why.text);
     log_->add(
         "retry", text,
         {{"step", static_cast<double>(state().step)}, {"time", state().time}, {"time_step", simulation_.next_dt()}});
@@ -309,20 +309,27 @@ int Driver::interrupt(const Progress& progress, const std::string& reason, int c
     return code;
 }
 
-int Driver::fail(const Progress& progress, const std::string& reason) {
+std::string Driver::remedy_of(const StepOutcome& refused) {
+    if (!refused.why.remedy.empty()) {
+        return refused.why.remedy;
+    }
+    if (model().particles() == nullptr) {
+        return "a smaller time_step, a stiffer material or more damping usually helps";
+    }
+    return simulation_.fixed_step_problem().empty() ? "a smaller fluid.courant or fluid.spacing usually helps"
+                                                    : "the water moves faster now than when the case was checked";
+}
+
+int Driver::fail(const Progress& progress, const StepOutcome& refused) {
     checkpoint(progress);
+    const std::string reason = refused.why.with_remedy();
     summarise(progress, "failed", reason, simulation_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
-    const bool has_advice = reason.find("; ") != std::string::npos;  // what to change, as in problems with a case
-    const char* const advice =
-        has_advice                       ? ""
-        : model().particles() == nullptr ? "\n  a smaller time_step, a stiffer material or more damping usually helps"
-        : simulation_.fixed_step_problem().empty() ? "\n  a smaller fluid.courant or fluid.spacing usually helps"
-                                                   : "\n  the water moves faster now than when the case was checked";
     if (voice_ != Voice::none) {
-        fmt::print(stderr, "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}{}\n",
-                   tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, reason, state().step,
-                   state().time, printable(folder_.checkpoint_latest().string()), advice);
+        fmt::print(stderr,
+                   "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n  {}\n",
+                   tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, refused.why.text,
+                   state().step, state().time, printable(folder_.checkpoint_latest().string()), remedy_of(refused));
     }
     return static_cast<int>(ExitCode::numerical);
 }

@@ -53,7 +53,7 @@ void run_to_end(Simulation& simulation, MatrixEntry& entry) {
             simulation.step(simulation.next_is_last() ? sim::Measure::energy : sim::Measure::flow);
         if (outcome.kind == StepOutcome::Kind::refused) {
             entry.status = "failed";
-            entry.why = outcome.reason;
+            entry.why = outcome.why.with_remedy();
             break;
         }
     }

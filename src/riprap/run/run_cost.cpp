@@ -30,7 +30,7 @@ RunCost measure_cost(scene::LoadedCase loaded, double budget) {
         const Clock::time_point before = Clock::now();
         const StepOutcome outcome = simulation.step(sim::Measure::flow);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            cost.refusal = outcome.reason;
+            cost.refusal = outcome.why.with_remedy();
             break;
         }
         taken.push_back(since(before));

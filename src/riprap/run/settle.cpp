@@ -64,8 +64,8 @@ void settle(scene::LoadedCase& loaded, sim::State& state) {
         if (outcome.kind == StepOutcome::Kind::refused) {
             Diagnostic problem;
             problem.place.file = loaded.folder;
-            problem.message =
-                fmt::format("bodies do not settle in {:.6g} s: {}", loaded.model.time.settle, outcome.reason);
+            problem.message = fmt::format("bodies do not settle in {:.6g} s: {}", loaded.model.time.settle,
+                                          outcome.why.with_remedy());
             problem.allowed = "bodies that start closer to rest, or settle = 0";
             throw CaseError(std::move(problem));
         }

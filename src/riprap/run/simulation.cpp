@@ -56,7 +56,7 @@ StepOutcome Simulation::step(sim::Measure measure) {
         keep_standing();
     }
     if (std::string problem = step_problem(model(), state_, next_.dt); !problem.empty()) {
-        return {StepOutcome::Kind::refused, std::move(problem)};
+        return {StepOutcome::Kind::refused, {std::move(problem), {}}};
     }
     const bool is_last = next_is_last();
     const bool is_judged =
@@ -68,13 +68,13 @@ StepOutcome Simulation::step(sim::Measure measure) {
     }
     if (!report.status.ok()) {
         sim::State before = good_.at(model(), state_.step - 1);
-        return take_back(std::move(before), report.status.text);
+        return take_back(std::move(before), report.status);
     }
     const std::string problem = is_judged ? judge_step(report) : "";
     if (!problem.empty()) {  // the fault may have begun at any step since the last one judged
         watch_.load(good_.last().expects);
         counts_ = good_.last().counts;
-        return take_back(good_.last().state, problem);
+        return take_back(good_.last().state, {problem, {}});
     }
     report.ledger.has_energy = measure == sim::Measure::energy || state_.step == 1;
     report_ = std::move(report);
@@ -95,7 +95,7 @@ std::string Simulation::judge_step(const sim::StepReport& report) const {
 
 void Simulation::keep_standing() { good_.keep({state_, watch_.save(), counts_}); }
 
-StepOutcome Simulation::take_back(sim::State to, const std::string& reason) {
+StepOutcome Simulation::take_back(sim::State to, const sim::StepStatus& why) {
     state_ = std::move(to);
     const bool is_retried = halve_time_step(model(), state_);
     if (is_retried) {
@@ -104,7 +104,7 @@ StepOutcome Simulation::take_back(sim::State to, const std::string& reason) {
     }
     forget_scratch();  // it may hold what is not a number
     next_ = choose_step(model(), state_, scratch_);
-    return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused, reason};
+    return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused, why};
 }
 
 void Simulation::note(RunRecord& record) const {

@@ -23,7 +23,7 @@ struct StepOutcome {
         refused,  ///< for good: the State is the last good one
     };
     Kind kind{Kind::accepted};
-    std::string reason;  ///< of a refusal: quantity, body and time
+    sim::StepStatus why{};  ///< of a refusal
     bool is_accepted() const { return kind == Kind::accepted; }
 };
 
@@ -93,7 +93,7 @@ class Simulation {
     std::string judge_step(const sim::StepReport& report) const;
     void keep_standing();
     /// Goes back to a State and on from there with half the step, where that is left to try.
-    StepOutcome take_back(sim::State to, const std::string& reason);
+    StepOutcome take_back(sim::State to, const sim::StepStatus& why);
 
     scene::LoadedCase loaded_;
     sim::State initial_, state_;

@@ -208,6 +208,8 @@ Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cy
     return outcome;
 }
 
+StepStatus status_of(Outcome outcome) { return {std::move(outcome.problem), std::move(outcome.remedy)}; }
+
 /// One step with these methods.
 template <class Solid, class Fluid>
 StepReport take_step(const Model& model, State& state, ScratchData& data, Solid& solids, Fluid& fluid, double dt,
@@ -228,19 +230,19 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
         report.water_dt_bound = model.time.is_automatic() ? report.water_dt_bound : of_fluid.longest;
         report.status.text = fixed_step_problem(model, state, of_fluid);
         if (report.status.ok()) {
-            report.status.text = flow_over(model, state, fluid, cycle, data, spans, report).problem;
+            report.status = status_of(flow_over(model, state, fluid, cycle, data, spans, report));
         }
         data.before = state.bodies;
         loads = data.loads;
     }
     for (std::int64_t k = 0; k < cycle.pieces && report.status.ok(); ++k) {
         const Measure of_piece = k + 1 == cycle.pieces ? measure : Measure::flow;
-        report.status.text = advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, accounts, report).problem;
+        report.status = status_of(advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, accounts, report));
     }
     if constexpr (Fluid::is_there) {
         if (report.status.ok()) {
             const body::Loads& contacts = Solid::contact_loads(std::get<typename Solid::Scratch>(data.solids));
-            report.status.text = end_flow(model, state, fluid, cycle, contacts, data, spans, report).problem;
+            report.status = status_of(end_flow(model, state, fluid, cycle, contacts, data, spans, report));
         }
     }
     report.dt_bound *= static_cast<double>(cycle.pieces);

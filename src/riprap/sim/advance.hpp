@@ -47,8 +47,11 @@ struct StageTimes {
 
 /// Reason why a step could not be accepted; `text` empty = all is well.
 struct StepStatus {
-    std::string text;  ///< quantity, body and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
+    std::string text;    ///< quantity, body and time, e.g. "speed of block[3] is 2.1e6 m/s at t = 0.01 s"
+    std::string remedy;  ///< what to change in the case, where that follows from the reason; else empty
     bool ok() const { return text.empty(); }
+    /// The text, and after a semicolon the remedy where there is one.
+    std::string with_remedy() const { return remedy.empty() ? text : text + "; " + remedy; }
 };
 
 /// Report of one step.

@@ -65,7 +65,7 @@ Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, con
     if (report.fluid.problem.empty()) {
         hold_loads(span);
     }
-    return {report.fluid.problem};
+    return {report.fluid.problem, 0, report.fluid.remedy};
 }
 
 /// Finds the loads that do not change while accelerations of bodies are iterated: of the guard before faces, and of
@@ -142,7 +142,7 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                   absorbed,
                   flow_work};
     report.intruder = find_intruder(scene_->bodies, *water_, scratch);
-    return {report.fluid.problem};
+    return {report.fluid.problem, 0, report.fluid.remedy};
 }
 
 namespace {

@@ -21,6 +21,7 @@ class Mps final : public ParticleScheme, public SolvesForBodies {
         fluid::begin_forces(*settings_, state, walls, gravity, span.dt, span.time, scratch_, solved_);
         report.worst_particle = solved_.worst_particle;
         report.problem = solved_.problem;
+        report.remedy = solved_.remedy;
     }
     void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override {
         describe_water_at_walls(gravity, scratch_, water);

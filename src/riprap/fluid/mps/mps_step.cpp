@@ -19,7 +19,7 @@ namespace riprap::fluid {
 namespace {
 
 /// Tells what to change where the pressure equation is not solved.
-const char* advice_on(linear::SolveStatus status) {
+const char* remedy_of(linear::SolveStatus status) {
     switch (status) {
         case linear::SolveStatus::too_many_iterations:
             return "more fluid.max_iterations or a larger fluid.tolerance; a smaller fluid.courant and a larger "
@@ -192,9 +192,10 @@ void load_walls(const MpsSettings& settings, const ParticleState& state, Boundar
     if (!solve.is_converged()) {
         report.problem = fmt::format(
             "the pressure equation of {} unknowns is not solved at t = {:.6g} s: {} after {} iterations, residual "
-            "{:.3g} where {:.3g} is asked for; {}",
+            "{:.3g} where {:.3g} is asked for",
             s.equation.particle.size(), time, linear::describe(solve.status), solve.iterations, solve.residual,
-            settings.tolerance, advice_on(solve.status));
+            settings.tolerance);
+        report.remedy = remedy_of(solve.status);
     }
     load(settings, walls, g, s);
 }

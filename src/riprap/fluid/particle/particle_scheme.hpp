@@ -51,6 +51,7 @@ struct FluidReport {
     double max_shift{0};                ///< farthest that shifting moved a particle in this step [m]
     std::int64_t worst_particle{-1};    ///< first id that is not finite, too fast or out of the domain
     std::string problem;                ///< why, with particle, place and time
+    std::string remedy;                 ///< what to change in the case, where that follows from the problem
 };
 
 /// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in

@@ -132,8 +132,8 @@ void find_lost_particle(const ParticleSettings& settings, const ParticleState& s
         describe(state, first_unsound(state, [&](std::size_t i) { return settings.domain.admits(state.position[i]); }),
                  time, "has left the domain", report);
         if (!report.problem.empty()) {
-            report.problem +=
-                "; a wall there holds the water, an [[fluid.outflow]] lets it go and counts it, and where "
+            report.remedy =
+                "a wall there holds the water, an [[fluid.outflow]] lets it go and counts it, and where "
                 "walls move, fluid.domain has to hold all of their way";
         }
     }
