@@ -113,7 +113,6 @@ struct Settings {
     bool has_multipliers{false};        ///< augmented Lagrange instead of the penalty alone
     double multiplier_tolerance{1e-9};  ///< overlap left by the augmented Lagrange loop [m]
     int max_augmentations{20};          ///< of that loop
-    double largest_overlap{0};          ///< a deeper closed contact refuses the step [m]; 0 = any depth
 };
 
 /// Settings for a scene with the half extent w0 [m] when corners may move by `displacement_ratio` w0 in a step.

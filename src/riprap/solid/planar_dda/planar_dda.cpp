@@ -6,13 +6,11 @@
 #include <algorithm>
 
 #include "riprap/body/drives.hpp"
-#include "riprap/body/may_move.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/piece_books.hpp"
-#include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::solid {
 
@@ -25,25 +23,6 @@ std::size_t PlanarDda::Scratch::bytes() const {
 }
 
 namespace {
-
-/// Twice the area over the perimeter: the inscribed radius of a regular polygon, twice that of a thin plate [m].
-double breadth_of(const planar_dda::Model& model, std::int32_t block) {
-    const std::int32_t begin = model.corner_begin[at(block)], end = model.corner_begin[at(block) + 1];
-    double perimeter = 0;
-    for (std::int32_t k = begin; k < end; ++k) {
-        perimeter += norm(model.corner[at(k + 1 < end ? k + 1 : begin)] - model.corner[at(k)]);
-    }
-    return 2 * model.area[at(block)] / perimeter;
-}
-
-/// Depth that no contact of the scene can have: most_overlap of the broadest body that may move [m].
-double largest_overlap(const SolidScene& scene, const planar_dda::Model& model) {
-    double broadest = 0;
-    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
-        broadest = body::may_move(scene.bodies, at(b)) ? std::max(broadest, breadth_of(model, b)) : broadest;
-    }
-    return most_overlap * broadest;
-}
 
 /// Lengths of the engine for a scene.
 planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest) {
@@ -81,9 +60,6 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
         const planar_dda::Disc around{{fields.around[0], fields.around[1]}, fields.around[2]};
         make_blocks(scene, state.bodies, around, settings.elasticity, settings.plane, scratch.scene);
         scratch.settings = settings_of(settings, scratch.scene.smallest);
-        if (scratch.scene.problems.empty()) {
-            scratch.settings.largest_overlap = largest_overlap(scene, scratch.scene.model);
-        }
         scratch.is_made = true;
     }
     if (fields.was_held.size() != at(scene.bodies.size()) && scratch.scene.problems.empty()) {

@@ -108,7 +108,7 @@ double largest_displacement(const Model& model, const State& state, const Scratc
     return std::sqrt(largest);
 }
 
-Outcome accept_or_refuse(const Model& model, const Settings& settings, const Scratch& scratch, StepReport& report) {
+Outcome accept_or_refuse(const Settings& settings, const Scratch& scratch, StepReport& report) {
     const double ratio = report.largest_displacement / settings.displacement_limit;
     if (!(ratio <= 3)) {
         return {fmt::format("a corner moves by {:.3g} m in one step, {:.2g} times the limit",
@@ -125,11 +125,6 @@ Outcome accept_or_refuse(const Model& model, const Settings& settings, const Scr
         const auto [a, b] = std::minmax(scratch.contacts[k].a, scratch.contacts[k].b);
         pairs.push_back(contact::pair_key({a, b}));
         report.largest_overlap = std::max(report.largest_overlap, -trial.gap);
-        if (settings.largest_overlap > 0 && -trial.gap > settings.largest_overlap) {
-            return {fmt::format("{} overlap by {:.3g} m, above the limit of {:.3g} m",
-                                name_of(model, scratch.contacts[k]), -trial.gap, settings.largest_overlap),
-                    0.3};
-        }
     }
     std::sort(pairs.begin(), pairs.end());
     report.touching_pairs = contact::count_pairs(pairs);
@@ -236,7 +231,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
     laps.end(scratch.times.contact_loads);
     if (outcome.ok()) {
         report.largest_displacement = largest_displacement(model, state, scratch);
-        outcome = accept_or_refuse(model, settings, scratch, report);
+        outcome = accept_or_refuse(settings, scratch, report);
     }
     if (outcome.ok()) {
         accept(model, settings, step, state, scratch);
