@@ -74,7 +74,7 @@ bool JointPairs::keep(const SampleView& near, const JointSolids& solids, const b
     // A skin s makes the sums of a step dearer by s/2 and lasts s/(2 u) steps at a motion of u a step until lists,
     // which cost 2.5 such sums, are made anew: least in sum at s^2 = 10 u.
     if (way > 0) {
-        skin_ = std::clamp(std::sqrt(28 * way / static_cast<double>(age_)), least_skin, most_skin);
+        skin_ = std::clamp(std::sqrt(10 * way / static_cast<double>(age_)), least_skin, most_skin);
     }
     return false;
 }
