@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <sstream>
 
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
@@ -68,7 +69,9 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, const std::vector<
         fmt::print(stderr, "{} {}\nRun with --help for more information.\n",
                    tinted("riprap:", Tint::bad, shows_colours(stderr)), printable(unknown));
     } else {
-        app.exit(error);
+        std::ostringstream out, problem;
+        app.exit(error, out, problem);
+        fmt::print(stderr, "{}{}", out.str(), printable(problem.str()));
     }
     return static_cast<int>(ExitCode::usage);
 }

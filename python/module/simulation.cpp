@@ -99,7 +99,7 @@ std::int64_t Simulation::step(std::int64_t count, bool with_energy, double until
         const bool is_whole = is_due() || simulation.next_is_last() || (with_energy && ends);
         const run::StepOutcome outcome = simulation.step(is_whole ? sim::Measure::energy : sim::Measure::flow);
         if (outcome.kind == run::StepOutcome::Kind::refused) {
-            throw NumericalError(outcome.reason);
+            throw NumericalError(outcome.why.with_remedy());
         }
         if (outcome.is_accepted()) {
             ++taken;

@@ -83,7 +83,7 @@ TEST(Guard, is_stable_at_one_face_at_the_acoustic_step) {
 TEST(PenaltyWalls, at_rest_under_their_column_a_particle_stands_a_tenth_of_a_spacing_inside_the_reach) {
     // rho_0 g H dp^(dim-1) over k_s, with c_0 = 10 sqrt(g H)
     const fluid::SphSettings settings = water();
-    const PenaltySettings walls = penalty_settings(settings);
+    const PenaltySettings walls = penalty_settings(settings, 0);
     const double pressure = 1000 * settings.sound_speed * settings.sound_speed / 100;
     EXPECT_NEAR(pressure * settings.spacing / walls.stiffness, 0.1 * settings.spacing, 1e-9);
     EXPECT_NEAR(walls.reach, 0.5 * settings.spacing, 1e-12);

@@ -37,7 +37,7 @@ Push push_of(const Vec3& box_place, const Vec3& x, const Vec3& velocity = {}, do
     fluid::SparseVectors force;
     FluidLoads loads;
     PenaltyWalls walls;
-    walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings), {}, particles, force, loads);
+    walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings, 0), {}, particles, force, loads);
     return {force[0], loads.pressure.force[0], loads.pressure.torque[0]};
 }
 
@@ -107,6 +107,49 @@ TEST(PenaltyWalls, a_particle_between_two_faces_is_kept_in_the_middle_and_holds_
     }
     // Where the other face is too far away to matter it is pushed from a fifth of a spacing on.
     EXPECT_NEAR(squeeze(0.5 * dp, 0.15 * dp).force.y, stiffness * 0.05 * dp, 1e-6 * stiffness * dp);
+}
+
+/// Particles counted as gone through a convex polygon when one at `x` has come from `from` within a step of 1 ms.
+std::int64_t passages(const std::vector<geometry::Point2>& corners, const Vec3& from, const Vec3& x,
+                      const Vec3& speed_of_body = {}) {
+    test::Scene scene;
+    scene.bodies.is_planar = true;
+    scene.add(geometry::planar_prism(corners).value(), {});
+    fluid::SphSettings settings;
+    settings.spacing = dp;
+    settings.particle_mass = settings.rest_density * dp * dp;
+    settings.sound_speed = 30;
+    settings.domain = {{-1, -1, 0}, {1, 1, 0}, {}, 2};
+    fluid::ParticleState particles;
+    particles.add(x, 1000.0 * (x - from), settings.rest_density, 0);
+    body::Motion motion;
+    motion.pose = {{}};
+    motion.velocity = {speed_of_body};
+    motion.angular_velocity = motion.acceleration = motion.angular_acceleration = {Vec3{}};
+    fluid::SparseVectors force;
+    FluidLoads loads;
+    PenaltyWalls walls;
+    walls.push(scene.shapes, scene.bodies, motion, {}, guard_settings(settings, 1e-3), {}, particles, force, loads);
+    return walls.passages().count;
+}
+
+TEST(PenaltyWalls, a_particle_that_goes_through_a_thin_plate_is_counted_in_the_step_that_takes_it_past_the_middle) {
+    const std::vector<geometry::Point2> plate{{-0.5, -0.004}, {0.5, -0.004}, {0.5, 0.004}, {-0.5, 0.004}};
+    EXPECT_EQ(passages(plate, {0, 0.006, 0}, {0, 0.002, 0}), 0);    // in, and not past the middle
+    EXPECT_EQ(passages(plate, {0, 0.002, 0}, {0, -0.002, 0}), 1);   // past it
+    EXPECT_EQ(passages(plate, {0, -0.002, 0}, {0, -0.006, 0}), 0);  // out on the other side
+    EXPECT_EQ(passages(plate, {0, 0.006, 0}, {0, -0.007, 0}), 1);   // all at once
+    EXPECT_EQ(passages(plate, {0, 0.012, 0}, {0, 0.006, 0}), 0);
+    // The plate comes to the particle.
+    EXPECT_EQ(passages(plate, {0, -0.006, 0}, {0, -0.006, 0}, {0, 13, 0}), 1);
+}
+
+TEST(PenaltyWalls, a_particle_that_goes_around_an_edge_or_a_tip_has_gone_through_nothing) {
+    const std::vector<geometry::Point2> plate{{-0.5, -0.004}, {0.5, -0.004}, {0.5, 0.004}, {-0.5, 0.004}};
+    EXPECT_EQ(passages(plate, {0.502, 0.006, 0}, {0.502, -0.006, 0}), 0);
+    const std::vector<geometry::Point2> knife{{-0.2, -0.05}, {0.4, 0}, {-0.2, 0.05}};  // centroid at 0
+    EXPECT_EQ(passages(knife, {0.399, 0.003, 0}, {0.399, -0.003, 0}), 0);
+    EXPECT_EQ(passages(knife, {0.36, 0.005, 0}, {0.36, -0.005, 0}), 1);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "riprap/run/check_case.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
@@ -12,6 +14,7 @@ namespace riprap::run {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A tank half a metre wide with 0.205 m of water at a spacing of 1 cm: half a row stays empty.
 const std::string tank = R"(dimension = 2
@@ -78,6 +81,31 @@ TEST(CheckCase, gaps_that_are_neither_joints_nor_hold_particles_are_counted) {
     EXPECT_EQ(check_of(blocks(0.25, 2)).gaps.pairs, 0);
     EXPECT_EQ(check_of(blocks(0, 1)).gaps.pairs, 1);
     EXPECT_EQ(check_of(blocks(0.5, 0) + "wet = false\n").gaps.pairs, 0);
+}
+
+TEST(CheckCase, steps_of_bodies_within_one_of_the_water_are_told_and_too_many_warned_of) {
+    const auto with_block = [](const std::string& stiffness) {
+        std::string text = tank + "[[body]]\nname = \"block\"\nmaterial = \"rock\"\nshape = { box = [0.1, 0.1] }\n" +
+                           "position = [0.25, 0.05]\n";
+        const std::string given = "1.0e6";
+        return text.replace(text.find(given), given.size(), stiffness);
+    };
+    const CaseCheck stiff = check_of(with_block("1.0e9"));
+    EXPECT_GT(stiff.substeps, 1);
+    EXPECT_LE(stiff.substep * static_cast<double>(stiff.substeps - 1), stiff.time_step);
+    EXPECT_THAT(check_text(stiff), HasSubstr(fmt::format("  of bodies     {} steps within one", stiff.substeps)));
+    EXPECT_THAT(check_text(stiff), Not(HasSubstr("cost most of the time")));
+    const CaseCheck absurd = check_of(with_block("1.0e16"));
+    EXPECT_NEAR(static_cast<double>(absurd.substeps) / static_cast<double>(stiff.substeps), std::sqrt(1e7), 600);
+    EXPECT_THAT(check_text(absurd), HasSubstr("steps within one of the water (contact stiffness of block"));
+    EXPECT_THAT(check_text(absurd), HasSubstr("cost most of the time"));
+}
+
+TEST(CheckCase, numbers_that_differ_between_members_of_an_ensemble_are_told) {
+    const CaseCheck check = check_of(tank + "[[spread]]\nkey = \"material.rock.density\"\nlow = 2400\nhigh = 2600\n" +
+                                     "[[spread]]\nkey = \"fluid.density\"\nmean = 1000\ndeviation = 5\n");
+    EXPECT_THAT(check_text(check), HasSubstr("  ensemble      material.rock.density from 2400 to 2600\n"));
+    EXPECT_THAT(check_text(check), HasSubstr("  ensemble      fluid.density 1000 with a deviation of 5\n"));
 }
 
 TEST(CheckCase, the_memory_it_reports_is_that_of_a_run_within_a_fifth) {

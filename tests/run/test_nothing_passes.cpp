@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes in which something passed through something else, or energy came from nowhere, and the run ended well.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -132,6 +133,35 @@ TEST(NothingPasses, AsWaterThatALidPressesThroughTheWalls) {
     EXPECT_LT(end.time, 0.45);
 }
 
+/// A planar tank of water between walls so thick, and a lid that presses it out.
+std::string press(const std::string& method, double thickness) {
+    const std::string wall = "fixed = true";
+    return "dimension = 2\ngravity = [0, -9.81]\nend = 0.45\n" + rock("1e7") + "[fluid]\nmethod = '" + method +
+           "'\nspacing = 0.05\ndomain = { low = [-3, -3], high = [4, 14] }\n"
+           "[[fluid.region]]\nbox = { low = [0, 0], high = [1, 0.5] }\n" +
+           body("bottom", fmt::format("box = [1.4, {}]", thickness),
+                wall + fmt::format("\nposition = [0.5, {}]", -thickness / 2)) +
+           body("left", fmt::format("box = [{}, 2]", thickness),
+                wall + fmt::format("\nposition = [{}, 1]", -thickness / 2)) +
+           body("right", fmt::format("box = [{}, 2]", thickness),
+                wall + fmt::format("\nposition = [{}, 1]", 1 + thickness / 2)) +
+           body("lid", fmt::format("box = [1, {}]", thickness),
+                fmt::format("position = [0.5, {}]\nmotion = {{ linear = {{ velocity = [0, -1] }} }}",
+                            0.55 + thickness / 2));
+}
+
+TEST(NothingPasses, AsWaterThatALidPressesThroughWallsTooThinToBeFoundIn) {
+    for (const std::string method : {"sph", "wcmps", "mps"}) {
+        for (const double thickness : {0.1, 0.02}) {
+            const End end = end_of(press(method, thickness));
+            EXPECT_THAT(end.reason, HasSubstr("particle")) << method << ' ' << thickness;
+            EXPECT_LT(end.time, 0.4) << method << ' ' << thickness;
+            EXPECT_TRUE(thickness > 0.05 || end.reason.find("have gone through walls") != std::string::npos)
+                << end.reason;
+        }
+    }
+}
+
 TEST(NothingPasses, ACubeAtAHundredMetresASecondIsComputedOrRefused) {
     const auto fall = [](const std::string& stiffness) {
         return gravity + "end = 0.02\n" + rock(stiffness) + floor_of_rock +
@@ -143,11 +173,47 @@ TEST(NothingPasses, ACubeAtAHundredMetresASecondIsComputedOrRefused) {
     EXPECT_THAT(check_case(scene::read_case_text(fall("1e7"), "case.toml", ".")).refusal, HasSubstr("'block'"));
 }
 
+TEST(NothingPasses, CheckRefusesNoImpactThatComesAfterTheEndOrThatWaterMaySoften) {
+    const std::string soft = rock("1e5"), plate = body("plate", "box = [1, 1, 0.02]", "fixed = true");
+    const auto refusal = [&](const std::string& end, const std::string& more) {
+        const std::string text = "gravity = [0, 0, 0]\nend = " + end + "\n" + soft + plate +
+                                 body("cube", "cube = 0.1", "position = [0, 0, 1]\nvelocity = [0, 0, -30]") + more;
+        return check_case(scene::read_case_text(text, "case.toml", ".")).refusal;
+    };
+    EXPECT_THAT(refusal("0.1", ""), HasSubstr("'cube'"));
+    EXPECT_THAT(refusal("0.02", ""), IsEmpty());  // it would be there at 0.031 s
+    EXPECT_THAT(refusal("0.1",
+                        "[fluid]\nspacing = 0.05\ndomain = { low = [-1, -1, -1], high = [1, 1, 2] }\n"
+                        "[[fluid.region]]\nbox = { low = [-0.2, -0.2, 0.1], high = [0.2, 0.2, 0.4] }\n"),
+                IsEmpty());
+}
+
 TEST(LedgerVerdict, JudgesTheFirstStepsToo) {
     // Seven steps, thirty times too long: 13 MJ from nowhere, and the run ended with 0.
     const End end = end_of(gravity + "end = 1\ntime_step = 0.147\nforce_time_step = true\n" + rock("1e7") +
                            floor_of_rock + body("block", "cube = 1", "position = [0, 0, 0.6]"));
     EXPECT_THAT(end.reason, HasSubstr("block"));
+}
+
+TEST(LedgerVerdict, JudgesTheFirstStepsOfMethodsThatBookOverSeveralStepsByAllThatThereIs) {
+    // Ten steps, far too long for spheres: 29 kJ from nowhere, of 27 kJ, and the run ended with 0.
+    const End end = end_of(gravity +
+                           "end = 0.5\ntime_step = 0.05\nforce_time_step = true\n[solid]\nmethod = 'sphere_dem'\n"
+                           "youngs_modulus = 1e7\n" +
+                           rock("1e7") + floor_of_rock + body("block", "cube = 1", "position = [0, 0, 0.6]"));
+    EXPECT_THAT(end.reason, HasSubstr("ledger"));
+}
+
+TEST(LedgerVerdict, LeavesAPaddleAloneThatTouchesStillWaterWithoutGravity) {
+    // At the first touch 1e-13 J are turned over, and half of it is missing.
+    for (const std::string method : {"sph", "wcmps"}) {
+        const End end =
+            end_of("dimension = 2\ngravity = [0, 0]\nend = 0.1\n" + rock("1e7") + "[fluid]\nmethod = '" + method +
+                   "'\nspacing = 0.025\ndomain = { low = [-3, -3], high = [4, 4] }\n"
+                   "[[fluid.region]]\nbox = { low = [0, -0.3], high = [0.5, 0.3] }\n" +
+                   body("pad", "box = [0.1, 2]", "position = [-0.3, 0]\nmotion = { linear = { velocity = [5, 0] } }"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+    }
 }
 
 TEST(LedgerVerdict, LeavesABodyThatSpinsWithoutGravityAlone) {

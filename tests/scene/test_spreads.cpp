@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers of an ensemble are tried when the case is read.
+#include <set>
+
 #include "case_fixture.hpp"
 
 namespace riprap::scene {
@@ -34,6 +36,22 @@ TEST(Spreads, beyond_what_a_key_allows_are_refused) {
                                   HasSubstr("0 <= value"))));
     EXPECT_THAT(problems_with("key = \"body.block.position.2\"\nlow = 1.5\nhigh = 0.5\n"),
                 ElementsAre(HasSubstr("case.toml:13:7: low = 1.5 is above high = 0.5")));
+}
+
+TEST(Spreads, with_half_of_what_they_need_are_refused_once_each) {
+    const std::vector<std::string> lines{"low = 0.5\n", "high = 1.5\n", "mean = 1.0\n", "deviation = 0.1\n"};
+    for (unsigned chosen = 0; chosen < 16; ++chosen) {
+        std::string spread = "key = \"body.block.position.2\"\n";
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            spread += (chosen >> k) % 2 == 1 ? lines[k] : "";
+        }
+        const bool is_right = chosen == 3 || chosen == 12;
+        const std::vector<std::string> problems = problems_with(spread);
+        EXPECT_EQ(problems.empty(), is_right) << spread;
+        EXPECT_EQ(std::set<std::string>(problems.begin(), problems.end()).size(), problems.size()) << spread;
+    }
+    EXPECT_THAT(problems_with("key = \"body.block.position.2\"\nlow = \"a\"\nhigh = 1.5\n"),
+                ElementsAre(HasSubstr("case.toml:13:7")));
 }
 
 TEST(Spreads, names_in_a_list_are_told_at_their_place) {

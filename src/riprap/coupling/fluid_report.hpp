@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "riprap/coupling/particle_walls/wall_passages.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
 
@@ -14,7 +15,8 @@ struct FluidStep {
     fluid::FluidReport fluid;
     std::vector<double> own;  ///< amounts of the accounts that the fluid names itself, in their order [J]
     fluid::Passage passage;   ///< through inflows and outflows, after the kick
-    std::string intruder;     ///< a moving body among the layers of an opening, and which; empty = none
+    WallPassages through_walls;
+    std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };
 
 }  // namespace riprap::coupling

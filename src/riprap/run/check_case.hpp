@@ -36,6 +36,7 @@ struct CaseCheck {
     std::vector<FaceGauge> face_gauges;     ///< what each wall_pressure found
     std::vector<scene::PaddleWave> waves;   ///< that paddles are to make
     std::vector<std::string> sides;         ///< of the domain that absorb waves, and which
+    std::vector<std::string> spreads;       ///< numbers that differ between the members of an ensemble
     struct EarlyTipping {
         std::string body;
         std::int64_t above;     ///< bodies that stand on it
@@ -48,6 +49,9 @@ struct CaseCheck {
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};
+    std::int64_t substeps{1};     ///< of the bodies within the first step of the water
+    double substep{0};            ///< that those are of, or less [s]
+    std::string substeps_reason;  ///< what they follow from
     std::int64_t frames{0};
     std::int64_t contacts{0};  ///< at time 0
     double max_overlap{0};     ///< at time 0 [m]
@@ -57,6 +61,11 @@ struct CaseCheck {
     std::string refusal;             ///< what the tried step was refused for; empty = accepted
     std::vector<std::string> notes;  ///< what was read from other programs' files
     std::vector<std::string> warnings;
+
+    /// Tells whether steps can be counted, and are not more than any machine takes.
+    bool has_countable_steps() const;
+    /// Steps, as a number that need not be countable.
+    double estimated_steps() const;
 };
 
 /// Sides of the domain that absorb waves, with the range in which they do.

@@ -104,6 +104,12 @@ std::vector<Spread> spreads_of(const scene::LoadedCase& loaded) {
     return spreads;
 }
 
+std::string text_of(const Spread& spread) {
+    return spread.is_normal
+               ? fmt::format("{} {:.6g} with a deviation of {:.6g}", spread.key, spread.mean, spread.deviation)
+               : fmt::format("{} from {:.6g} to {:.6g}", spread.key, spread.low, spread.high);
+}
+
 double draw(const Spread& spread, std::uint64_t seed, std::int64_t member) {
     scene::RandomStream stream(seed, spread.key, static_cast<std::uint64_t>(member));
     if (!spread.is_normal) {
@@ -207,7 +213,7 @@ int run_ensemble(const EnsembleOptions& options) {
         run.out = options.run.out / point.name;
         run.resume = !run.force;
         run.quiet = true;
-        if (!options.run.quiet) {
+        if (!options.run.quiet || !first.model.expects.empty()) {  // above its verdicts
             fmt::print("member {} of {}: {}\n", k, options.members, run.out.string());
         }
         member.code = run_case(run);

@@ -20,8 +20,11 @@ struct Spread {
     double mean{0}, deviation{0};  ///< SI
 };
 
-/// Rows of [[spread]] of a case. @throws CaseError where the case has none
+/// Rows of [[spread]] of a case; none where it has none.
 std::vector<Spread> spreads_of(const scene::LoadedCase& loaded);
+
+/// "body.gate.position.0 from 0.2 to 0.3", "material.ice.friction_coefficient 0.4 with a deviation of 0.05"
+std::string text_of(const Spread& spread);
 
 /// Value of one number in one member: a function of the seed of the case, the member and the key alone, so that more
 /// members or further numbers leave the others as they were.

@@ -32,6 +32,17 @@ std::string water_passage(const sim::Model& model, const sim::State& state) {
         strays.count, particles, strays.depth, model.bodies.name(strays.body), state.time);
 }
 
+sim::StepStatus passed_walls(const sim::Model& model, const sim::State& state, std::int64_t count,
+                             const coupling::WallPassages& last) {
+    const auto particles = static_cast<double>(state.fluid.size());
+    if (last.count == 0 || static_cast<double>(count) <= std::max(2.0, share_through_walls * particles)) {
+        return {};
+    }
+    return {fmt::format("{} of {} particles of water have gone through walls, the last through {}, at t = {:.6g} s",
+                        count, state.fluid.size(), model.bodies.name(BodyId{last.body}), state.time),
+            "thicker walls, a smaller fluid.spacing, or less force on water that cannot give way"};
+}
+
 std::string splash_text(const sim::Model& model, const sim::State& state) {
     const coupling::ParticleFluid* const water = model.particles();
     const std::int64_t gone = water != nullptr ? fluid::let_go_so_far(state.open, state.fluid) : 0;

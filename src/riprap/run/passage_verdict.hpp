@@ -11,6 +11,14 @@ namespace riprap::run {
 /// more than a spacing deep in a body. Empty where it has not.
 std::string water_passage(const sim::Model& model, const sim::State& state);
 
+/// Share of the particles of water that may go through bodies, one after another, before the run is ended [-].
+inline constexpr double share_through_walls = 0.005;
+
+/// Returns how water has gone through walls too thin to be found in: where more particles of it have than are allowed,
+/// and more than two. @param count  of them since time 0; @param last  those of the last step
+sim::StepStatus passed_walls(const sim::Model& model, const sim::State& state, std::int64_t count,
+                             const coupling::WallPassages& last);
+
 /// Returns how much water has left through the top of the domain and was let go; empty where none has.
 std::string splash_text(const sim::Model& model, const sim::State& state);
 

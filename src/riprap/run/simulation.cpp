@@ -70,11 +70,15 @@ StepOutcome Simulation::step(sim::Measure measure) {
         sim::State before = good_.at(model(), state_.step - 1);
         return take_back(std::move(before), report.status);
     }
-    const std::string problem = is_judged ? judge_step(report) : "";
-    if (!problem.empty()) {  // the fault may have begun at any step since the last one judged
+    sim::StepStatus problem{is_judged ? judge_step(report) : "", {}};
+    if (problem.ok()) {
+        problem =
+            passed_walls(model(), state_, counts_.through_walls + report.through_walls.count, report.through_walls);
+    }
+    if (!problem.ok()) {  // the fault may have begun at any step since the last one judged
         watch_.load(good_.last().expects);
         counts_ = good_.last().counts;
-        return take_back(good_.last().state, {problem, {}});
+        return take_back(good_.last().state, problem);
     }
     report.ledger.has_energy = measure == sim::Measure::energy || state_.step == 1;
     report_ = std::move(report);

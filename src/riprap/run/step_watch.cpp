@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "riprap/run/passage_verdict.hpp"
+
 namespace riprap::run {
 
 namespace {
@@ -19,6 +21,7 @@ void StepCounts::add(const sim::StepReport& report, bool meets_end) {
     with_open_friction += report.open_frictions > 0 ? 1 : 0;
     open_frictions += report.open_frictions;
     with_intruder += report.intruder.empty() ? 0 : 1;
+    through_walls += report.through_walls.count;
     solver_iterations += report.solver_iterations;
     most_iterations = std::max(most_iterations, report.solver_iterations);
     worst_residual = std::max(worst_residual, report.solver_residual);
@@ -51,6 +54,13 @@ std::vector<Notice> StepWatch::look(const sim::StepReport& report, const sim::St
             {fmt::format("{}: {}: neither is right there; the summary counts the steps", when, report.intruder), "time",
              state.time});
     }
+    if (report.through_walls.count > 0 && counts.through_walls == report.through_walls.count) {
+        notices.push_back(
+            {fmt::format("{}: water has gone through a wall that it is pressed against; the summary counts "
+                         "the particles, and more than {:g} % of all end the run",
+                         when, 100 * share_through_walls),
+             "water_through_walls", static_cast<double>(report.through_walls.count)});
+    }
     return notices;
 }
 
@@ -81,6 +91,10 @@ std::vector<std::string> StepWatch::totals(const StepCounts& counts, std::int64_
     }
     if (counts.with_intruder > 0) {
         lines.push_back(fmt::format("bodies stood behind openings in {} of {} steps", counts.with_intruder, steps));
+    }
+    if (counts.through_walls > 0) {
+        lines.push_back(fmt::format("{} particle{} of water went through walls", counts.through_walls,
+                                    counts.through_walls == 1 ? "" : "s"));
     }
     return lines;
 }

@@ -17,6 +17,7 @@ struct StepCounts {
     std::int64_t with_open_friction{0};  ///< in which friction of contacts was still changing as their iteration ended
     std::int64_t open_frictions{0};      ///< such contacts, all steps
     std::int64_t with_intruder{0};       ///< with a moving body behind an opening
+    std::int64_t through_walls{0};       ///< particles of water that went through bodies, all steps
     std::int64_t solver_iterations{0};   ///< of the water's pressure equation, all steps
     std::int64_t most_iterations{0};     ///< in one step
     double worst_residual{0};            ///< of it, over its right-hand side [-]
@@ -32,6 +33,7 @@ struct StepCounts {
         visit("run.steps_with_open_friction", self.with_open_friction);
         visit("run.open_frictions", self.open_frictions);
         visit("run.steps_with_intruder", self.with_intruder);
+        visit("run.water_through_walls", self.through_walls);
         visit("run.solver_iterations", self.solver_iterations);
         visit("run.most_iterations", self.most_iterations);
         visit("run.worst_residual", self.worst_residual);

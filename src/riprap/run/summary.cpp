@@ -74,6 +74,7 @@ std::string summary_json(const Summary& summary) {
                     {"steps_with_open_friction", summary.counts.with_open_friction},
                     {"open_frictions", summary.counts.open_frictions},
                     {"steps_with_intruder", summary.counts.with_intruder},
+                    {"water_through_walls", summary.counts.through_walls},
                     {"solver_iterations", summary.counts.solver_iterations},
                     {"solver_iterations_max", summary.counts.most_iterations},
                     {"solver_residual_max", summary.counts.worst_residual},

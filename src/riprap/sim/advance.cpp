@@ -152,6 +152,7 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
     note_gain(model, state, data.span_loads, span.dt, prediction);
+    report.through_walls.add(brought.step.through_walls);
     if (report.intruder.empty()) {
         report.intruder = brought.step.intruder;
     }

@@ -75,6 +75,7 @@ struct StepReport {
     bool is_water_settled{true};        ///< false where that iteration ended for want of passes
     double max_water_speed{0};          ///< [m/s]
     double water_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the water allows a step that is fixed [s]
+    coupling::WallPassages through_walls;                            ///< particles of water that went through bodies
     std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };
 

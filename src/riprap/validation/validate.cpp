@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
@@ -41,7 +42,7 @@ std::string refusal_of(const std::string& text, std::span<const ValidationCase> 
     const std::string meant = scene::nearest(text, names);
     const std::string suite = meant.empty() ? text.substr(0, text.find('/')) : meant.substr(0, meant.find('/'));
     const bool is_suite = std::find(names.begin(), names.end(), suite) != names.end();
-    std::string answer = fmt::format("no suite or case of validation is called '{}'", text);
+    std::string answer = fmt::format("no suite or case of validation is called '{}'", printable(text));
     answer += meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     answer += is_suite ? fmt::format("\nof the suite {} there are:\n", suite) : "\nthere are:\n";
     for (const ValidationCase& one : cases) {

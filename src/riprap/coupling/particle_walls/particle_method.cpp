@@ -88,7 +88,8 @@ void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, Flui
     const bool is_penalty = water_->wall == WallTreatment::penalty;
     if (is_penalty) {
         scratch.penalty.push(scene_->shapes, scene_->bodies, scratch.motion, water_->is_dry,
-                             penalty_settings(water_->settings()), {}, state_.particles, scratch.extra_force, loads);
+                             penalty_settings(water_->settings(), span.dt), {}, state_.particles, scratch.extra_force,
+                             loads);
     }
     scratch.scheme->load_walls(state_.particles, scratch.walls, scene_->gravity.at(span.middle()));
     if (!is_penalty) {
@@ -141,6 +142,7 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                   of.wall_exchange,
                   absorbed,
                   flow_work};
+    report.through_walls = scratch.penalty.passages();
     report.intruder = find_intruder(scene_->bodies, *water_, scratch);
     return {report.fluid.problem, 0, report.fluid.remedy};
 }
@@ -163,8 +165,9 @@ void let_splash_go(const ParticleFluid& fluid, const Vec3& gravity, const TimeSp
     if (all > most) {
         passage.problem = fmt::format(
             "{} particles of water have left through the top of the domain by t = {:.6g} s; allowed: {}, {:g} % of "
-            "all: a higher domain holds them",
+            "all",
             all, span.end(), most, 100 * fluid::share_let_go);
+        passage.remedy = "a higher fluid.domain holds them";
     }
 }
 
@@ -184,7 +187,7 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
                                        gravity, span.end(), span.dt, state_.open, state_.particles);
     }
     let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, report.passage);
-    return {report.passage.problem};
+    return {report.passage.problem, 0, report.passage.remedy};
 }
 
 std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settings& water,

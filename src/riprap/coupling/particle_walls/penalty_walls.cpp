@@ -78,6 +78,56 @@ std::optional<Touch> deepest_touch(const PlacedPart& part, const Vec3& x, double
     return deepest;
 }
 
+/// Does the way from one place to another meet a convex part? In its frame.
+bool meets(const geometry::ConvexView& shape, const Vec3& from, const Vec3& to) {
+    double enter = 0, leave = 1;
+    for (int j = 0; j < shape.face_count; ++j) {
+        const double begin = dot(shape.normal(j), from) - shape.offset[j],
+                     end = dot(shape.normal(j), to) - shape.offset[j];
+        if (begin > 0 && end > 0) {
+            return false;
+        }
+        if (begin > 0) {
+            enter = std::max(enter, begin / (begin - end));
+        } else if (end > 0) {
+            leave = std::min(leave, begin / (begin - end));
+        }
+    }
+    return enter <= leave;
+}
+
+/// Distance from a place in a part to the tip at which two of its faces meet; infinite where they are parallel [m].
+double distance_to_tip(const geometry::ConvexView& shape, const Vec3& place, const Vec3& normal, const Vec3& other) {
+    constexpr double parallel = 1e-9;
+    const Vec3 towards = normal + other;
+    double distance = std::numeric_limits<double>::infinity();
+    if (norm_squared(towards) < parallel) {
+        return distance;
+    }
+    for (int j = 0; j < shape.face_count; ++j) {
+        const double rate = dot(shape.normal(j), towards);
+        if (rate > parallel) {
+            distance = std::min(distance, std::max(0.0, shape.offset[j] - dot(shape.normal(j), place)) / rate);
+        }
+    }
+    return distance * norm(towards);
+}
+
+/// Did a particle go through a part on its way [m] to the place of a touch? Not where it may have gone around a tip.
+bool went_through(const PlacedPart& part, const Touch& touch, const Vec3& way) {
+    constexpr double away = -0.5;
+    if (touch.distance * std::abs(touch.distance) >= norm_squared(way)) {
+        return false;  // it is farther out than it came
+    }
+    const Vec3 to = to_body(part.pose, touch.place), from = to_body(part.pose, touch.place - way);
+    if (!meets(part.shape, from, to)) {
+        return false;
+    }
+    const Vec3 before = geometry::closest_surface_point(part.shape, from).normal;
+    const Vec3 after = geometry::closest_surface_point(part.shape, to).normal;
+    return dot(before, after) < away && distance_to_tip(part.shape, 0.5 * (from + to), before, after) > 2 * norm(way);
+}
+
 /// The push of ground: of its surface as one, so that no edge between two triangles is felt.
 std::optional<Touch> touch_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double within,
                                   const fluid::PeriodicImages& images) {
@@ -115,14 +165,17 @@ PenaltySettings scaled_settings(const fluid::ParticleSettings& settings, double 
 
 }  // namespace
 
-PenaltySettings penalty_settings(const fluid::ParticleSettings& settings) {
-    return scaled_settings(settings, 0.5, 0.1);
+PenaltySettings penalty_settings(const fluid::ParticleSettings& settings, double dt) {
+    PenaltySettings penalty = scaled_settings(settings, 0.5, 0.1);
+    penalty.dt = dt;
+    return penalty;
 }
 
 PenaltySettings guard_settings(const fluid::ParticleSettings& settings, double dt) {
     PenaltySettings guard = scaled_settings(settings, 0.2, 0.5);
     guard.fastest_return = 0.05 * settings.sound_speed;
     guard.hardest = settings.particle_mass / dt;
+    guard.dt = dt;
     return guard;
 }
 
@@ -138,6 +191,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     near_parts.find(parts, particles.position, settings.domain, within);
     force.reset(at(particles.size()));
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
+    passed_.assign(blocks_.size(), {});
     const fluid::PeriodicImages images(settings.domain);
     const auto velocity_at = [&motion](std::int32_t body, const Vec3& x) {
         const auto b = at(body);
@@ -157,6 +211,10 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
             for (const std::int32_t part : near) {
                 if (const auto touch = deepest_touch(parts[at(part)], particles.position[at(i)], within, images)) {
                     touches.push_back(*touch);
+                    const Vec3 speed = particles.velocity[at(i)] - velocity_at(touch->body, touch->place);
+                    if (went_through(parts[at(part)], *touch, settings.dt * speed)) {
+                        passed_[at(begin / block_size)].add({1, touch->body});
+                    }
                 }
             }
             for (const body::Ground& ground : grounds_) {
@@ -186,6 +244,10 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
             }
         }
     });
+    passages_ = {};
+    for (const WallPassages& passed : passed_) {
+        passages_.add(passed);
+    }
     gather(bodies, motion, loads);
 }
 

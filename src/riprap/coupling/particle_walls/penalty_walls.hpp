@@ -10,6 +10,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/core/bytes.hpp"
+#include "riprap/coupling/particle_walls/wall_passages.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
@@ -26,12 +27,13 @@ struct PenaltySettings {
     fluid::Domain domain{};  ///< faces reach across its periodic sides
     /// v_r and m/dt: one push leaves a particle no faster away from the face than v_r [m/s], [kg/s].
     double fastest_return{std::numeric_limits<double>::infinity()}, hardest{std::numeric_limits<double>::infinity()};
+    double dt{0};  ///< of the step: time since particles were last pushed [s]
 };
 
 /// r_0 = dp/2, k_s = 0.1 rho_0 c_0^2 dp^(dim-2), k_d = 2 zeta sqrt(k_s m) with zeta = 0.5, m a particle's mass. At rest
 /// under a column of height H a particle then stands rho_0 g H dp^(dim-1)/k_s <= dp/10 inside the reach, as
 /// c_0 >= 10 sqrt(g H).
-PenaltySettings penalty_settings(const fluid::ParticleSettings& settings);
+PenaltySettings penalty_settings(const fluid::ParticleSettings& settings, double dt);
 
 /// A guard behind boundary particles: keeps a particle that is squeezed harder than they can hold, by a block that
 /// closes on a wall say, from passing through a face. r_0 = dp/5, where particles under pressure do not come (they
@@ -73,16 +75,22 @@ class PenaltyWalls {
 
     /// The pushes of the last call, in the order of the particles, by blocks of them.
     std::span<const std::vector<Push>> pushes() const { return blocks_; }
+    /// Particles that went through a part since they were pushed before, one step ago: the way of a particle, relative
+    /// to the body, meets the part, and the faces nearest to its two ends look away from each other. A wall however
+    /// thin is gone through no more than once so, and a particle that goes around an edge is none.
+    const WallPassages& passages() const { return passages_; }
 
-    std::size_t bytes() const { return bytes_of(blocks_); }
+    std::size_t bytes() const { return bytes_of(blocks_) + bytes_of(passed_); }
 
  private:
     void find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies);
     void gather(const body::BodySet& bodies, const body::Motion& motion, FluidLoads& loads) const;
 
     std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
-    std::vector<body::Ground> grounds_;      ///< found once: ground keeps its shape
-    std::optional<std::size_t> parts_;       ///< of all bodies when `grounds_` was found
+    WallPassages passages_;
+    std::vector<WallPassages> passed_;   ///< by the same blocks
+    std::vector<body::Ground> grounds_;  ///< found once: ground keeps its shape
+    std::optional<std::size_t> parts_;   ///< of all bodies when `grounds_` was found
 };
 
 }  // namespace riprap::coupling

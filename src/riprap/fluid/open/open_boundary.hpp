@@ -100,6 +100,7 @@ struct Passage {
     double energy{0};                  ///< kinetic, potential and internal [J]
     Vec3 momentum{};                   ///< [kg m/s]
     std::string problem;               ///< why there can be no more particles
+    std::string remedy;                ///< what to change in the case, where that follows from the problem
 };
 
 /// The opening whose layers x lies among: that of an inflow, or of an outflow that has layers; nullptr where there is

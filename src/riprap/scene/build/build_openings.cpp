@@ -229,8 +229,9 @@ void build_openings(CaseBuild& build, const Value& table, coupling::ParticleFlui
     fluid.open.most_particles = limits::particles;
     const bool has_penalty = fluid.wall == coupling::WallTreatment::penalty;
     if (!fluid.open.empty() && (has_penalty || !takes_openings(fluid.scheme))) {
-        build.problem(table.place, "inflow and outflow need the scheme delta_sph and walls of boundary particles",
-                      "scheme = \"delta_sph\", wall = \"boundary_particles\"");
+        build.problem(
+            table.place, "this water takes no inflow and no outflow",
+            "method = \"sph\" with scheme = \"delta_sph\" and wall = \"boundary_particles\"; or method = \"grid\"");
     }
 }
 

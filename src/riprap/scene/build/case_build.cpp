@@ -25,8 +25,13 @@ BodyId CaseBuild::body_named(const Value& name) {
     const BodyId body = sim::find_body(model.bodies, name.text);
     if (!body.is_valid() && (!is_claimed(name.text) || problems.empty())) {  // else the body itself has a problem
         const std::string meant = nearest(name.text, model.bodies.names);
-        problem(name.place, fmt::format("there is no body '{}'", name.text),
-                meant.empty() ? "a name of [[body]], or NAME[17]" : fmt::format("did you mean '{}'?", meant));
+        const bool is_of_many = meant == name.text;
+        problem(name.place,
+                is_of_many ? fmt::format("there are many bodies '{}'", name.text)
+                           : fmt::format("there is no body '{}'", name.text),
+                meant.empty() ? "a name of [[body]], or NAME[17]"
+                : is_of_many  ? fmt::format("'{}[0]', or another number", meant)
+                              : fmt::format("did you mean '{}'?", meant));
     }
     return body;
 }

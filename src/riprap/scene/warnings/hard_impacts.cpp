@@ -89,7 +89,14 @@ std::optional<HardImpact> impact_along(const sim::Model& model, const sim::State
         std::max(0.0, dot(state.bodies.velocity[at(body)] - state.bodies.velocity[at(other.body.value)], direction));
     const double pull = std::max(0.0, dot(model.gravity.at(0), direction)), way = std::max(0.0, met.distance - r);
     const double square = along * along + 2 * pull * way, mass = bodies.mass[at(body)];
+    if (!(square > 0 || pull > 0)) {
+        return std::nullopt;
+    }
     const double energy = mass * (0.5 * square + pull * depth);
+    const double falls_for = pull > 0 ? (std::sqrt(square) - along) / pull : way / along;
+    if (falls_for > model.time.end) {
+        return std::nullopt;
+    }
     if (!(energy > capacity) || capacity <= 0) {
         return std::nullopt;
     }
