@@ -28,8 +28,8 @@ INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                                          "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block",
                                          "water/stacked_blocks", "water/submerged_square", "water/standing_wave",
                                          "water/dam_break_front", "mikola/submarine_wedge", "mellado/normal_impact",
-                                         "mellado/oblique_impact", "dda/planar_rotation", "dda/planar_incline",
-                                         "dda/planar_column", "dda/planar_tip_or_slide"),
+                                         "mellado/unit_checks", "mellado/oblique_impact", "dda/planar_rotation",
+                                         "dda/planar_incline", "dda/planar_column", "dda/planar_tip_or_slide"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '/', '_');

@@ -11,6 +11,7 @@
 #include "riprap/validation/ding/planar_cases.hpp"
 #include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/mellado/cases.hpp"
+#include "riprap/validation/mellado/unit_checks.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/water/cases.hpp"
@@ -188,6 +189,8 @@ std::span<const ValidationCase> dda_in_space_cases() {
 
 std::span<const ValidationCase> mellado_cases() {
     static constexpr std::array cases{
+        ValidationCase{"mellado", "unit_checks", "Pieces that the other cases rest on, by themselves", false,
+                       mellado::unit_checks},
         ValidationCase{"mellado", "normal_impact", "Spheres meet spheres and planes (Hertz; Chung and Ooi)", false,
                        mellado::normal_impact},
         ValidationCase{"mellado", "oblique_impact", "A sphere meets a plane at an angle, or spinning (Chung and Ooi)",

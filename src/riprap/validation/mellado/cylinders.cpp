@@ -121,11 +121,9 @@ void judge_runs(const std::string& name, Stack stack, unsigned runs, const CaseS
 
 void cylinders(const CaseSetting& setting, CaseReport& report) {
     judge_runs("smooth discs", {}, setting.is_full ? 10 : 5, setting, report);
-    judge_runs("rings, normals of their round side", {true, contact::SphereNormals::faces, 1}, setting.is_full ? 5 : 1,
-               setting, report);
+    judge_runs("rings, normals of their round side", {true, contact::SphereNormals::faces, 1}, 5, setting, report);
     // Rings that touch along their centres interlock as gears: spheres of 0.5 mm lie 0.506 mm apart.
-    judge_runs("rings that interlock", {true, contact::SphereNormals::centres, 1}, setting.is_full ? 5 : 1, setting,
-               report);
+    judge_runs("rings that interlock", {true, contact::SphereNormals::centres, 1}, 5, setting, report);
     Plot plot;
     plot.title = "33 cylinders after 0.5 s";
     plot.x.label = "x [m]";
