@@ -33,7 +33,7 @@ void GridTrial::run(double end, const std::function<void(GridTrial&)>& each) {
         }
         record();
         if (settings_.has_surface) {
-            const double books = state_.water_volume, volume = water_volume(settings_, state_, scratch_);
+            const double books = state_.water.held, volume = water_volume(settings_, state_, scratch_);
             worst_volume_ = std::max(worst_volume_, std::abs(volume - books) / start_volume_);
             const auto beyond = [&](std::int64_t c, int, int, int) {
                 return std::max(-state_.fraction[at(c)], state_.fraction[at(c)] - 1);
