@@ -44,6 +44,9 @@ sim::StepStatus passed_walls(const sim::Model& model, const sim::State& state, s
 }
 
 std::string splash_text(const sim::Model& model, const sim::State& state) {
+    if (const auto* grid = std::get_if<coupling::GridFluidSettings>(&model.fluid); grid != nullptr) {
+        return coupling::GridFluid::let_go_text(*grid, std::get<coupling::GridFluidFields>(state.fluid_fields));
+    }
     const coupling::ParticleFluid* const water = model.particles();
     const std::int64_t gone = water != nullptr ? fluid::let_go_so_far(state.open, state.fluid) : 0;
     if (gone <= 0) {

@@ -241,7 +241,7 @@ TEST(CutCells, a_block_that_moves_through_the_surface_loses_no_water) {
         body.velocity = {0, -0.5 * std::sin(5 * (t + dt)), 0};
         set_open_shares(settings, state, scratch, cut_bodies(settings.mesh, {body}).open);
         if (i == 0) {
-            volume = state.water_volume;
+            volume = state.water.held;
         }
         advance(settings, state, scratch, dt);
         for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {

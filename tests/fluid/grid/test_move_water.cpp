@@ -128,9 +128,9 @@ TEST(MoveWater, a_surface_on_faces_of_cells_takes_what_the_books_miss) {
     GridScratch scratch;
     prepare(settings, state, scratch);
     for (const double share : {1 + 1e-6, 1 - 1e-6}) {
-        state.water_volume *= share;
+        state.water.held *= share;
         settle_volume(settings, state, scratch);
-        EXPECT_NEAR(water_volume(settings, state, scratch) / state.water_volume, 1, 1e-12);
+        EXPECT_NEAR(water_volume(settings, state, scratch) / state.water.held, 1, 1e-12);
         for_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
             EXPECT_GE(state.fraction[at(c)], 0);
             EXPECT_LE(state.fraction[at(c)], 1);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -109,7 +110,8 @@ class GridFluid {
     Outcome begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle, FluidStep& report);
     void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
     Outcome kick(const TimeSpan& span, FluidStep& report);
-    Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
+    /// Refuses a step by the end of which more than a splash has left through the open top.
+    Outcome end(const TimeSpan& span, FluidStep& report);
     std::span<const double> feedback() const { return scratch_->feedback; }
 
     /// Tells whether a gauge of this kind means something here: all do.
@@ -117,6 +119,8 @@ class GridFluid {
     /// Reads a gauge of any kind. Without scratch, bodies are cut anew.
     static std::array<double, 3> read(const FluidScene& scene, const Settings& settings, const Fields& fields,
                                       const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face);
+    /// Says how much water has left through the open top and was let go; empty where none has.
+    static std::string let_go_text(const Settings& settings, const Fields& fields);
     static fluid::grid::ShownWater shown(const FluidScene& scene, const Settings& settings, const Fields& fields);
 
  private:

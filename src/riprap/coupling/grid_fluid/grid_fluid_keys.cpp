@@ -41,7 +41,9 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                  {{"slip", SideKind::slip}, {"no_slip", SideKind::no_slip}, {"wall_function", SideKind::wall_function}},
                  "Sides of the domain, where nothing else is said of them: without friction; with the layer of "
                  "water that sticks to them; with the shear of a turbulent layer by the log law."),
-             boolean(&S::has_open_top, "open_top", "Air goes in and out through the side against gravity."),
+             boolean(&S::has_open_top, "open_top",
+                     "Air goes in and out through the side against gravity; water leaves through it in splashes alone, "
+                     "see `domain`, where no outflow lies on it."),
              choice(&S::turbulence, "turbulence",
                     {{"none", Turbulence::laminar},
                      {"k_epsilon", Turbulence::k_epsilon},

@@ -92,6 +92,10 @@ std::vector<KeyProblem> add_openings(GridFluidSettings& settings) {
                                 "'speed'"});
             continue;
         }
+        if (side.is_for_air && opening.kind == Kind::free) {
+            side.is_for_air = false;  // the open top, water may leave through it too
+            continue;
+        }
         if (side.kind == SideKind::inflow || side.kind == SideKind::open) {
             problems.push_back(
                 {key, "an opening in a side that is open already or that waves come in through", "another side"});

@@ -114,7 +114,9 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     }
     if (has_open_top) {
         const int axis = up_axis(scene.up);
-        grid.side[at(2 * axis + (scene.up[axis] > 0 ? 1 : 0))].kind = fluid::grid::SideKind::open;
+        fluid::grid::Side& top = grid.side[at(2 * axis + (scene.up[axis] > 0 ? 1 : 0))];
+        top.kind = fluid::grid::SideKind::open;
+        top.is_for_air = true;
     }
     grid.turbulence = turbulence;
     grid.vof = vof;

@@ -59,6 +59,11 @@ void to_pore_velocity(const GridSettings& settings, const GridScratch& s, std::a
     }
 }
 
+void open_books(const GridSettings& settings, GridState& state, const GridScratch& s) {
+    const double volume = water_volume(settings, state, s);
+    state.water = {volume, volume, 0};
+}
+
 }  // namespace
 
 GridState make_state(const GridSettings& settings, const std::function<double(const Vec3&)>& fraction,
@@ -139,7 +144,7 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
     s.is_ready = true;
     fill_velocity_ghosts(settings, state.time, state.fraction, state.velocity);
     if (state.step == 0) {
-        state.water_volume = water_volume(settings, state, s);
+        open_books(settings, state, s);
     }
 }
 
@@ -155,7 +160,7 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
     s.pockets = find_pockets(settings, s);
     if (is_first) {
         if (state.step == 0) {
-            state.water_volume = water_volume(settings, state, s);
+            open_books(settings, state, s);
         }
     } else {
         fill_fresh_cells(settings, state, s);
@@ -259,7 +264,7 @@ int begin_step(const GridSettings& settings, GridState& state, GridScratch& s, d
     if (settings.outer_corrections > 1) {
         s.start.fraction = state.fraction;
     }
-    const double volume_before = state.water_volume;
+    const WaterBooks books_before = state.water;
     carry_water(settings, state, s, dt);
     const int pressures = settings.outer_corrections * settings.pressure_corrections;
     const bool has_stones = s.medium.has_stones;
@@ -280,7 +285,7 @@ int begin_step(const GridSettings& settings, GridState& state, GridScratch& s, d
         find_middle(settings, state, s, start, dt);
         if (!is_inner) {
             state.fraction = s.start.fraction;
-            state.water_volume = volume_before;
+            state.water = books_before;
             carry_water(settings, state, s, dt);
         }
         correct_momentum(settings, state, s, dt);

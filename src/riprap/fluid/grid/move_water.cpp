@@ -105,8 +105,8 @@ void find_fluxes(const GridSettings& settings, GridScratch& s, double dt) {
 }
 
 /// Books water that crosses the sides.
-double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
-    double sum = 0;
+void book_sides(const GridSettings& settings, const GridScratch& s, WaterBooks& books) {
+    double all = 0;
     const CellBox& box = settings.mesh.box;
     for (int side = 0; side < 2 * box.axes; ++side) {
         if (is_wall(settings.side[at(side)].kind)) {
@@ -116,15 +116,21 @@ double inflow_of_water(const GridSettings& settings, const GridScratch& s) {
         std::array<int, 3> first{}, last = box.cells;
         first[at(a)] = side % 2 == 0 ? 0 : box.cells[at(a)];
         last[at(a)] = first[at(a)] + 1;
+        double in = 0, out = 0;
         for (int k = first[2]; k < last[2]; ++k) {
             for (int j = first[1]; j < last[1]; ++j) {
                 for (int i = first[0]; i < last[0]; ++i) {
-                    sum += (side % 2 == 0 ? 1 : -1) * s.moved.water_flux[at(a)][at(box.index(i, j, k))];
+                    const double inward = (side % 2 == 0 ? 1 : -1) * s.moved.water_flux[at(a)][at(box.index(i, j, k))];
+                    all += inward;
+                    in += std::max(0.0, inward);
+                    out += std::max(0.0, -inward);
                 }
             }
         }
+        books.ever += in;
+        books.let_go += settings.side[at(side)].is_for_air ? out : 0;
     }
-    return sum;
+    books.held += all;
 }
 
 /// One direction of the split transport.
@@ -199,7 +205,7 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
             }
         });
     }
-    state.water_volume += inflow_of_water(settings, s);
+    book_sides(settings, s, state.water);
     settle_volume(settings, state, s);
     fill_fraction_ghosts(settings, s.start.carrier, state.time + dt, state.fraction);
 }

@@ -44,6 +44,7 @@ struct Absorber {
 
 struct Side {
     SideKind kind{SideKind::slip};
+    bool is_for_air{false};   ///< open for air alone: water that leaves is booked as let go
     Vec3 velocity{};          ///< of a wall, along itself [m/s]
     double open_fraction{0};  ///< water fraction of what comes in through an open side [-]
     double pressure{0};       ///< on an open side; at its still level where it has one [Pa]

@@ -7,6 +7,20 @@
 
 namespace riprap::fluid::grid {
 
+/// Water by the books [m^3].
+struct WaterBooks {
+    double held{0};    ///< at the start plus what crossed the sides
+    double ever{0};    ///< at the start plus what came in
+    double let_go{0};  ///< left through sides that are open for air alone
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("grid.water_volume", self.held);
+        visit("grid.water_ever", self.ever);
+        visit("grid.water_let_go", self.let_go);
+    }
+};
+
 /// Fields on the mesh, flat, ghosts included. velocity[a][i] is the filter velocity through the face below cell i.
 struct GridState {
     std::vector<double> fraction;                 ///< of water in what is open in a cell, 0 to 1 [-]
@@ -17,7 +31,7 @@ struct GridState {
     double time{0};                               ///< [s]
     std::int64_t step{0};                         ///< taken so far [-]
     double last_step{0};                          ///< dt of the last step [s]
-    double water_volume{0};                       ///< by the books: at the start plus what crossed the sides [m^3]
+    WaterBooks water;
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
@@ -31,7 +45,7 @@ struct GridState {
         visit("grid.time", self.time);
         visit("grid.step", self.step);
         visit("grid.last_step", self.last_step);
-        visit("grid.water_volume", self.water_volume);
+        WaterBooks::visit_fields(self.water, visit);
     }
 };
 

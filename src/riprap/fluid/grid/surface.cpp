@@ -152,7 +152,7 @@ void settle_volume(const GridSettings& settings, GridState& state, GridScratch& 
         value = value < least_fraction ? 0 : value > 1 - least_fraction ? 1 : value;
     });
     for (int pass = 0; pass < 2; ++pass) {  // the second takes what the first rounds off
-        const double missing = state.water_volume - water_volume(settings, state, scratch);
+        const double missing = state.water.held - water_volume(settings, state, scratch);
         const double room = reduce_cells(
             box, 0.0,
             [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)]; },
@@ -164,8 +164,8 @@ void settle_volume(const GridSettings& settings, GridState& state, GridScratch& 
         for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * f[at(c)] * (1 - f[at(c)]); });
     }
     constexpr double round_off = 1e-13;
-    const double missing = state.water_volume - water_volume(settings, state, scratch);
-    if (std::abs(missing) > round_off * std::abs(state.water_volume)) {
+    const double missing = state.water.held - water_volume(settings, state, scratch);
+    if (std::abs(missing) > round_off * std::abs(state.water.held)) {
         settle_beside_surface(settings, state, scratch, missing);
     }
 }

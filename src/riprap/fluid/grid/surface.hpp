@@ -34,7 +34,7 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& scr
 /// Moves the water by the compressive scheme.
 void move_water_compressive(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
-/// Closes the books of water: clips fractions to 0..1 and gives to mixed cells what is missing from water_volume [m^3].
+/// Closes the books of water: clips fractions to 0..1 and gives to mixed cells what is missing from GridState::water.
 void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch);
 
 /// Water in the domain [m^3].

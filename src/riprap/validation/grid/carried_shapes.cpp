@@ -54,8 +54,9 @@ Outcome carry(int n, VofScheme scheme, const std::function<bool(const Vec3&)>& s
 }
 
 void report_bounds(CaseReport& report, const Outcome& outcome) {
-    report.judge_below({"error of the volume", "-", {}, 0.0, {}}, outcome.volume_error, 1e-12);
-    report.judge_below({"fraction of water, farthest beyond 0 and 1", "-", {}, 0.0, {}}, outcome.beyond, 1e-12);
+    report.judge_below({"error of the volume", "-", {}, 0.0, {}, Kind::bookkeeping}, outcome.volume_error, 1e-12);
+    report.judge_below({"fraction of water, farthest beyond 0 and 1", "-", {}, 0.0, {}, Kind::bookkeeping},
+                       outcome.beyond, 1e-12);
 }
 
 }  // namespace

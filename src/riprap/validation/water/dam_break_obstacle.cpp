@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 #include "riprap/validation/water/cases.hpp"
+#include "riprap/validation/water/obstacle_levels.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 
 namespace riprap::validation::water {
@@ -23,19 +23,6 @@ struct Impact {
 };
 constexpr std::array<Impact, 4> impacts{
     {{"P1", 0.393, 11239, 3481}, {"P2", 0.410, 8127, 2999}, {"P3", 0.423, 6564, 2944}, {"P4", 0.429, 7203, 2537}}};
-
-/// Heights of water [m] every half second from 0.5 to 6 s, and when water first passes 1 cm there.
-struct Heights {
-    const char* gauge;
-    double arrival;  ///< [s]; 0 in the reservoir
-    std::array<double, 12> height;
-};
-constexpr std::array<Heights, 4> heights{{
-    {"level_2638", 0, {{0.426, 0.279, 0.182, 0.130, 0.104, 0.202, 0.197, 0.332, 0.260, 0.233, 0.218, 0.186}}},
-    {"level_1488", 0.194, {{0.095, 0.155, 0.145, 0.142, 0.270, 0.238, 0.187, 0.174, 0.271, 0.205, 0.219, 0.185}}},
-    {"level_992", 0.358, {{0.099, 0.179, 0.236, 0.287, 0.281, 0.203, 0.202, 0.136, 0.145, 0.252, 0.219, 0.214}}},
-    {"level_496", 0.918, {{0.001, 0.151, 0.346, 0.289, 0.324, 0.229, 0.209, 0.162, 0.153, 0.170, 0.188, 0.308}}},
-}};
 
 void judge_impacts(const WaterTrial& trial, CaseReport& report) {
     for (const Impact& impact : impacts) {
@@ -58,7 +45,7 @@ void judge_impacts(const WaterTrial& trial, CaseReport& report) {
 void judge_heights(const WaterTrial& trial, CaseReport& report, Plot& plot) {
     constexpr double depth = 0.55;
     int color = 0;
-    for (const Heights& measured : heights) {
+    for (const ObstacleLevels& measured : obstacle_levels) {
         const std::vector<double>& level = trial.column(measured.gauge);
         std::vector<double> time, height;
         double error = 0, sum = 0;
@@ -77,7 +64,7 @@ void judge_heights(const WaterTrial& trial, CaseReport& report, Plot& plot) {
                             0.0,
                             fmt::format("every 0.5 s from {:.1f} s", time.front())},
                            error / sum, 0.05);
-        if (std::string_view(measured.gauge) == "level_2638" || std::string_view(measured.gauge) == "level_992") {
+        if (measured.is_named) {
             report.judge_below({fmt::format("{}: mean error to 6 s over the depth", measured.gauge), "-", {}, 0.0, {}},
                                error / static_cast<double>(time.size()) / depth, 0.03);
         }
