@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `riprap check` found, for people and for programs.
+// Writes what `riprap check` found, for people and for programs.
 #include <fmt/format.h>
 
 #include <array>

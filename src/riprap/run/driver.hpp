@@ -50,7 +50,7 @@ class Driver {
     double predicted_seconds(const Progress& progress) const;
     int finish(const Progress& progress);
     int interrupt(const Progress& progress, const std::string& reason, int code);
-    /// What to change after a step that was refused for good.
+    /// Says what to change after a step that was refused for good.
     std::string remedy_of(const StepOutcome& refused);
     int fail(const Progress& progress, const StepOutcome& refused);
     int verdict(const std::vector<ExpectResult>& results) const;
