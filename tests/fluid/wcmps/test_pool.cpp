@@ -128,17 +128,18 @@ double mean_surface(const Pool& pool, double width) {
     return sum;
 }
 
-// By continuity alone the water came to rest a good deal higher: what closes counted as compressed before it was full.
+// By continuity alone the water came to rest 1.41 times as high: what closes counted as compressed before it was full.
+// C of stirred water is not that of the lattice by about 0.01 (docs/decisions/0014-trials-of-wcmps-and-mps.md).
 TEST(WcmpsPool, a_dam_break_comes_to_rest_at_the_level_of_its_volume) {
     Pool pool = dam_break(12, 48);
-    pool.run_until(4.5);
+    pool.run_until(4.0);
     double level = 0;
-    for (int row = 0; row < 10; ++row) {
-        pool.run_until(pool.time + 0.05);
-        level += mean_surface(pool, 1.0) / 10;
+    for (int row = 0; row < 20; ++row) {  // two periods of the sloshing that is left
+        pool.run_until(pool.time + 0.1);
+        level += mean_surface(pool, 1.0) / 20;
     }
     ASSERT_EQ(pool.report.problem, "");
-    EXPECT_NEAR(level, 0.25, 0.01 * 0.25);
+    EXPECT_NEAR(level, 0.25, 0.02 * 0.25);
 }
 
 TEST(WcmpsPool, a_layer_dragged_along_a_wall_loses_what_viscosity_takes) {

@@ -3,6 +3,7 @@
 // (tools/mutations.toml).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -78,18 +79,52 @@ Vec3 apart(const Vec3& i, const Vec3& j) {
     return {d.x - std::round(d.x), d.y - std::round(d.y), 0};
 }
 
+/// u: sqrt(sum |v_i - v_j|^2 W/n_0), pair by pair.
+std::vector<double> stir_of(const Pool& pool) {
+    const MpsWeight weight = pool.settings.weight();
+    const ParticleState& state = pool.state;
+    std::vector<double> stir(state.position.size());
+    for (std::size_t i = 0; i < stir.size(); ++i) {
+        for (std::size_t j = 0; j < stir.size(); ++j) {
+            const double r2 = norm_squared(apart(state.position[i], state.position[j]));
+            stir[i] += i == j ? 0 : norm_squared(state.velocity[i] - state.velocity[j]) * weight.value(r2);
+        }
+        stir[i] = std::sqrt(stir[i] / pool.settings.lattice().number_density);
+    }
+    return stir;
+}
+
+TEST(WcmpsConstants, density_returns_to_that_of_places_as_fast_as_neighbours_pass_each_other) {
+    // on the lattice C = 1, and a shear flow neither closes nor opens anything: dx/dt = -u/l_0 (x - 1)
+    Pool pool = box_of_water();
+    constexpr double rise = 1e-4, dt = 1e-4;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        pool.state.velocity[i].x = std::sin(wave * pool.state.position[i].y);
+        pool.state.density[i] = 1000 * (1 + rise);
+    }
+    const std::vector<double> stir = stir_of(pool);
+    update_density(pool.settings, pool.state, pool.walls, {}, dt, pool.scratch, pool.report);
+    double fallen = 0, expected = 0;
+    for (std::size_t i = 0; i < stir.size(); ++i) {
+        fallen += 1 + rise - pool.state.density[i] / 1000;
+        expected += dt * stir[i] / pool.settings.spacing * rise;
+    }
+    EXPECT_NEAR(fallen, expected, 0.02 * expected);
+}
+
 TEST(WcmpsConstants, a_shift_is_that_of_the_source) {
-    // -2 l_0 dt max|v| grad C, grad C = -D/n_0 sum (C_i + C_j) W d/r^2 [Mellado2021, eqs. 5.33, 5.36]
+    // -2 l_0 dt u grad C, grad C = -D/n_0 sum (C_i + C_j) W d/r^2 [Mellado2021, eqs. 5.33, 5.36]
     Pool pool = box_of_water();
     const double dp = pool.settings.spacing;
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
-        pool.state.velocity[i] = {0.1, 0, 0};
+        pool.state.velocity[i].x = std::sin(wave * pool.state.position[i].y);
         pool.state.position[i].y += 0.02 * dp * std::sin(4 * wave * pool.state.position[i].y);
     }
     const std::vector<Vec3> before = pool.state.position;
+    const std::vector<double> stir = stir_of(pool);
     pool.step();
-    const double factor = 2 * dp * pool.last_dt * 0.1;
-    ASSERT_LT(factor, 0.5 / pool.settings.lattice().zigzag_stiffness);
+    const double factor = 2 * dp * pool.last_dt;
+    ASSERT_LT(factor * *std::max_element(stir.begin(), stir.end()), 0.5 / pool.settings.lattice().zigzag_stiffness);
     const MpsWeight weight = pool.settings.weight();
     const auto for_near = [&](std::size_t i, const auto& f) {
         for (std::size_t j = 0; j < before.size(); ++j) {
@@ -111,7 +146,7 @@ TEST(WcmpsConstants, a_shift_is_that_of_the_source) {
         for_near(i, [&](std::size_t j, const Vec3& d, double w) {
             gradient += (-(crowding[i] + crowding[j]) * weight.over_square(norm_squared(d), w)) * d;
         });
-        const Vec3 expected = (-factor * pool.settings.lattice().first_order()) * gradient;
+        const Vec3 expected = (-factor * stir[i] * pool.settings.lattice().first_order()) * gradient;
         product += dot(2.0 * pool.state.shift[k], expected);
         square += dot(expected, expected);
     }
@@ -123,8 +158,8 @@ TEST(WcmpsConstants, no_shift_is_longer_than_a_tenth_of_a_spacing) {
     Pool pool = box_of_water();
     pool.settings.shifting = 10;
     const double dp = pool.settings.spacing;
-    for (Vec3& v : pool.state.velocity) {
-        v = {1, 0, 0};
+    for (std::size_t i = 0; i < pool.state.velocity.size(); ++i) {
+        pool.state.velocity[i].x = (i / across) % 2 == 0 ? 1 : -1;  // rows pass each other
     }
     pool.state.position[pool.state.position.size() / 2].x += 0.45 * dp;
     pool.step();

@@ -14,8 +14,8 @@ namespace {
 void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, WcmpsScratchData& s) {
     const auto count = state.density.size();
-    for (std::vector<double>* sums :
-         {&s.continuity.rate, &s.continuity.diffusion, &s.continuity.crowding, &s.continuity.neighbours}) {
+    for (std::vector<double>* sums : {&s.continuity.rate, &s.continuity.stir, &s.continuity.diffusion,
+                                      &s.continuity.crowding, &s.continuity.neighbours}) {
         clear(*sums, count);
     }
     clear(s.continuity.normal, count);
@@ -25,7 +25,7 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
     add_pair_sums_within(settings, NumberContinuity{settings.weight(), {head.x, head.y, head.z}},
                          {state.position, {v(0), v(1), v(2), field(s.water.pressure), field(s.water.concentration)}},
                          {sink(s.continuity.rate), sink(s.continuity.diffusion), sink(s.continuity.crowding),
-                          sink(s.continuity.neighbours), n(0), n(1), n(2)},
+                          sink(s.continuity.neighbours), n(0), n(1), n(2), sink(s.continuity.stir)},
                          s.lists.fluid_fluid);
     add_pair_sums(
         settings, NumberContinuityAtWalls{settings.weight()}, {state.position, {v(0), v(1), v(2)}},
@@ -82,13 +82,6 @@ double finish_shift(const WcmpsSettings& settings, ParticleState& state, const V
 
 }  // namespace
 
-double fastest(const ParticleState& state) {
-    const double squared = parallel::reduce(
-        state.owned(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
-        [](double a, double b) { return std::max(a, b); });
-    return std::sqrt(squared);
-}
-
 void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water) {
     for (std::vector<double>* values : {&water.concentration, &water.pressure, &water.pressure_over_concentration}) {
         values->resize(state.density.size());
@@ -124,7 +117,7 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
     report.shifted = finish_shift(settings, state, gravity);
     const MpsLattice lattice = settings.lattice();
     const double slope = surface_slope(settings) / lattice.number_density;
-    const double returned = dt * volume_return * fastest(state) / settings.spacing;
+    const double rate = dt * volume_return / settings.spacing;
     // c_0^2 dt of the source with dt of the Courant number, so that what else shortens a step changes nothing
     const double diffusivity = settings.density_diffusion * settings.courant * settings.sound_speed * settings.spacing;
     const double spread_factor =
@@ -132,6 +125,8 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.continuity.crowding[i] /= lattice.number_density;
+        s.continuity.stir[i] = std::sqrt(s.continuity.stir[i] / lattice.number_density);
+        const double returned = rate * s.continuity.stir[i];
         const double length = norm(s.continuity.normal[i]);
         s.continuity.normal[i] *= length > 0 ? 1 / length : 0;
         const double before = s.water.concentration[i];

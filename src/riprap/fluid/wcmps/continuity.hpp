@@ -12,11 +12,8 @@ inline constexpr double splash_limit = 0.4;      ///< beta_E of C
 inline constexpr double surface_limit = 0.9;     ///< beta_F of C
 inline constexpr double neighbour_limit = 0.75;  ///< beta_N of N/N_0
 
-/// kappa: rate, over max|v|/l_0, at which x returns to the concentration that the places of particles have [-].
-inline constexpr double volume_return = 0.3;
-
-/// Speed of the fastest particle [m/s].
-double fastest(const ParticleState& state);
+/// kappa: rate, over u/l_0, at which x returns to the concentration that the places of particles have [-].
+inline constexpr double volume_return = 1;
 
 /// Finds x, p and q of every particle from its density.
 void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water);

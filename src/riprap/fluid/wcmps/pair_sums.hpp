@@ -30,21 +30,24 @@ RIPRAP_HD void one_way(const Pair& pair, const Real* target, const Real* candida
 ///     sums[1]    = sum (p_j - p_i + rho_0 g.d) W        diffusion
 ///     sums[2]    = sum W,   sums[3] = sum 1             concentration, number of neighbours
 ///     sums[4..6] = sum W d/r                            outward where one side is empty [Mellado2021, eq. 5.35]
+///     sums[7]    = sum v^2 W                            n_0 u^2: how fast neighbours pass each other
 struct NumberContinuity {
     static constexpr int target_fields = 5;     ///< v, p, x
     static constexpr int candidate_fields = 5;  ///< the same
     // Places of the sums.
-    static constexpr int at_rate = 0, at_diffusion = 1, at_weight = 2, at_count = 3, at_outward = 4;
-    static constexpr int sums = 7, back_sums = sums;
+    static constexpr int at_rate = 0, at_diffusion = 1, at_weight = 2, at_count = 3, at_outward = 4, at_stir = 7;
+    static constexpr int sums = 8, back_sums = sums;
     MpsWeight weight;
     double head[3];  ///< rho_0 g [N/m^3]; zero where all of n diffuses
 
     template <int Dim, class Real>
     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r, Real* sum, Real* back) const {
         const Real w = weight.value(r2), over_square = weight.over_square(r2, w);
-        Real opening(0), uneven = b[3] - a[3];
+        Real opening(0), uneven = b[3] - a[3], squares(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            opening = opening + (a[axis] - b[axis]) * d[axis];
+            const Real v = a[axis] - b[axis];
+            opening = opening + v * d[axis];
+            squares = squares + v * v;
             uneven = uneven + Real(head[axis]) * d[axis];
         }
         const Real rate = opening * over_square, flux = uneven * w, one = select(Real(0) < w, Real(1), Real(0));
@@ -56,6 +59,8 @@ struct NumberContinuity {
         back[at_weight] = back[at_weight] + w;
         sum[at_count] = sum[at_count] + one;
         back[at_count] = back[at_count] + one;
+        sum[at_stir] = sum[at_stir] + squares * w;
+        back[at_stir] = back[at_stir] + squares * w;
         const Real over_r = over_square * r;
         for (int axis = 0; axis < Dim; ++axis) {
             const Real away = over_r * d[axis];

@@ -109,12 +109,12 @@ Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& 
     if (settings.shifting == 0) {
         return {};
     }
-    const double strength = std::min(settings.shifting * 2 * settings.spacing * dt * fastest(state),
-                                     0.5 / settings.lattice().zigzag_stiffness);
+    const double bound = 0.5 / settings.lattice().zigzag_stiffness;
     state.shift.resize(state.position.size());
     const double longest = 0.1 * settings.spacing;
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
+        const double strength = std::min(settings.shifting * 2 * settings.spacing * dt * s.continuity.stir[i], bound);
         Vec3 move = along_surface(s.surface.classes[i], s.continuity.normal[i], s.surface.inner_normal[i],
                                   -strength * s.forces.crowding_gradient[i]);
         const double length = norm(move);

@@ -27,7 +27,7 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                         "explain; still water then creeps.")
                     .read_above("density_diffusion", 0),
                 number(&S::shifting, "shifting", dimension::plain, between(0, 10),
-                       "Multiple of the shifting of particles of the source; 0 = off."),
+                       "Multiple of the shifting of particles; 0 = off."),
                 number(&S::collision_distance, "collision_distance", dimension::plain, between(0, 1),
                        "Share of the spacing below which particles at the surface collide; 0 = off."),
                 number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),

@@ -28,9 +28,10 @@ struct WcmpsContinuity {
     std::vector<double> rate, diffusion;
     std::vector<double> crowding;    ///< sum W, then C = sum W/n_0, walls included [-]
     std::vector<double> neighbours;  ///< walls included [-]
+    std::vector<double> stir;        ///< sum v^2 W, then u, how fast neighbours pass each other [m/s]
     std::vector<Vec3> normal;        ///< sum W d/r, then the outward unit normal [-]
 
-    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, normal); }
+    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal); }
 };
 
 /// Sums of MpsMomentum and MpsMomentumFromWalls, in the end scaled to forces: read by shifting and kick.

@@ -32,7 +32,7 @@ struct WcmpsSettings : ParticleSettings {
     double density_diffusion{0.35};    ///< delta [-], 0 to 1
     bool diffuses_hydrostatic{false};  ///< diffusion of all of n as in the source, not only of what gravity does not
                                        ///< explain; still water then creeps
-    double shifting{1};                ///< multiple of the shift of the source [-]; 0 = off
+    double shifting{1};                ///< multiple of the shift, see wcmps::shift [-]; 0 = off
     double collision_distance{0.9};    ///< share of l_0 below which surface particles collide [-]; 0 = off
     double collision_ratio{0.5};       ///< speed of separation over that of approach [-]
     WallLoads wall_loads{WallLoads::pair_sum};
