@@ -104,7 +104,67 @@ kind  = "level"
 point = [1.0, 0.0]
 )";
 
-int write_case(const std::string& name, bool is_wet) {
+constexpr std::string_view sphere_case =
+    R"(# Run it with `riprap run {name}`; `riprap check {name}` says what it would take. All keys: `riprap schema --keys`.
+title   = "{name}"
+gravity = [0.0, 0.0, -9.81]                # [m/s^2]
+end     = 1.5                              # [s]
+
+[material.glass]
+density              = 2500.0              # [kg/m^3]
+youngs_modulus       = "5 MPa"             # softer than glass, so that a step may be a hundred times as long
+poisson_ratio        = 0.25
+restitution          = 0.7
+friction_coefficient = 0.5
+
+[solid]
+method           = "sphere_dem"            # Hertz with this restitution, Mindlin with history
+rolling          = "spring"                # resistance to rolling, without which a heap runs flat
+rolling_friction = 0.2
+
+[[body]]
+name     = "floor"
+shape    = {{ half_space = {{ normal = [0.0, 0.0, 1.0] }} }}
+material = "glass"
+fixed    = true
+
+[[body]]
+name     = "post"                          # bodies that cannot move keep their faces; surfaces from files do, too
+shape    = {{ box = [0.04, 0.04, 0.1] }}     # [m]
+position = [0.0, 0.0, 0.05]
+material = "glass"
+fixed    = true
+
+[[body]]
+name     = "ball"
+shape    = {{ sphere = 0.01 }}               # [m]
+position = [-0.0525, -0.0525, 0.16]
+material = "glass"
+repeat   = {{ counts = [6, 6, 8], pitch = [0.021, 0.021, 0.022], stagger = 0.004 }}
+
+[[body]]
+name     = "stone"                         # many spheres that move as one, here a shell of 5 x 5 x 5
+shape    = {{ box = [0.06, 0.06, 0.06] }}
+position = [0.12, 0.0, 0.03]
+spheres  = {{ shell = 5 }}
+material = "glass"
+
+[[output.probe]]                           # a column of probes.csv
+body     = "stone"
+quantity = "displacement"
+
+[[output.probe]]
+quantity = "solid.kinetic"
+
+[[expect]]                                 # what the run has to come to
+name      = "the heap lies still"
+quantity  = "solid.kinetic"
+value     = 0.0                            # [J]
+tolerance = 0.06
+citation  = "1 % of the fall"
+)";
+
+int write_case(const std::string& name, std::string_view text) {
     const std::filesystem::path folder(name), file = folder / "case.toml";
     if (std::filesystem::exists(folder)) {
         throw FileError(fmt::format("'{}' exists already; choose another name", name));
@@ -114,7 +174,7 @@ int write_case(const std::string& name, bool is_wet) {
         throw FileError(fmt::format("'{}' cannot be the name of a case; letters, digits, '_' and '-' can", name));
     }
     std::filesystem::create_directories(folder);
-    io::write_file(file, fmt::format(fmt::runtime(is_wet ? wet_case : dry_case), fmt::arg("name", title)));
+    io::write_file(file, fmt::format(fmt::runtime(text), fmt::arg("name", title)));
     fmt::print("{}\n", file.string());
     return 0;
 }
@@ -124,15 +184,21 @@ int write_case(const std::string& name, bool is_wet) {
 void add_new(CLI::App& app, Action& action) {
     struct Options {
         std::string name;
-        bool is_wet{false};
+        bool is_wet{false}, has_spheres{false};
     };
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("new", "Write a small commented case to start from");
     command->add_option("NAME", options->name, "The folder to make")->required();
-    command->add_flag("--water", options->is_wet, "With water");
+    CLI::Option* water = command->add_flag("--water", options->is_wet, "With water");
+    command->add_flag("--spheres", options->has_spheres, "Of spheres and of a stone of many spheres")->excludes(water);
     command->footer("Example:\n  riprap new my_slope && riprap run my_slope && riprap view runs/my_slope");
-    command->callback(
-        [&action, options] { action = [options] { return write_case(options->name, options->is_wet); }; });
+    command->callback([&action, options] {
+        action = [options] {
+            return write_case(options->name, options->has_spheres ? sphere_case
+                                             : options->is_wet    ? wet_case
+                                                                  : dry_case);
+        };
+    });
 }
 
 }  // namespace riprap

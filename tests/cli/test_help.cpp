@@ -71,10 +71,10 @@ TEST_F(Help, CompletionAndManualPagesNameEveryCommandAndOption) {
 }
 
 TEST_F(Help, ANewCaseChecksWithoutAWord) {
-    for (const std::string kind : {"dry", "wet"}) {
+    for (const std::string kind : {"dry", "wet", "spheres"}) {
         std::vector<std::string> words{"new", (folder.path() / kind).string()};
-        if (kind == "wet") {
-            words.emplace_back("--water");
+        if (kind != "dry") {
+            words.emplace_back(kind == "wet" ? "--water" : "--spheres");
         }
         ASSERT_EQ(run_program(folder.path(), words).code, 0);
         const Ending check = run_program(folder.path(), {"check", (folder.path() / kind).string()});
@@ -83,14 +83,16 @@ TEST_F(Help, ANewCaseChecksWithoutAWord) {
     }
 }
 
-TEST_F(Help, ANewCaseRunsUntilItsWaterHasHitTheWall) {
-    for (const std::string kind : {"dry", "wet"}) {
+TEST_F(Help, ANewCaseRunsUntilItsWaterHasHitTheWallAndItsBodiesLie) {
+    for (const std::string kind : {"dry", "wet", "spheres"}) {
         std::vector<std::string> words{"new", (folder.path() / kind).string()};
-        if (kind == "wet") {
-            words.emplace_back("--water");
+        if (kind != "dry") {
+            words.emplace_back(kind == "wet" ? "--water" : "--spheres");
         }
         ASSERT_EQ(run_program(folder.path(), words).code, 0);
-        const std::string end = kind == "wet" ? "1.2" : "2";  // what splashes highest is back before
+        const std::string end = kind == "wet"   ? "1.2"
+                                : kind == "dry" ? "2"
+                                                : "1.5";  // what splashes highest is back before
         const Ending run = run_program(folder.path(), {"run", (folder.path() / kind).string(), "--end", end, "--out",
                                                        (folder.path() / (kind + "_run")).string()});
         EXPECT_EQ(run.code, 0) << run.err << run.out;

@@ -32,6 +32,16 @@ double depth_of_point(const ConvexView& shape, const Frame& frame, const Vec3& p
     return inside < 0 ? inside : below;
 }
 
+/// Returns the least depth of a point below the faces of a part that carry a field; negative above one [m].
+double depth_below_faces(const ConvexView& shape, const Frame& frame, const Vec3& point) {
+    const Vec3 local = transpose_times(frame.axes, point - frame.origin);
+    double below = std::numeric_limits<double>::infinity();
+    for (int j = 0; j < shape.face_count; ++j) {
+        below = shape.is_internal[j] != 0 ? below : std::min(below, shape.offset[j] - dot(shape.normal(j), local));
+    }
+    return below;
+}
+
 /// Deepest vertex of a part below the plane of a half-space [m].
 double depth_below_plane(const ConvexView& shape, const Frame& frame, const ConvexView& plane,
                          const Frame& plane_frame) {
@@ -73,22 +83,30 @@ double reach_of(const ConvexView& shape, bool is_planar) {
     return shape.vertex_count > 0 ? reach : std::numeric_limits<double>::infinity();
 }
 
-/// Bounds of the depth of an overlap that cost nothing.
+/// A bound of the depth of an overlap that costs little: no point of A, within R_A of its centre, lies more than
+/// R_A + h below a face of B that the centre lies h below, and none lies more than R_A + R_B - d below one, d between
+/// the centres.
 class DepthBound {
  public:
-    explicit DepthBound(const sim::Model& model) : model_(model) {
+    explicit DepthBound(const sim::Model& model) : is_planar_(model.bodies.is_planar) {
         for (std::int32_t shape = 0; shape < model.shapes.size(); ++shape) {
-            reach_.push_back(reach_of(model.shapes.view(ShapeId{shape}), model.bodies.is_planar));
+            reach_.push_back(reach_of(model.shapes.view(ShapeId{shape}), is_planar_));
         }
     }
-    /// A point of A that is d - R_A or more from the centre of B lies at most R_A + R_B - d below a face of B [m].
-    double operator()(ShapeId a, ShapeId b, Vec3 between) const {
-        between.z = model_.bodies.is_planar ? 0 : between.z;
-        return reach_[at(a.value)] + reach_[at(b.value)] - norm(between);
+    /// [m]; `a` and `b` are placed shapes
+    double operator()(ShapeId a, const ConvexView& shape_a, const Frame& frame_a, ShapeId b, const ConvexView& shape_b,
+                      const Frame& frame_b) const {
+        Vec3 between = frame_a.origin - frame_b.origin;
+        between.z = is_planar_ ? 0 : between.z;
+        const double reach_a = reach_[at(a.value)], reach_b = reach_[at(b.value)];
+        const double balls = reach_a + reach_b - norm(between);
+        return std::min(balls, shape_b.face_count < shape_a.face_count
+                                   ? reach_a + depth_below_faces(shape_b, frame_b, frame_a.origin)
+                                   : reach_b + depth_below_faces(shape_a, frame_a, frame_b.origin));
     }
 
  private:
-    const sim::Model& model_;
+    bool is_planar_;
     std::vector<double> reach_;
 };
 
@@ -107,9 +125,9 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
         const contact::PartPair pair = pairs[at(i)];
         const ConvexView a = view(pair.a), b = view(pair.b);
         const double thinner = std::min(a.inscribed_radius, b.inscribed_radius);
-        // Balls that touch are told apart without a look at their faces.
-        if (bound(model.bodies.parts[at(pair.a)].shape, model.bodies.parts[at(pair.b)].shape,
-                  placed.frames[at(pair.a)].origin - placed.frames[at(pair.b)].origin) < 0.999 * max_share * thinner) {
+        // Balls that touch each other or a face are told apart without a look at all their faces.
+        if (bound(model.bodies.parts[at(pair.a)].shape, a, placed.frames[at(pair.a)],
+                  model.bodies.parts[at(pair.b)].shape, b, placed.frames[at(pair.b)]) < 0.999 * max_share * thinner) {
             of_pair[at(i)] = {BodyId{placed.body[at(pair.a)]}, BodyId{placed.body[at(pair.b)]}, 0, 0};
             return;
         }
