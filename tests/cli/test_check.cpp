@@ -42,6 +42,13 @@ TEST_F(Checks, CheckWarnsOfStepsThatNoMachineGetsThrough) {
     EXPECT_THAT(run({"check", case_file()}).out, Not(HasSubstr("warning")));
 }
 
+TEST_F(Checks, CheckWarnsOfAForcedStepThatIsNotStable) {
+    const Ending ending =
+        run({"check", case_file(), "--set", "time_step=1", "--set", "force_time_step=true", "--set", "end=10"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("warning: the forced step is"), HasSubstr("times what is stable")));
+}
+
 TEST_F(Checks, ThePredictedOutputIsWhatARunWrites) {
     const nlohmann::json check = nlohmann::json::parse(run({"check", case_file(), "--json"}).out);
     whole_run("1");

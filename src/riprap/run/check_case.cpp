@@ -120,8 +120,9 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::Scratch scratch;
     const sim::TimeStep first = choose_time_step(model, first_state, scratch);
     check.time_step = first.dt;
-    check.time_step_limit = bound.limit;
-    check.limited_by = bound.reason;
+    const sim::TimeStepBound step = sim::step_bound(model, first_state);
+    check.time_step_limit = step.limit;
+    check.limited_by = step.reason;
     check.end = model.time.end;
     check.warnings = loaded.warnings;
     check.notes = loaded.notes;
@@ -157,14 +158,16 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
                 check.face_gauges.push_back({gauge.name, model.bodies.name(face.body), rotate(turn, face.normal)});
             }
         }
-        const sim::TimeStepBound step = sim::step_bound(model, first_state);
-        check.time_step_limit = step.limit;
-        check.limited_by = step.reason;
     }
     check.steps = model.time.max_steps >= 0 ? std::min(first.steps_left, model.time.max_steps) : first.steps_left;
     if (!check.has_countable_steps()) {
         check.warnings.push_back(fmt::format(
             "about {:.2g} steps: no machine gets to the end; is `end` in the right unit?", check.estimated_steps()));
+    }
+
+    if (check.time_step > check.time_step_limit) {
+        check.warnings.push_back(fmt::format("the forced step is {:.3g} times what is stable ({})",
+                                             check.time_step / check.time_step_limit, check.limited_by));
     }
 
     sim::State initial = loaded.state;
