@@ -16,6 +16,8 @@ const FLOOR = 0.35;       // of others
 const HIDING = 0.3;       // share of sight lines to the water that a body must block to become glass
 const MOST_ALONE = 40;    // fixed bodies of one shape that are drawn one by one
 const FLAT = 1 - 1e-6;      // cosine between the normals of two faces of one plane
+const MANY_FACES = 60;      // from here on a shape is round, and
+const ROUND = 0.94;         // faces within 20 degrees are one to the eye
 const MOST_TRIANGLES = 60_000;  // that sight lines are tried against
 
 const EDGE_VERTEX = `
@@ -58,6 +60,7 @@ function normalOf(shape, face) {
 /** Lines along which a shape bends. Seams between its convex parts, flat on both sides, are none of them. */
 export function edgesOf(shape) {
   const whole = welded(shape), edges = new Map(), times = new Map();
+  const flat = whole.faces.length > MANY_FACES ? ROUND : FLAT;
   const nameOf = corners => [...corners].sort((a, b) => a - b).join(' ');
   for (const face of whole.faces) {
     times.set(nameOf(face), (times.get(nameOf(face)) ?? 0) + 1);
@@ -66,7 +69,7 @@ export function edgesOf(shape) {
     const normal = normalOf(whole, face);
     face.forEach((a, k) => {
       const b = face[(k + 1) % face.length], key = nameOf([a, b]), other = edges.get(key);
-      edges.set(key, {a, b, normal, isSeam: other !== undefined && other.normal.dot(normal) > FLAT});
+      edges.set(key, {a, b, normal, isSeam: other !== undefined && other.normal.dot(normal) > flat});
     });
   }
   const lines = [...edges.values()].filter(({a, b, isSeam}) => a !== b && !isSeam);

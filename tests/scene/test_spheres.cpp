@@ -51,6 +51,22 @@ TEST(Spheres, a_body_weighs_as_its_spheres_where_it_says_so) {
     EXPECT_THAT(given.warnings, testing::Contains(HasSubstr("it weighs what is given, turns as they do")));
 }
 
+// A disc of twice the radius weighed eight times as much: its length was scaled, too.
+TEST(Spheres, discs_of_other_scales_keep_their_length_of_a_metre) {
+    const LoadedCase loaded =
+        read(with(planar_case, "SPHERES", "repeat = { counts = [2, 1], pitch = [5, 0], scales = [1.0, 2.0] }"));
+    EXPECT_NEAR(loaded.model.bodies.mass[1], 4 * loaded.model.bodies.mass[0], 1e-9);
+    EXPECT_NEAR(loaded.model.bodies.principal_moments[1].z, 16 * loaded.model.bodies.principal_moments[0].z, 1e-9);
+}
+
+TEST(Spheres, a_list_that_leaves_a_face_bare_is_warned_of) {
+    const TemporaryFolder folder;
+    folder.write("low.txt", "0.3 0.3 0 0.2\n-0.3 0.3 0 0.2\n0.3 -0.3 0 0.2\n-0.3 -0.3 0 0.2\n");
+    const LoadedCase bare = read(spheres("file = \"low.txt\""), {}, folder.path().string());
+    EXPECT_THAT(bare.warnings, testing::Contains(HasSubstr("stay 0.05 m behind a face of its shape")));
+    EXPECT_THAT(read(spheres("shell = 2")).warnings, testing::Not(testing::Contains(HasSubstr("behind a face"))));
+}
+
 TEST(Spheres, shells_lattices_and_rings_are_made_of_the_shape) {
     EXPECT_EQ(read(spheres("shell = 2")).model.spheres[0].spheres.size(), 4U * 4 * 2);
     const auto filled = read(spheres("fill = 0.1")).model.spheres[0].spheres;

@@ -75,6 +75,15 @@ double energy_of_driven_particle(const sim::Model& model, const sim::State& stat
     return water != nullptr ? 0.5 * water->settings().particle_mass * fastest : 0;
 }
 
+/// Energy that the artificial terms of the fluid made, all taken together; below zero where they took some [J].
+double made_by_artificial_terms(const sim::Ledger& ledger, const sim::Model& model) {
+    double lost = 0;
+    for (const sim::LedgerLine& line : sim::ledger_lines()) {
+        lost += line.is_artificial && has_line(model, line) ? value_of(line, model, ledger) : 0;
+    }
+    return -lost;
+}
+
 }  // namespace
 
 std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
@@ -91,10 +100,16 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
     // there is.
     const double tolerance = is_first && !sim::books_every_step(model) ? std::max(1.0, model.output.ledger_tolerance)
                                                                        : model.output.ledger_tolerance;
-    if (residual <= round_off * std::max(counted, std::abs(ledger.potential)) || residual <= tolerance * counted) {
-        return "";
-    }
     const std::string unit = sim::unit_in("J", model.bodies.is_planar);
+    if (residual <= round_off * std::max(counted, std::abs(ledger.potential)) || residual <= tolerance * counted) {
+        const double made = made_by_artificial_terms(ledger, model);
+        return is_first || made <= most_artificial * counted
+                   ? ""
+                   : fmt::format(
+                         "artificial terms of the fluid made {:.3g} {} of {:.3g} {} that count as turned over at "
+                         "t = {:.6g} s, more than {:.3g} % of it{}",
+                         made, unit, counted, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
+    }
     return fmt::format(
         "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "
         "output.ledger_tolerance allows ({:.3g} of it){}",

@@ -12,6 +12,10 @@ namespace riprap::run {
 /// Steps from the start in which a ledger is judged with more room: see ledger_problem.
 inline constexpr std::int64_t first_steps = 10;
 
+/// Share of the turnover that the artificial terms of a fluid may make, or take until that is told [-]. A tenth is what
+/// a validation row of energy allows; the figure itself is `artificial_share` of every run.
+inline constexpr double most_artificial = 0.1;
+
 /// Returns why a ledger ends the run, with the body that has most of the energy; empty where it closes, to
 /// output.ledger_tolerance of what counts:
 ///
@@ -23,14 +27,12 @@ inline constexpr std::int64_t first_steps = 10;
 ///     closes between two kicks is not small yet beside what was turned over.
 ///
 /// A residual within 1e-9 of the energies that are there is round-off. Methods that do not book all that they dissipate
-/// step by step (DDA, spheres, MPS, grids) are judged after the first steps only.
+/// step by step (DDA, spheres, MPS, grids) are judged after the first steps only. Then, too, what the artificial terms
+/// of the fluid made in all may be no more than most_artificial of what counts: a ledger that books it closes all the
+/// same.
 /// @param step  number of the step that the ledger is of, from 1
 std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
                            std::int64_t step);
-
-/// Share of the turnover that the artificial terms of a fluid may take until that is told [-]. A tenth is what a
-/// validation row of energy allows; the figure itself is `artificial_share` of every run.
-inline constexpr double most_artificial = 0.1;
 
 /// Returns how much of the energy turned over the artificial terms of the fluid took, largest first: diffusion of
 /// density, shifting, the exchange with walls; viscosity has an account of its own. Beside little turnover counts what

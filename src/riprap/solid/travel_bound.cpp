@@ -21,12 +21,19 @@ Fastest join(const Fastest& a, const Fastest& b) {
     return {std::max(a.first, b.first), std::max(std::min(a.first, b.first), std::max(a.second, b.second))};
 }
 
-/// Distance of the farthest point of a body from its centre of mass; 0 for half-spaces [m].
+/// Distance of the farthest point of a body from its centre of mass, in the plane where the scene is planar and a
+/// prism only turns about its length; 0 for half-spaces [m].
 double reach_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::int64_t body) {
     double reach = 0;
     for (std::int32_t p = bodies.part_begin[at(body)]; p < bodies.part_begin[at(body) + 1]; ++p) {
-        const double radius = shapes.view(bodies.parts[at(p)].shape).circumradius;
-        reach = std::isfinite(radius) ? std::max(reach, norm(bodies.parts[at(p)].local.position) + radius) : reach;
+        const geometry::ConvexView shape = shapes.view(bodies.parts[at(p)].shape);
+        if (!std::isfinite(shape.circumradius)) {
+            continue;
+        }
+        const double half_length = bodies.is_planar && shape.vertex_count > 0 ? shape.vertex(0).z : 0;
+        const double radius =
+            std::sqrt(std::max(0.0, shape.circumradius * shape.circumradius - half_length * half_length));
+        reach = std::max(reach, norm(bodies.parts[at(p)].local.position) + radius);
     }
     return reach;
 }
@@ -67,7 +74,7 @@ double approach_limit(const body::BodySet& bodies, const geometry::ShapeSet& sha
     return two_largest(bodies, [&](std::int64_t b) {
         const Vec3& moments = bodies.principal_moments[at(b)];
         const double momentum = norm(state.angular_momentum[at(b)]);
-        const double least = std::min({moments.x, moments.y, moments.z});
+        const double least = bodies.is_planar ? moments.z : std::min({moments.x, moments.y, moments.z});
         return norm(state.velocity[at(b)]) +
                (momentum > 0 && least > 0 ? momentum / least * reach_of(bodies, shapes, b) : 0);
     });

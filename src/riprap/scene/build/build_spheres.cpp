@@ -142,6 +142,36 @@ bool lie_inside(CaseBuild& build, const Value& table, const body::NewBody& body,
     return true;
 }
 
+/// Warns where spheres stay far behind a face: a body that lies on it sinks in by so much.
+void warn_of_bare_faces(CaseBuild& build, const Value& table, const body::NewBody& body,
+                        const std::vector<body::ShapeSphere>& spheres) {
+    constexpr double allowed = 0.1;  // of the inscribed radius
+    double barest = 0, radius = 0;
+    for (const body::Part& part : body.parts) {
+        const geometry::ConvexView shape = build.model.shapes.view(part.shape);
+        radius = std::max(radius, shape.inscribed_radius);
+        for (int j = 0; j < shape.face_count; ++j) {
+            if (shape.is_internal[j] != 0 || (build.is_planar && std::abs(shape.normal_z[j]) > 0.5)) {
+                continue;
+            }
+            double reached = -std::numeric_limits<double>::infinity();
+            for (const body::ShapeSphere& sphere : spheres) {
+                reached = std::max(reached, dot(shape.normal(j), to_body(part.local, sphere.centre)) + sphere.radius);
+            }
+            barest = std::max(barest, shape.offset[j] - reached);
+        }
+    }
+    if (barest > allowed * radius) {
+        build.warnings.push_back(to_string(Diagnostic{
+            table.place,
+            fmt::format(
+                "the spheres of '{}' stay {:.3g} m behind a face of its shape, whose inscribed radius is {:.3g} "
+                "m: so deep it sinks into what it lies on",
+                body.name, barest, radius),
+            ""}));
+    }
+}
+
 /// Finds the integrals over the union; nothing, with a problem, where they cannot be used.
 std::optional<geometry::MassProperties> weigh(CaseBuild& build, const Value& body_table, const body::NewBody& body,
                                               const std::vector<body::ShapeSphere>& spheres) {
@@ -196,6 +226,7 @@ std::optional<BodySpheres> read_spheres(CaseBuild& build, const Value& body_tabl
     if (!spheres || !lie_inside(build, table, body, *spheres)) {
         return std::nullopt;
     }
+    warn_of_bare_faces(build, table, body, *spheres);
     BodySpheres found{std::move(*spheres)};
     if (get_text(table, "mass_of") == "spheres") {
         found.whole = weigh(build, body_table, body, found.spheres);

@@ -213,7 +213,7 @@ std::optional<std::vector<body::Part>> ShapeLibrary::parts(const Value& shape, d
         }
         for (Polyhedron& polyhedron : *polyhedra) {
             for (Vec3& vertex : polyhedron.vertices) {
-                vertex *= scale;
+                vertex = {scale * vertex.x, scale * vertex.y, is_planar_ ? vertex.z : scale * vertex.z};
             }
             parts.push_back(add(polyhedron));
         }
