@@ -107,7 +107,8 @@ const Table& spheres_table() {
           {}},
          {"fill",
           {number(dimension::length, positive())},
-          "Spacing of a cubic lattice of spheres inside the shape, those that can touch nothing left out: for surfaces "
+          "In space: spacing of a cubic lattice of spheres inside the shape, those that can touch nothing left out: "
+          "for surfaces "
           "from a file.",
           {}},
          {"ring",
