@@ -101,6 +101,35 @@ TEST(CheckCase, steps_of_bodies_within_one_of_the_water_are_told_and_too_many_wa
     EXPECT_THAT(check_text(absurd), HasSubstr("cost most of the time"));
 }
 
+// The step of a driven plate was that of one at rest: an impact of spheres is shorter the faster it is.
+TEST(CheckCase, a_driven_body_moves_from_the_start) {
+    const auto step_of = [](double speed) {
+        return check_of(fmt::format(R"(gravity = [0.0, 0.0, -9.81]
+end = 1.0
+[solid]
+method = "sphere_dem"
+[material.rock]
+density = 2000.0
+youngs_modulus = 1.0e7
+poisson_ratio = 0.2
+restitution = 0.5
+[[body]]
+name = "ball"
+material = "rock"
+shape = {{ sphere = 0.1 }}
+[[body]]
+name = "plate"
+material = "rock"
+shape = {{ box = [1.0, 1.0, 0.2] }}
+position = [0.0, 0.0, -5.0]
+motion = {{ linear = {{ velocity = [0.0, 0.0, {}] }} }}
+)",
+                                    speed))
+            .time_step;
+    };
+    EXPECT_NEAR(step_of(160) / step_of(5), 0.5, 0.1);  // the duration falls with the fifth root of the speed
+}
+
 TEST(CheckCase, numbers_that_differ_between_members_of_an_ensemble_are_told) {
     const CaseCheck check = check_of(tank + "[[spread]]\nkey = \"material.rock.density\"\nlow = 2400\nhigh = 2600\n" +
                                      "[[spread]]\nkey = \"fluid.density\"\nmean = 1000\ndeviation = 5\n");

@@ -110,6 +110,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     const sim::Model& model = loaded.model;
     const ExpectWatch watch(model);
     sim::State first_state = loaded.state;
+    sim::initialise(model, first_state);  // driven bodies move from the start
     const sim::TimeStepBound bound = sim::time_step_bound(model, first_state);
     CaseCheck check;
     check.title = model.title;
@@ -170,8 +171,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
                                              check.time_step / check.time_step_limit, check.limited_by));
     }
 
-    sim::State initial = loaded.state;
-    sim::initialise(model, initial);
+    const sim::State initial = first_state;
     sim::State state = initial;
     const sim::StepReport report = advance(model, state, scratch, check.time_step);
     check.refusal = report.status.ok() ? certain_crush(loaded) : report.status.with_remedy();
