@@ -21,8 +21,8 @@ Fastest join(const Fastest& a, const Fastest& b) {
     return {std::max(a.first, b.first), std::max(std::min(a.first, b.first), std::max(a.second, b.second))};
 }
 
-/// Distance of the farthest point of a body from its centre of mass, in the plane where the scene is planar and a
-/// prism only turns about its length; 0 for half-spaces [m].
+}  // namespace
+
 double reach_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::int64_t body) {
     double reach = 0;
     for (std::int32_t p = bodies.part_begin[at(body)]; p < bodies.part_begin[at(body) + 1]; ++p) {
@@ -37,8 +37,6 @@ double reach_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes, s
     }
     return reach;
 }
-
-}  // namespace
 
 double smallest_radius(const body::BodySet& bodies, const geometry::ShapeSet& shapes) {
     return parallel::reduce(

@@ -14,6 +14,10 @@ inline constexpr double most_overlap = 0.75;
 /// is seen between 0.75 and 0.95 of it, before that.
 inline constexpr double most_approach = 0.2;
 
+/// Distance of the farthest point of a body from its centre of mass, in the plane where the scene is planar and a
+/// prism only turns about its length; 0 for half-spaces [m].
+double reach_of(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::int64_t body);
+
 /// The thinnest of what may be met: smallest inscribed radius of the parts [m]; infinite for half-spaces alone.
 double smallest_radius(const body::BodySet& bodies, const geometry::ShapeSet& shapes);
 

@@ -10,6 +10,7 @@
 #include "riprap/contact/law/linear_spring.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -50,11 +51,7 @@ double lightest_face(const SphereModel& model) {
         if (!may_move(bodies, at(b)) || model.spheres.count_of(b) > 0) {
             continue;
         }
-        double reach = 0;
-        for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
-            const body::Part& part = bodies.parts[at(p)];
-            reach = std::max(reach, norm(part.local.position) + model.shapes.view(part.shape).circumradius);
-        }
+        const double reach = reach_of(bodies, model.shapes, b);
         const Vec3& moments = bodies.principal_moments[at(b)];
         const double moment = bodies.is_planar ? moments.z : std::min({moments.x, moments.y, moments.z});
         least = std::min(least, 1 / (1 / bodies.mass[at(b)] + reach * reach / moment));
