@@ -34,7 +34,7 @@ position = [0.3, 0.2, {}]
                             0.1 - depth));
 }
 
-// What balls touch is told apart by a bound alone, which must let nothing through that is deeper than asked.
+// Holds the bound that tells balls apart to letting nothing through that is deeper than asked.
 TEST(OverlapsOfBalls, a_ball_is_found_in_faces_and_planes_and_another_ball_by_its_depth) {
     const std::vector<std::string> shapes{"shape = { half_space = { normal = [0.0, 0.0, 1.0] } }\n",
                                           "shape = { box = [2.0, 2.0, 0.5] }\nposition = [0.0, 0.0, -0.25]\n",

@@ -112,7 +112,7 @@ TEST(WcmpsConstants, density_returns_to_that_of_places_as_fast_as_neighbours_pas
     EXPECT_NEAR(fallen, expected, 0.02 * expected);
 }
 
-TEST(WcmpsConstants, a_shift_is_that_of_the_source) {
+TEST(WcmpsConstants, a_shift_goes_by_the_speed_at_which_neighbours_pass_each_other) {
     // -2 l_0 dt u grad C, grad C = -D/n_0 sum (C_i + C_j) W d/r^2 [Mellado2021, eqs. 5.33, 5.36]
     Pool pool = box_of_water();
     const double dp = pool.settings.spacing;
