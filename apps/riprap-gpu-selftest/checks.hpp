@@ -31,4 +31,11 @@ bool check_contact();
 /// Sums over neighbours of particles against the host's.
 bool check_sweep();
 
+/// Whole steps of water against the host's.
+bool check_steps();
+
+/// Prints how long the device needs, for water and for contacts.
+void time_kernels();
+void time_contacts();
+
 }  // namespace selftest

@@ -67,9 +67,14 @@ struct Dam {
     }
 };
 
+/// delta_sph by the loops of a device, which has the bits of the host here.
+struct SphOnDevice : SphSettings {
+    SphOnDevice() { runs_on = RunsOn::device; }
+};
+
 template <class Settings>
 class EveryScheme : public ::testing::Test {};
-using AllSettings = ::testing::Types<SphSettings, WcmpsSettings, MpsSettings>;
+using AllSettings = ::testing::Types<SphSettings, SphOnDevice, WcmpsSettings, MpsSettings>;
 TYPED_TEST_SUITE(EveryScheme, AllSettings);
 
 TYPED_TEST(EveryScheme, books_the_energy_and_momentum_of_a_dam_break) {

@@ -12,6 +12,7 @@
 #include "riprap/bench/sph_scene.hpp"
 #include "riprap/bench/step_scene.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/fluid/sph/device/device_sph.hpp"
 
 namespace riprap::bench {
 
@@ -155,15 +156,40 @@ void add_ratio_to_pass(const std::string& name, std::vector<Result>& results) {
               results);
 }
 
+/// The same steps with water on the device, if there is one, and how many times as fast they are.
+void measure_device_steps(const Setting& setting, const std::string& name, const StepScene& scene,
+                          std::vector<Result>& results) {
+    if (fluid::device_name() == "none") {
+        return;
+    }
+    StepScene there = scene;
+    there.model.particles()->sph().runs_on = fluid::RunsOn::device;
+    for (const int threads : setting.thread_counts) {
+        const ThreadScope scope(threads);
+        Run device(there), host(scene);
+        const Timing timing = time_steps(device);
+        results.push_back({name + ".device", threads, 1e9 * timing.median / device.particles(), "ns/particle-step",
+                           fmt::format("{:.2f} ms a step; {:.0f} particles; {}", 1e3 * timing.median,
+                                       device.particles(), spread(timing))});
+        const Timing ratio =
+            compare_calls([&] { host.steps_in_a_row(batch); }, [&] { device.steps_in_a_row(batch); }, pairs_of_batches);
+        results.push_back({name + ".device_speedup", threads, ratio.median, "-",
+                           fmt::format("over the host with as many threads, in turn; {}", spread(ratio))});
+    }
+}
+
 }  // namespace
 
 void step_dam_break(const Setting& setting, std::vector<Result>& results) {
     measure_steps(setting, "step.dam_break", dam_break_on_box(), results);
     add_ratio_to_pass("step.dam_break.over_pass", results);
+    measure_device_steps(setting, "step.dam_break", dam_break_on_box(), results);
+    measure_device_steps(setting, "step.dam_break.fine", dam_break_on_box({0.5}), results);
 }
 
 void step_floes(const Setting& setting, std::vector<Result>& results) {
     measure_steps(setting, "step.floes", dam_break_with_floes(), results);
+    measure_device_steps(setting, "step.floes", dam_break_with_floes(), results);
 }
 
 void step_rubble(const Setting& setting, std::vector<Result>& results) {

@@ -15,110 +15,12 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
-#include "riprap/core/field.hpp"
+#include "riprap/core/parallel_cuda_memory.hpp"
 #include "riprap/core/range.hpp"
 
 namespace riprap::parallel::cuda {
-
-/// The CUDA runtime refused something; the message says what was asked and the runtime's reason.
-class DeviceError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-inline void check(cudaError_t code, const char* what) {
-    if (code != cudaSuccess) {
-        throw DeviceError(std::string(what) + ": " + cudaGetErrorString(code));
-    }
-}
-
-/// Number of usable devices; 0 when there is no device or no driver for it.
-inline int device_count() {
-    int count = 0;
-    return cudaGetDeviceCount(&count) == cudaSuccess ? count : 0;
-}
-
-/// "NVIDIA H100, compute capability 9.0", of the device in use.
-inline std::string device_name() {
-    int device = 0;
-    cudaDeviceProp properties{};
-    check(cudaGetDevice(&device), "ask for the device");
-    check(cudaGetDeviceProperties(&properties, device), "ask for the device's properties");
-    return std::string(properties.name) + ", compute capability " + std::to_string(properties.major) + "." +
-           std::to_string(properties.minor);
-}
-
-/// Waits until the device has done all it was given, and reports what went wrong meanwhile.
-inline void wait() { check(cudaDeviceSynchronize(), "wait for the device"); }
-
-/// Owned array on the device. Entries are not initialised.
-template <class T>
-class DeviceArray {
-    static_assert(std::is_trivially_copyable_v<T>);
-
- public:
-    DeviceArray() = default;
-    explicit DeviceArray(std::size_t size) : size_(size) {
-        if (size > 0) {
-            check(cudaMalloc(reinterpret_cast<void**>(&data_), size * sizeof(T)), "allocate device memory");
-        }
-    }
-    explicit DeviceArray(std::span<const T> host) : DeviceArray(host.size()) { upload(host); }
-    DeviceArray(DeviceArray&& other) noexcept { swap(other); }
-    DeviceArray& operator=(DeviceArray&& other) noexcept {
-        swap(other);
-        return *this;
-    }
-    ~DeviceArray() { cudaFree(data_); }
-
-    std::size_t size() const { return size_; }
-    T* data() { return data_; }
-    const T* data() const { return data_; }
-
-    /// Copies host[0 .. size) to the device; the sizes must agree.
-    void upload(std::span<const T> host) {
-        if (host.size() != size_) {
-            throw DeviceError("upload: " + std::to_string(host.size()) + " entries into an array of " +
-                              std::to_string(size_));
-        }
-        check(cudaMemcpy(data_, host.data(), size_ * sizeof(T), cudaMemcpyHostToDevice), "copy to the device");
-    }
-    std::vector<T> download() const {
-        std::vector<T> host(size_);
-        check(cudaMemcpy(host.data(), data_, size_ * sizeof(T), cudaMemcpyDeviceToHost), "copy from the device");
-        return host;
-    }
-    void swap(DeviceArray& other) noexcept {
-        std::swap(data_, other.data_);
-        std::swap(size_, other.size_);
-    }
-
- private:
-    T* data_{nullptr};
-    std::size_t size_{0};
-};
-
-/// Memory of the device in use, for Field.
-class Memory final : public DeviceMemory {
- public:
-    void* allocate(std::size_t bytes) override {
-        void* memory = nullptr;
-        check(cudaMalloc(&memory, bytes), "allocate device memory");
-        return memory;
-    }
-    void release(void* memory) noexcept override { cudaFree(memory); }
-    void upload(void* device, const void* host, std::size_t bytes) override {
-        check(cudaMemcpy(device, host, bytes, cudaMemcpyHostToDevice), "copy to the device");
-    }
-    void download(void* host, const void* device, std::size_t bytes) override {
-        check(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost), "copy from the device");
-    }
-};
 
 namespace detail {
 
@@ -242,6 +144,9 @@ inline void sort_by_key(DeviceArray<std::uint64_t>& keys, DeviceArray<std::uint3
     DeviceArray<std::uint64_t> sorted_keys(keys.size());
     DeviceArray<std::uint32_t> sorted_values(values.size());
     const auto n = static_cast<std::int64_t>(keys.size());
+    if (n == 0) {
+        return;
+    }
     detail::run_with_scratch("sort on the device", [&](void* scratch, std::size_t& bytes) {
         return cub::DeviceRadixSort::SortPairs(scratch, bytes, keys.data(), sorted_keys.data(), values.data(),
                                                sorted_values.data(), n);
@@ -249,5 +154,36 @@ inline void sort_by_key(DeviceArray<std::uint64_t>& keys, DeviceArray<std::uint3
     keys.swap(sorted_keys);
     values.swap(sorted_values);
 }
+
+/// Memory and loops of the device in use, with the members of parallel::Host.
+struct Device {
+    template <class T>
+    using Array = DeviceArray<T>;
+
+    template <class T>
+    static void upload(std::span<const T> host, Array<T>& there) {
+        there.resize(host.size());
+        there.upload(host);
+    }
+    template <class T>
+    static void download(const Array<T>& there, std::span<T> host) {
+        there.download(host);
+    }
+    template <class F>
+    static void for_each(std::int64_t n, const F& f) {
+        cuda::for_each(n, f);
+    }
+    template <class F>
+    static void for_each_uneven(std::int64_t n, const F& f) {
+        cuda::for_each(n, f);
+    }
+    template <class T, class Map, class Fold>
+    static T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
+        return cuda::reduce(n, identity, map, fold);
+    }
+    static void sort_by_key(Array<std::uint64_t>& keys, Array<std::uint32_t>& values) {
+        cuda::sort_by_key(keys, values);
+    }
+};
 
 }  // namespace riprap::parallel::cuda

@@ -91,7 +91,9 @@ template <class T>
 RIPRAP_HD constexpr Vec3T<T> max(const Vec3T<T>& a, const Vec3T<T>& b) {
     return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
-inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+RIPRAP_HD inline bool is_finite(const Vec3& a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 /// Rounds to single precision, for values that are kept and not computed with.
 RIPRAP_HD constexpr Vec3T<float> narrow(const Vec3& a) {

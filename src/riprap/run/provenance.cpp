@@ -10,6 +10,7 @@
 
 #include "commit.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/sph/device/device_sph.hpp"
 
 namespace riprap::run {
 
@@ -49,7 +50,8 @@ MachineInfo machine_info() {
     uname(&system);
     return {.processor = processor_name(),
             .hardware_threads = static_cast<int>(std::thread::hardware_concurrency()),
-            .system = std::string(system.sysname) + ' ' + system.release};
+            .system = std::string(system.sysname) + ' ' + system.release,
+            .device = fluid::device_name()};
 }
 
 std::string build_json() {
@@ -63,8 +65,10 @@ std::string build_json() {
 
 std::string machine_json() {
     const MachineInfo info = machine_info();
-    return nlohmann::ordered_json{
-        {"processor", info.processor}, {"hardware_threads", info.hardware_threads}, {"system", info.system}}
+    return nlohmann::ordered_json{{"processor", info.processor},
+                                  {"hardware_threads", info.hardware_threads},
+                                  {"system", info.system},
+                                  {"device", info.device}}
         .dump();
 }
 

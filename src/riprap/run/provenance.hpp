@@ -22,6 +22,7 @@ struct MachineInfo {
     std::string processor;  ///< model name of the system
     int hardware_threads;   ///< that this process may use
     std::string system;     ///< kernel and release
+    std::string device;     ///< that water with runs_on = "device" is computed on, or "none"
 };
 MachineInfo machine_info();
 

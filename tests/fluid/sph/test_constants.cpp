@@ -160,13 +160,14 @@ TEST(Constants, a_step_of_shifting_changes_pressure_by_at_most_a_fifth_of_rho_v_
     // v = c_0/10, the fastest water that c_0 is chosen for: dp = c_0^2 d rho
     const SphSettings settings = settings_2d(0.01, 10);
     const Vec3 crowded{0.5 / settings.smoothing_length(), 0, 0};  // half of what a surface has
-    const Vec3 shift = shift_of_particle(settings, crowded, {}, 0, 100, 1e-3);
+    const Vec3 shift = shift_of_particle(settings.shifting, settings.smoothing_length(), crowded, {}, 0, 100, 1e-3);
     const double taken = 10 * 10 * 1000 * dilution_by_shift(shift, crowded, 0);
     EXPECT_NEAR(taken, 0.2 * 1000 * 1 * 1, 1e-9);
     // and disorder of a twentieth of that is evened out at the rate of the law
     const Vec3 even = 0.05 * crowded;
     const double h = settings.smoothing_length();
-    EXPECT_NEAR(shift_of_particle(settings, even, {}, 0, 100, 1e-3).x, -10 * h * h * 100 * 1e-3 * even.x, 1e-15);
+    EXPECT_NEAR(shift_of_particle(settings.shifting, settings.smoothing_length(), even, {}, 0, 100, 1e-3).x,
+                -10 * h * h * 100 * 1e-3 * even.x, 1e-15);
 }
 
 /// A column of water 0.5 m wide and 1 m high in the corner of a tank 2 m wide.
@@ -233,8 +234,8 @@ TEST(Constants, shifting_ends_beside_a_bare_particle_and_falls_to_a_quarter_besi
     const auto share = [&](double bareness) {  // along the surface, the particle a smoothing length away
         const Vec3 along{0.01 / h, 0, 0};
         const Vec3 towards{0, bareness * 1e-4 * std::abs(kernel.slope_over_r(h)) * h, 0};
-        return shift_of_particle(settings, along, towards, 0, 10, 1e-3).x /
-               shift_of_particle(settings, along, {}, 0, 10, 1e-3).x;
+        return shift_of_particle(settings.shifting, settings.smoothing_length(), along, towards, 0, 10, 1e-3).x /
+               shift_of_particle(settings.shifting, settings.smoothing_length(), along, {}, 0, 10, 1e-3).x;
     };
     EXPECT_EQ(share(1), 0);
     EXPECT_NEAR(share(0.25), 0.25, 0.15);
@@ -311,7 +312,7 @@ TEST(Constants, walls_that_shut_a_particle_in_from_all_sides_outweigh_a_few_neig
 
 TEST(Constants, the_pressure_of_a_caught_particle_goes_at_the_speed_of_sound) {
     // out of a particle of one spacing by its free sides: a share 1 - 1/e in the time dp/c_0
-    EXPECT_NEAR(density_by_escape(1, 1010, 1000, 1), -10 * (1 - std::exp(-1)), 1e-9);
+    EXPECT_NEAR(density_by_escape(1, 1010, 1000, escape_in_step(1)), -10 * (1 - std::exp(-1)), 1e-9);
     EXPECT_EQ(density_by_escape(0.5, 1010, 1000, 1), 0);
 }
 

@@ -124,8 +124,8 @@ TEST(Tearing, lets_the_pressure_of_a_particle_alone_between_two_walls_go_with_so
     EXPECT_EQ(caught_share(0, 0.6), 0);     // a drop at one wall
     EXPECT_NEAR(caught_share(0.025, 0.725), 0.25, 1e-12);
     EXPECT_NEAR(caught_share(0.05, 1), 0.8, 1e-12);  // two spacings from another where walls have met
-    EXPECT_DOUBLE_EQ(density_by_escape(1, 1010, 1000, 1), -10 * (1 - std::exp(-1)));
-    EXPECT_DOUBLE_EQ(density_by_escape(0.75, 990, 1000, 1), 5 * (1 - std::exp(-1)));
+    EXPECT_DOUBLE_EQ(density_by_escape(1, 1010, 1000, escape_in_step(1)), -10 * (1 - std::exp(-1)));
+    EXPECT_DOUBLE_EQ(density_by_escape(0.75, 990, 1000, escape_in_step(1)), 5 * (1 - std::exp(-1)));
     EXPECT_EQ(density_by_escape(0.5, 1010, 1000, 1), 0);
 }
 

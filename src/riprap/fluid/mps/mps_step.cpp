@@ -31,8 +31,6 @@ const char* remedy_of(linear::SolveStatus status) {
     }
 }
 
-Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
-
 Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
     return {t[0] * a.x + t[2] * a.y + t[4] * a.z, t[2] * a.x + t[1] * a.y + t[5] * a.z,
             t[4] * a.x + t[5] * a.y + t[3] * a.z};

@@ -92,16 +92,12 @@ Box box_of(std::span<const Vec3> points) {
 
 Box box_of(std::span<const Vec3> one, std::span<const Vec3> other) { return join(box_of(one), box_of(other)); }
 
-void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
+CellGridView lay_out_cells(const Box& box, std::size_t count, const Domain& domain, double reach, double edge) {
     check_periods(domain, reach);
-    reach_ = reach;
-    const Box box = box_of(points);
-    for (int axis = 0; axis < 3; ++axis) {
-        CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
-        a = {};
-        if (axis >= domain.dimension) {
-            continue;  // one cell
-        }
+    CellGridView view{};
+    view.reach = reach;
+    for (int axis = 0; axis < domain.dimension; ++axis) {  // others have one cell
+        CellGridView::Axis& a = view.axes[axis];
         if (domain.is_periodic[static_cast<std::size_t>(axis)]) {
             a.low = domain.low[axis];
             a.period = domain.high[axis] - domain.low[axis];
@@ -110,12 +106,11 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
         }
     }
     // As many cells as fit, unless that is far more than there are points.
-    const double most = 4096 + 4 * static_cast<double>(points.size());
-    double edge = reach;
+    const double most = 4096 + 4 * static_cast<double>(count);
     for (;; edge *= 2) {
         double cells = 1;
         for (int axis = 0; axis < domain.dimension; ++axis) {
-            CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
+            CellGridView::Axis& a = view.axes[axis];
             const double length = a.period > 0 ? a.period : std::max(0.0, box.high[axis] - a.low);
             const double fitting = std::clamp(std::floor(length / edge), 1.0, 1e9);
             a.cells = static_cast<std::int64_t>(fitting);
@@ -123,17 +118,20 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
             cells *= fitting;
         }
         if (cells <= most) {
-            break;
+            return view;
         }
     }
-    const auto n = static_cast<std::int64_t>(points.size());
-    const std::int64_t cell_count = axes_[0].cells * axes_[1].cells * axes_[2].cells;
+}
+
+void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
+    cells_ = lay_out_cells(box_of(points), points.size(), domain, reach, reach);
+    const std::int64_t cell_count = cells_.cell_count();
     keys_.resize(points.size());
     points_.resize(points.size());
-    parallel::for_each(n, [&](std::int64_t i) {
+    parallel::for_each(static_cast<std::int64_t>(points.size()), [&](std::int64_t i) {
         const auto k = static_cast<std::size_t>(i);
         // points that are not finite go behind the last cell
-        keys_[k] = static_cast<std::uint64_t>(is_finite(points[k]) ? cell_of(points[k]) : cell_count);
+        keys_[k] = static_cast<std::uint64_t>(is_finite(points[k]) ? cells_.cell_of(points[k]) : cell_count);
         points_[k] = static_cast<std::uint32_t>(i);
     });
     parallel::sort_by_key(keys_, points_, key_buffer_, value_buffer_);
@@ -142,20 +140,6 @@ void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double 
         start_[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(
             std::lower_bound(keys_.begin(), keys_.end(), static_cast<std::uint64_t>(cell)) - keys_.begin());
     });
-}
-
-std::int64_t CellGrid::cell_of(const Vec3& x) const {
-    std::int64_t cell = 0;
-    for (int axis = 2; axis >= 0; --axis) {
-        const CellGridView::Axis& a = axes_[static_cast<std::size_t>(axis)];
-        double from_low = x[axis] - a.low;
-        if (a.period > 0) {
-            from_low -= a.period * std::floor(from_low / a.period);
-        }
-        const auto along = a.cells == 1 ? 0 : static_cast<std::int64_t>(from_low * a.per_metre);
-        cell = cell * a.cells + std::clamp<std::int64_t>(along, 0, a.cells - 1);
-    }
-    return cell;
 }
 
 }  // namespace riprap::fluid

@@ -44,25 +44,59 @@ struct CellGridView {
     /// Tells whether is(j) holds for any of these points; asks in the same order, up to the first that it holds for.
     template <class Is>
     RIPRAP_HD bool any_near(const Vec3& x, Is&& is) const {
+        return any_run_near(x, [&](std::int32_t begin, std::int32_t end) {
+            for (std::int32_t k = begin; k < end; ++k) {
+                if (is(static_cast<std::int64_t>(points[k]))) {
+                    return true;
+                }
+            }
+            return false;
+        });
+    }
+    /// f(begin, end) for the places of these points in `points`, in runs of cells that follow each other.
+    template <class F>
+    RIPRAP_HD void for_each_run_near(const Vec3& x, F&& f) const {
+        any_run_near(x, [&f](std::int32_t begin, std::int32_t end) {
+            f(begin, end);
+            return false;
+        });
+    }
+    /// Number of the cell of a point that is finite.
+    RIPRAP_HD std::int64_t cell_of(const Vec3& x) const {
+        std::int64_t cell = 0;
+        for (int axis = 2; axis >= 0; --axis) {
+            const Axis& a = axes[axis];
+            double from_low = x[axis] - a.low;
+            if (a.period > 0) {
+                from_low -= a.period * std::floor(from_low / a.period);
+            }
+            const auto along = a.cells == 1 ? 0 : static_cast<std::int64_t>(from_low * a.per_metre);
+            cell = cell * a.cells + (along < 0 ? 0 : along < a.cells ? along : a.cells - 1);
+        }
+        return cell;
+    }
+    RIPRAP_HD std::int64_t cell_count() const { return axes[0].cells * axes[1].cells * axes[2].cells; }
+
+ private:
+    template <class Is>
+    RIPRAP_HD bool any_run_near(const Vec3& x, Is&& is) const {
         const CellRange rx = cells_around(x.x, axes[0]), ry = cells_around(x.y, axes[1]),
                         rz = cells_around(x.z, axes[2]);
+        const std::int64_t first = rx.first % axes[0].cells, beyond = first + rx.count - axes[0].cells;
         for (std::int64_t a = rz.first; a < rz.first + rz.count; ++a) {
             for (std::int64_t b = ry.first; b < ry.first + ry.count; ++b) {
-                for (std::int64_t c = rx.first; c < rx.first + rx.count; ++c) {
-                    const std::int64_t cell =
-                        ((a % axes[2].cells) * axes[1].cells + b % axes[1].cells) * axes[0].cells + c % axes[0].cells;
-                    for (std::int32_t k = start[cell]; k < start[cell + 1]; ++k) {
-                        if (is(static_cast<std::int64_t>(points[k]))) {
-                            return true;
-                        }
-                    }
+                const std::int32_t* const row =
+                    start + ((a % axes[2].cells) * axes[1].cells + b % axes[1].cells) * axes[0].cells;
+                if (is(row[first], row[beyond > 0 ? axes[0].cells : first + rx.count])) {
+                    return true;
+                }
+                if (beyond > 0 && is(row[0], row[beyond])) {
+                    return true;
                 }
             }
         }
         return false;
     }
-
- private:
     RIPRAP_HD CellRange cells_around(double x, const Axis& a) const {
         if (a.cells == 1) {
             return {0, 1};
@@ -88,6 +122,20 @@ struct CellGridView {
     }
 };
 
+/// The smallest box around all finite points; low > high when there is none.
+struct Box {
+    Vec3 low, high;
+};
+Box box_of(std::span<const Vec3> points);
+/// The smallest box around all finite points of both.
+Box box_of(std::span<const Vec3> one, std::span<const Vec3> other);
+
+/// Lays out cells for so many points in a box, at least `edge` wide each [m], or wider where that makes far more cells
+/// than points. The view has no points yet.
+/// @param reach  distance within which neighbours are asked for [m], > 0
+/// @throws CaseError  see check_periods
+CellGridView lay_out_cells(const Box& box, std::size_t count, const Domain& domain, double reach, double edge);
+
 /// Points binned in cells at least one reach wide. The grid covers the points wherever they are; along periodic axes it
 /// covers one period. Its memory is bounded by the number of points: cells grow when the points lie far apart. Points
 /// that are not finite are nobody's neighbours.
@@ -97,7 +145,12 @@ class CellGrid {
     /// @throws CaseError  see check_periods
     void build(std::span<const Vec3> points, const Domain& domain, double reach);
 
-    CellGridView view() const { return {{axes_[0], axes_[1], axes_[2]}, reach_, start_.data(), points_.data()}; }
+    CellGridView view() const {
+        CellGridView view = cells_;
+        view.start = start_.data();
+        view.points = points_.data();
+        return view;
+    }
     std::span<const std::int32_t> starts() const { return start_; }
     std::span<const std::uint32_t> points() const { return points_; }
 
@@ -107,10 +160,7 @@ class CellGrid {
     }
 
  private:
-    std::int64_t cell_of(const Vec3& x) const;
-
-    std::array<CellGridView::Axis, 3> axes_;
-    double reach_{0};
+    CellGridView cells_{};
     std::vector<std::int32_t> start_;
     std::vector<std::uint32_t> points_;
     std::vector<std::uint64_t> keys_, key_buffer_;
@@ -139,13 +189,5 @@ class NearestImage {
  private:
     Vec3 period_{}, per_period_{};
 };
-
-/// The smallest box around all finite points; low > high when there is none.
-struct Box {
-    Vec3 low, high;
-};
-Box box_of(std::span<const Vec3> points);
-/// The smallest box around all finite points of both.
-Box box_of(std::span<const Vec3> one, std::span<const Vec3> other);
 
 }  // namespace riprap::fluid

@@ -34,6 +34,9 @@ struct Domain {
     }
 };
 
+/// Returns a without what leaves the plane of a planar scene.
+inline Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
+
 /// Returns the part of gravity that has a potential: without its components along periodic axes [m/s^2].
 inline Vec3 without_periodic(const Vec3& gravity, const Domain& domain) {
     Vec3 g = gravity;

@@ -34,7 +34,7 @@ class FixedPoint {
     }
 
     /// x along the axis in small lengths, rounded, modulo 2^32; anywhere for places beyond 2^51 of them.
-    std::int32_t operator()(const Vec3& x, int axis) const {
+    RIPRAP_HD std::int32_t operator()(const Vec3& x, int axis) const {
         const double rounded = (x[axis] - origin_[axis]) * per_quantum_[axis] + 0x1.8p52;
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(rounded)));
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "riprap/core/config.hpp"
 #include "riprap/fluid/particle/domain.hpp"
 
 namespace riprap::fluid {
@@ -27,8 +28,8 @@ struct ParticleSettings {
     std::int64_t sort_interval{50};  ///< steps between sorts of the State by place
     Domain domain;
 
-    double smoothing_length() const { return smoothing_ratio * spacing; }
-    double support_radius() const { return 2 * smoothing_length(); }
+    RIPRAP_HD double smoothing_length() const { return smoothing_ratio * spacing; }
+    RIPRAP_HD double support_radius() const { return 2 * smoothing_length(); }
 
     // A scheme that can do more says so by a member of its own:
     bool takes_openings() const { return false; }      ///< water may enter and leave

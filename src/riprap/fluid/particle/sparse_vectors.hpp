@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
@@ -39,6 +40,15 @@ class SparseVectors {
             block.resize(block_size);
         }
         block[i % block_size] += a;
+    }
+    /// Calls f(number of the block, its vectors) for every block that has room.
+    template <class F>
+    void for_each_block(const F& f) const {
+        for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            if (!blocks_[block].empty()) {
+                f(block, std::span<const Vec3>(blocks_[block]));
+            }
+        }
     }
     std::size_t bytes() const { return bytes_of(blocks_); }
 

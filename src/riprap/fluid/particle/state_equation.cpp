@@ -6,21 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/fluid/particle/linear_law.hpp"
+
 namespace riprap::fluid {
 namespace {
-
-/// x^exponent; whole exponents by products, which is the case of water (7) and the inner loop of a step
-double power(double x, double exponent) {
-    if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 16) {
-        double result = 1;
-        for (int k = static_cast<int>(exponent); k > 0; k /= 2) {
-            result *= k % 2 == 1 ? x : 1;
-            x *= x;
-        }
-        return result;
-    }
-    return std::pow(x, exponent);
-}
 
 bool is_linear(const ParticleSettings& s) { return s.state_equation != StateEquation::tait; }
 
@@ -31,14 +20,7 @@ double least_density(const ParticleSettings& s) {
 
 }  // namespace
 
-double pressure_of(const ParticleSettings& s, double actual_density) {
-    const double density = std::max(actual_density, least_density(s));
-    const double stiffness = s.rest_density * s.sound_speed * s.sound_speed;
-    if (is_linear(s)) {
-        return stiffness * (density / s.rest_density - 1);
-    }
-    return stiffness / s.tait_exponent * (power(density / s.rest_density, s.tait_exponent) - 1);
-}
+double pressure_of(const ParticleSettings& s, double density) { return PressureLaw(s)(density); }
 
 double density_of(const ParticleSettings& s, double pressure) {
     const double strain = pressure / (s.rest_density * s.sound_speed * s.sound_speed);

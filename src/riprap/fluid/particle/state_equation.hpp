@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
 
+#include "riprap/core/config.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap::fluid {
@@ -16,6 +18,20 @@ namespace riprap::fluid {
 //             Mueller's scheme [Muller2003]
 //
 // where e = integral of p/rho^2 from rho_0, zero and least at rest. [Cole1948], [Monaghan1994]
+
+/// x^exponent. Whole exponents by products, which is the case of water (7), the inner loop of a step and the same bits
+/// on any device.
+RIPRAP_HD inline double power(double x, double exponent) {
+    if (exponent == std::floor(exponent) && exponent >= 0 && exponent <= 16) {
+        double result = 1;
+        for (int k = static_cast<int>(exponent); k > 0; k /= 2) {
+            result *= k % 2 == 1 ? x : 1;
+            x *= x;
+        }
+        return result;
+    }
+    return std::pow(x, exponent);
+}
 
 /// p [Pa] at density rho [kg/m^3].
 double pressure_of(const ParticleSettings& settings, double density);

@@ -31,7 +31,7 @@ struct FieldView {
     const double* factor{nullptr};
     const float* narrow_factor{nullptr};
 
-    double operator[](std::int64_t i) const {
+    RIPRAP_HD double operator[](std::int64_t i) const {
         const double number = narrow != nullptr ? static_cast<double>(narrow[i * stride]) : data[i * stride];
         return narrow_factor != nullptr ? static_cast<double>(narrow_factor[i] * narrow[i * stride])
                : factor != nullptr      ? factor[i] * number
@@ -60,10 +60,10 @@ struct FieldSink {
     bool is_fresh{false};  ///< the sum takes the place of what is there, whatever that is, as if it were zero
     float* narrow{nullptr};
 
-    double get(std::int64_t i) const {
+    RIPRAP_HD double get(std::int64_t i) const {
         return narrow != nullptr ? static_cast<double>(narrow[i * stride]) : data[i * stride];
     }
-    void set(std::int64_t i, double sum) const {
+    RIPRAP_HD void set(std::int64_t i, double sum) const {
         if (narrow != nullptr) {
             narrow[i * stride] = static_cast<float>(sum);
         } else {

@@ -13,26 +13,6 @@
 namespace riprap::fluid {
 namespace {
 
-struct Sums {
-    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0};
-    double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
-};
-
-Sums operator+(Sums a, const Sums& b) {
-    a.kinetic += b.kinetic;
-    a.potential += b.potential;
-    a.internal += b.internal;
-    a.heat += b.heat;
-    a.exchange += b.exchange;
-    a.external += b.external;
-    a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-    a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-    a.momentum += b.momentum;
-    a.extra += b.extra;
-    return a;
-}
-
 /// The lowest id among particles that are not sound, or -1
 template <class IsSound>
 std::int64_t first_unsound(const ParticleState& state, const IsSound& is_sound) {
@@ -62,44 +42,40 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
 
 }  // namespace
 
-void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-          const Numbers<1>& volume, const ForceSums& found, const SparseVectors& extra_force, FluidReport& report) {
-    const double m = settings.particle_mass;
-    const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
-    const auto kick_one = [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        const Vec3 extra = extra_force[i];
-        const double v = volume[i];
-        const Vec3 acceleration = (v * found.pushes.vector(i, ForceSums::at_force) + extra) / m + gravity;
-        const Vec3 before = state.velocity[i], after = before + dt * acceleration;
-        state.velocity[i] = after;
-        Sums sums;
-        sums.kinetic = 0.5 * m * dot(before, after);
-        sums.potential = -m * dot(downward, state.position[i]);
-        sums.internal = m * internal_energy_of(settings, state.density[i]);
-        sums.heat = v * (0.5 * found.heat[i] + found.wall_heat[i]);
-        sums.exchange = 0.5 * dot(v * found.wall_hold.vector(i), before + after) - v * found.wall_hold_power[i];
-        sums.external = 0.5 * dot(extra + m * along, before + after);
-        sums.speed_squared = norm_squared(after);
-        sums.acceleration_squared = norm_squared(acceleration);
-        sums.momentum = m * after;
-        sums.extra = extra;
-        return sums;
-    };
-    const Sums sums =
-        parallel::reduce(state.owned(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+void book_kick(const ParticleSettings& settings, std::int64_t count, const Vec3& gravity, double dt,
+               const KickSums& sums, FluidReport& report) {
     report.kinetic = sums.kinetic;
     report.potential = sums.potential;
-    report.internal = sums.internal;
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
-    report.mass = m * static_cast<double>(state.size());
+    report.mass = settings.particle_mass * static_cast<double>(count);
     report.impulse = dt * (report.mass * gravity + sums.extra);
     report.max_speed = std::sqrt(sums.speed_squared);
     report.max_acceleration = std::sqrt(sums.acceleration_squared);
+}
+
+void book_compression(const ParticleSettings& settings, ParticleState& state, FluidReport& report) {
+    const auto energy_of = [&](std::int64_t i) {
+        return settings.particle_mass * internal_energy_of(settings, state.density[static_cast<std::size_t>(i)]);
+    };
+    report.internal = parallel::reduce(state.owned(), 0.0, energy_of, [](double a, double b) { return a + b; });
     state.max_acceleration = report.max_acceleration;
+}
+
+namespace {
+/// Extra forces of the host.
+struct SparseExtra {
+    const SparseVectors* force;
+    Vec3 operator[](std::size_t i) const { return (*force)[i]; }
+};
+}  // namespace
+
+void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
+          SphNumbers<parallel::Host>& found, const SparseVectors& extra_force, FluidReport& report) {
+    kick_particles(settings, columns_of(state), gravity, dt, found, SparseExtra{&extra_force}, report);
+    book_compression(settings, state, report);
 }
 
 void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) {

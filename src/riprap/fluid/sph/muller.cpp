@@ -51,30 +51,34 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
                   SphScratchData& s) {
     s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     sum_density(settings, state, walls, s);
-    find_pressure(settings, state, s.water);
+    find_pressure(settings, columns_of(state), s.water);
     const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
     const auto count = state.position.size();
     s.water.dynamic_viscosity.fill(1, settings.is_plain, {settings.rest_density * nu});
     s.water.bareness.fill(count, settings.is_plain, {0});
     s.water.correction.fill(count, settings.is_plain, unit_tensor);  // gradients are left as they are
-    make_room_for_forces(settings, count, s.forces);
+    make_room_for_forces(settings, state.size(), s.forces);
     s.forces.wall_heat.fill(count, settings.is_plain, {0});
-    sum_at_walls(settings, spiky(settings), state, walls, s);
-    with_viscosity(settings, [&](const auto& law) { add_fluid_forces(settings, spiky(settings), state, law, s); });
+    sum_at_walls(settings, spiky(settings), columns_of(state), columns_of(walls), s);
+    with_viscosity(settings,
+                   [&](const auto& law) { add_fluid_forces(settings, spiky(settings), columns_of(state), law, s); });
 }
 
 void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 SphScratchData& s) {
-    extrapolate_to_walls(settings, s.at_walls, gravity, walls, s.walls);
-    with_viscosity(settings,
-                   [&](const auto& law) { find_forces_on_walls(settings, spiky(settings), state, walls, law, s); });
+    const WallColumns at = columns_of(walls);
+    extrapolate_to_walls(settings, s.at_walls, gravity, at, s.walls);
+    with_viscosity(settings, [&](const auto& law) {
+        find_forces_on_walls(settings, spiky(settings), columns_of(state), at, law, s);
+    });
 }
 
 void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                 double dt, SphScratchData& s, FluidReport& report, const SparseVectors& extra_force) {
-    with_viscosity(settings,
-                   [&](const auto& law) { add_forces_from_walls(settings, spiky(settings), state, walls, law, s); });
-    kick(settings, state, gravity, dt, s.water.volume, s.forces, extra_force, report);
+    with_viscosity(settings, [&](const auto& law) {
+        add_forces_from_walls(settings, spiky(settings), columns_of(state), columns_of(walls), law, s);
+    });
+    kick(settings, state, gravity, dt, s, extra_force, report);
     book_walls(walls, dt, report);
 }
 

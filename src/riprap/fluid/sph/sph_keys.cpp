@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include "riprap/core/chosen_keys.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
@@ -16,6 +18,10 @@ KeyList<S> scheme_keys() {
         choice(&S::scheme, "scheme", {{"delta_sph", SphScheme::delta_sph}, {"muller", SphScheme::muller}},
                "Form of SPH: with diffusion of density and shifting of particles; or that of Mueller et al. "
                "(2003), density by summation, for comparison: it needs an artificial_alpha of 0.1 or more."),
+        choice(&S::runs_on, "runs_on", {{"host", RunsOn::host}, {"device", RunsOn::device}},
+               "Where the water is computed. `device`: on a GPU, where the program was built with RIPRAP_CUDA and "
+               "finds one; else the same numbers, to the bit, come from the host, many times as slow.")
+            .read_with("scheme", {"delta_sph"}),
         choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
                "Equation of state.")
             .read_with("scheme", {"delta_sph"}),
@@ -57,6 +63,12 @@ std::vector<KeyProblem> problems_of(const S& settings) {
             {"smoothing_ratio",
              "smoothing_ratio is off 1.5, at which surfaces, joints and particles between walls are known",
              "1.4 to 1.6 with scheme = \"delta_sph\""});
+    }
+    const bool has_whole_powers =
+        settings.state_equation != StateEquation::tait || settings.tait_exponent == std::floor(settings.tait_exponent);
+    if (settings.runs_on == RunsOn::device && !has_whole_powers) {
+        problems.push_back({"tait_exponent", "host and device round powers that are not whole in two ways",
+                            "a whole tait_exponent with runs_on = \"device\""});
     }
     return problems;
 }

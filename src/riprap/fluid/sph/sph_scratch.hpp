@@ -17,11 +17,12 @@
 namespace riprap::fluid {
 
 /// Sums of Continuity and ContinuityAtWalls: read by the update of density, the last two also later.
-struct ContinuitySums {
-    Numbers<1> diffusion;
-    Numbers<6> rates;  ///< G [1/s]
-    Numbers<1> strain;
-    Numbers<3> concentration_gradient;  ///< [1/m]
+template <class Where>
+struct ContinuitySumsIn {
+    Numbers<1, Where> diffusion;
+    Numbers<6, Where> rates;  ///< G [1/s]
+    Numbers<1, Where> strain;
+    Numbers<3, Where> concentration_gradient;  ///< [1/m]
 
     std::size_t bytes() const {
         return diffusion.bytes() + rates.bytes() + strain.bytes() + concentration_gradient.bytes();
@@ -29,20 +30,21 @@ struct ContinuitySums {
 };
 
 /// Fields of the water that one stage hands on to the next.
-struct WaterFields {
+template <class Where>
+struct WaterFieldsIn {
     // From the state equation, for the sums at hand: the forces see a pressure with the damping of sound in it.
-    Numbers<1> pressure, volume;  ///< [Pa], [m^3]
+    Numbers<1, Where> pressure, volume;  ///< [Pa], [m^3]
     // From the update of density, which finds sums in their places: M, tr M of the water alone and the share of a
     // particle inside the water alone with neighbours evenly all around.
-    Numbers<6> correction;        ///< B [-]
-    Numbers<1> correction_share;  ///< share of it [-]
-    Numbers<1> damped_share;      ///< s_i of Sound (docs/theory/sph.md, 5) [-]
-    Numbers<1> bareness;          ///< 1 at the surface, 0 inside the water [-]
-    Numbers<1> compression_rate;  ///< -div v [1/s]
+    Numbers<6, Where> correction;        ///< B [-]
+    Numbers<1, Where> correction_share;  ///< share of it [-]
+    Numbers<1, Where> damped_share;      ///< s_i of Sound (docs/theory/sph.md, 5) [-]
+    Numbers<1, Where> bareness;          ///< 1 at the surface, 0 inside the water [-]
+    Numbers<1, Where> compression_rate;  ///< -div v [1/s]
     // For the sums of forces.
-    Numbers<1> dynamic_viscosity;  ///< molecular and of eddies; one for all where it is the same [Pa s]
-    Numbers<9> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
-    Numbers<1> mass;               ///< as it enters a sum of density [kg]
+    Numbers<1, Where> dynamic_viscosity;  ///< molecular and of eddies; one for all where it is the same [Pa s]
+    Numbers<9, Where> transposed_stress;  ///< mu (grad u)^T, see transposed_stress.hpp [Pa]
+    Numbers<1, Where> mass;               ///< as it enters a sum of density [kg]
 
     std::size_t bytes() const {
         return pressure.bytes() + volume.bytes() + correction.bytes() + correction_share.bytes() +
@@ -52,15 +54,16 @@ struct WaterFields {
 };
 
 /// Sums of Momentum and MomentumFromWalls, per volume of the particle: read by the kick.
-struct ForceSums {
+template <class Where>
+struct ForceSumsIn {
     // Places in `pushes`.
     static constexpr std::size_t at_force = 0, at_surface = 3;
 
-    Numbers<6> pushes;           ///< force, and where the surface is
-    Numbers<1> heat;             ///< of viscosity, pair by pair; each pair is met twice
-    Numbers<1> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound
-    Numbers<3> wall_hold;        ///< part of the force that is due to p_w, and
-    Numbers<1> wall_hold_power;  ///< its power on the walls, both with a minus
+    Numbers<6, Where> pushes;           ///< force, and where the surface is
+    Numbers<1, Where> heat;             ///< of viscosity, pair by pair; each pair is met twice
+    Numbers<1, Where> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound
+    Numbers<3, Where> wall_hold;        ///< part of the force that is due to p_w, and
+    Numbers<1, Where> wall_hold_power;  ///< its power on the walls, both with a minus
 
     std::size_t bytes() const {
         return pushes.bytes() + heat.bytes() + wall_heat.bytes() + wall_hold.bytes() + wall_hold_power.bytes();
@@ -68,11 +71,12 @@ struct ForceSums {
 };
 
 /// Sums over the water at every wall particle, which do not depend on how the walls move.
-struct WaterAtWallSums {
-    Numbers<1> weight, pressure;  ///< of WallAverages
-    Numbers<3> moment, velocity;
-    Numbers<3> slope, push;  ///< of PressureOnWalls
-    Numbers<3> stress;       ///< of TransposedOnWalls
+template <class Where>
+struct WaterAtWallSumsIn {
+    Numbers<1, Where> weight, pressure;  ///< of WallAverages
+    Numbers<3, Where> moment, velocity;
+    Numbers<3, Where> slope, push;  ///< of PressureOnWalls
+    Numbers<3, Where> stress;       ///< of TransposedOnWalls
 
     std::size_t bytes() const {
         return weight.bytes() + pressure.bytes() + moment.bytes() + velocity.bytes() + slope.bytes() + push.bytes() +
@@ -81,21 +85,24 @@ struct WaterAtWallSums {
 };
 
 /// Fields of wall particles as the water sees them move.
-struct WallFields {
-    Numbers<3> mirrored_velocity;  ///< u_w [m/s]
-    Numbers<1> grip;               ///< 0 on slippery walls, else 1
-    Numbers<1> mass;               ///< as it enters a sum of density [kg]
+template <class Where>
+struct WallFieldsIn {
+    Numbers<3, Where> mirrored_velocity;  ///< u_w [m/s]
+    Numbers<1, Where> grip;               ///< 0 on slippery walls, else 1
+    Numbers<1, Where> mass;               ///< as it enters a sum of density [kg]
 
     std::size_t bytes() const { return mirrored_velocity.bytes() + grip.bytes() + mass.bytes(); }
 };
 
-struct SphScratchData {
-    ContinuitySums continuity;
-    WaterFields water;
-    ForceSums forces;
-    WaterAtWallSums at_walls;
-    WallFields walls;
-    SweepLists lists;
+/// All of them, in memory of the host or of a device.
+template <class Memory>
+struct SphNumbers {
+    using Where = Memory;
+    ContinuitySumsIn<Where> continuity;
+    WaterFieldsIn<Where> water;
+    ForceSumsIn<Where> forces;
+    WaterAtWallSumsIn<Where> at_walls;
+    WallFieldsIn<Where> walls;
 
     /// Hands memory that the update of density no longer reads to the sums of forces, or takes it back.
     void exchange_memory() {
@@ -105,9 +112,16 @@ struct SphScratchData {
     /// The same with what is no longer read once the fields for the sums of forces are there.
     void exchange_memory_of_rate() { water.compression_rate.swap(forces.heat); }
     std::size_t bytes() const {
-        return continuity.bytes() + water.bytes() + forces.bytes() + at_walls.bytes() + walls.bytes() + lists.bytes();
+        return continuity.bytes() + water.bytes() + forces.bytes() + at_walls.bytes() + walls.bytes();
     }
 };
+
+struct SphScratchData : SphNumbers<parallel::Host> {
+    SweepLists lists;
+    std::size_t bytes() const { return SphNumbers::bytes() + lists.bytes(); }
+};
+using WaterFields = WaterFieldsIn<parallel::Host>;
+using ForceSums = ForceSumsIn<parallel::Host>;
 
 /// Makes `count` zeros of it.
 template <class T>

@@ -16,6 +16,10 @@ namespace riprap::fluid {
 
 enum class SphScheme : std::uint8_t { delta_sph, muller };
 
+/// Which loops make the sums over neighbours: those of a processor, or one thread per particle as on a device. Part of
+/// a result, as they add in another order.
+enum class RunsOn : std::uint8_t { host, device };
+
 /// Settings of SPH: Model. One set of defaults serves every case.
 struct SphSettings : ParticleSettings {
     static constexpr std::string_view method_name = "sph";
@@ -23,6 +27,7 @@ struct SphSettings : ParticleSettings {
     static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
 
     SphScheme scheme{SphScheme::delta_sph};
+    RunsOn runs_on{RunsOn::host};
     Viscosities viscosity;
     double density_diffusion{0.1};   ///< delta [-]
     double acoustic_damping{1};      ///< a of the bulk viscosity that damps sound [-]; 0 = off

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/sph_step.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/fluid/sph/kick.hpp"
 #include "riprap/fluid/sph/schemes.hpp"
 #include "riprap/fluid/sph/sph_scratch.hpp"
+#include "riprap/fluid/sph/wall_pressure.hpp"
 
 namespace riprap::fluid {
 namespace {
-
-Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
 
 const Scheme& scheme_of(const SphSettings& settings) {
     return settings.scheme == SphScheme::muller ? muller_scheme : delta_sph_scheme;
@@ -27,32 +22,6 @@ SphScratch::~SphScratch() = default;
 SphScratch::SphScratch(SphScratch&&) noexcept = default;
 SphScratch& SphScratch::operator=(SphScratch&&) noexcept = default;
 std::size_t SphScratch::bytes() const { return data_->bytes(); }
-
-FluidTimeStep choose_fluid_time_step(const SphSettings& settings, const ParticleState& state) {
-    struct Fastest {
-        double speed_squared{0}, density{0};
-    };
-    const auto one = [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        return Fastest{norm_squared(state.velocity[i]), state.density[i]};
-    };
-    const Fastest fastest =
-        parallel::reduce(state.owned(), Fastest{0, settings.rest_density}, one, [](const Fastest& a, const Fastest& b) {
-            return Fastest{std::max(a.speed_squared, b.speed_squared), std::max(a.density, b.density)};
-        });
-    const double h = settings.smoothing_length(), none = std::numeric_limits<double>::infinity();
-    const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
-    FluidTimeStep step{};
-    step.acoustic =
-        settings.courant * h / (sound_speed_of(settings, fastest.density) + std::sqrt(fastest.speed_squared));
-    step.force = state.max_acceleration > 0 ? 0.25 * std::sqrt(h / state.max_acceleration) : none;
-    step.viscous = nu > 0 ? 0.125 * h * h / nu : none;
-    step.limit = std::min({step.acoustic, step.force, step.viscous});
-    step.reason = step.limit == step.acoustic ? "sound in water"
-                  : step.limit == step.force  ? "acceleration of water"
-                                              : "viscosity of water";
-    return step;
-}
 
 void update_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, double dt, SphScratch& scratch, FluidReport& report) {
@@ -70,18 +39,16 @@ void begin_forces(const SphSettings& settings, ParticleState& state, const Bound
 }
 
 void describe_water_at_walls(const Vec3& gravity, const SphScratch& scratch, WaterAtWalls& water) {
-    const SphScratchData& s = scratch.data();
-    water.weight.resize(s.at_walls.weight.size());
-    water.slope.resize(s.at_walls.slope.size());
+    const WaterAtWallSumsIn<parallel::Host>& sums = scratch.data().at_walls;
+    const PressureAtWall at_wall = pressure_at_wall(sums);
+    water.weight.resize(sums.weight.size());
+    water.slope.resize(sums.slope.size());
     water.pressure.resize(water.weight.size());
     parallel::for_each(static_cast<std::int64_t>(water.weight.size()), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        water.weight[w] = s.at_walls.weight[w];
-        water.slope[w] = s.at_walls.slope.vector(w);
-        water.pressure[w] =
-            water.weight[w] > 0
-                ? std::max(0.0, (s.at_walls.pressure[w] + dot(gravity, s.at_walls.moment.vector(w))) / water.weight[w])
-                : 0;
+        water.weight[w] = sums.weight[w];
+        water.slope[w] = sums.slope.vector(w);
+        water.pressure[w] = at_wall(w, gravity);
     });
 }
 
@@ -132,6 +99,9 @@ void SphFluid::kick(ParticleState& state, const BoundaryParticles& walls, const 
 }
 
 std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings) {
+    if (settings.runs_on == RunsOn::device) {
+        return make_device_scheme(settings);
+    }
     return std::make_unique<SphFluid>(settings);
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/sph/sph_scratch.hpp"
 
 namespace riprap::fluid {
 
@@ -150,15 +147,5 @@ struct TransposedOnWalls {
         }
     }
 };
-
-/// tau of every particle, from velocities and dynamic viscosities at hand; after sum_at_walls.
-void find_transposed_stress(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                            SphScratchData& scratch);
-/// Adds what particles do to each other, walls to particles, and particles to walls, as forces.hpp does.
-void add_transposed_forces(const SphSettings& settings, const ParticleState& state, SphScratchData& scratch);
-void add_transposed_forces_from_walls(const SphSettings& settings, const ParticleState& state,
-                                      const BoundaryParticles& walls, SphScratchData& scratch);
-void add_transposed_forces_on_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
-                                    SphScratchData& scratch);
 
 }  // namespace riprap::fluid

@@ -17,8 +17,8 @@ namespace riprap::fluid {
 /// Pair::add<Dim>(v, d, r2, r, F, V, mu_pair, force) writes the viscous force of one pair per V_i [N/m^3], with
 /// d = x_i - x_j [m], v = v_i - v_j [m/s], F = (dW/dr)/r, the volume V of the neighbour and mu_pair = mu_i + mu_j
 /// [Pa s]. Times V_i, it changes sign when i and j are swapped, so momentum is kept; force.v <= 0, so it only takes
-/// energy. A viscosity that is more than a sum over pairs also has `add_stress`, `add_stress_on_walls` and
-/// `add_stress_from_walls`, which delta_sph calls after the sums of the pairs.
+/// energy. A viscosity with `has_transposed_stress` gets that half of the stress too, which is no sum over pairs
+/// (transposed_stress.hpp).
 using Viscosities = Chosen<  //
     ArtificialViscosity,     //
     LaminarSps               //

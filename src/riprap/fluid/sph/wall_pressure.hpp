@@ -2,8 +2,25 @@
 #pragma once
 
 #include "riprap/fluid/sph/sph_scratch.hpp"
+#include "riprap/fluid/sph/wall_loops.hpp"
 
 namespace riprap::fluid {
+
+/// Finds u_w (see extrapolate_to_walls) and the grip alone.
+template <class Where>
+void mirror_velocity(const SphSettings& settings, const WaterAtWallSumsIn<Where>& water, const WallColumns& walls,
+                     WallFieldsIn<Where>& seen) {
+    const auto count = static_cast<std::size_t>(walls.count);
+    seen.mirrored_velocity.resize(count, settings.is_plain);
+    seen.grip.resize(count, settings.is_plain);
+    Where::for_each(walls.count, MirrorVelocity{walls, water.weight.columns(), water.velocity.columns(),
+                                                seen.mirrored_velocity.columns(), seen.grip.columns()});
+}
+
+template <class Where>
+PressureAtWall pressure_at_wall(const WaterAtWallSumsIn<Where>& water) {
+    return {water.weight.columns(), water.pressure.columns(), water.moment.columns()};
+}
 
 /// Extrapolates the pressure of the fluid to wall particles and mirrors its velocity in them, from averages over fluid
 /// j [Adami2012, eqs. 22, 23, 27]:
@@ -16,11 +33,11 @@ namespace riprap::fluid {
 ///               given places
 /// @param walls  how they move; receives the pressure
 /// @param seen   receives u_w and the grip
-void extrapolate_to_walls(const SphSettings& settings, const WaterAtWallSums& water, const Vec3& gravity,
-                          BoundaryParticles& walls, WallFields& seen);
-
-/// Finds u_w and the grip alone.
-void mirror_velocity(const SphSettings& settings, const WaterAtWallSums& water, const BoundaryParticles& walls,
-                     WallFields& seen);
+template <class Where>
+void extrapolate_to_walls(const SphSettings& settings, const WaterAtWallSumsIn<Where>& water, const Vec3& gravity,
+                          const WallColumns& walls, WallFieldsIn<Where>& seen) {
+    mirror_velocity(settings, water, walls, seen);
+    Where::for_each(walls.count, ExtrapolateToWall{walls, pressure_at_wall(water), gravity});
+}
 
 }  // namespace riprap::fluid

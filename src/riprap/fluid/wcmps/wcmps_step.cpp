@@ -14,8 +14,6 @@
 namespace riprap::fluid {
 namespace {
 
-Vec3 in_plane(const Vec3& a, const Domain& domain) { return domain.dimension == 2 ? Vec3{a.x, a.y, 0} : a; }
-
 struct Sums {
     double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0}, collisions{0};
     double speed_squared{0}, acceleration_squared{0};

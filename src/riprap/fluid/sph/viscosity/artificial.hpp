@@ -26,7 +26,7 @@ struct ArtificialViscosity {
     double alpha{0.02};  ///< [-]
 
     /// Equivalent kinematic viscosity: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005].
-    double kinematic(const ParticleSettings& s, double /*strain_rate*/) const {
+    RIPRAP_HD double kinematic(const ParticleSettings& s, double /*strain_rate*/) const {
         return alpha * s.sound_speed * s.smoothing_length() / (2 * (s.domain.dimension + 2));
     }
 

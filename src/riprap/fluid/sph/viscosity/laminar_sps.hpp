@@ -15,11 +15,6 @@ class KeyList;  // core/key.hpp
 
 namespace riprap::fluid {
 
-struct BoundaryParticles;
-struct ParticleState;
-struct SphScratchData;
-struct SphSettings;
-
 /// Laminar viscosity [Morris1997], molecular plus that of the eddies which the spacing does not resolve, nu_t =
 /// (C_s dp)^2 |S| [Smagorinsky1963], [Gotoh2001]:
 ///
@@ -33,11 +28,11 @@ struct LaminarSps {
         "resolve";
     static KeyList<LaminarSps> keys();
 
-    static constexpr bool follows_strain = true;
+    static constexpr bool follows_strain = true, has_transposed_stress = true;
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double smagorinsky{0.12};          ///< C_s [-]
 
-    double kinematic(const ParticleSettings& s, double strain_rate) const {
+    RIPRAP_HD double kinematic(const ParticleSettings& s, double strain_rate) const {
         const double mixing = smagorinsky * s.spacing;
         return kinematic_viscosity + mixing * mixing * strain_rate;
     }
@@ -69,13 +64,6 @@ struct LaminarSps {
     MullerPair pair(const ParticleSettings& s, const SpikyKernel& /*kernel*/) const {
         return {LaplacianKernel(s.support_radius(), s.domain.dimension)};
     }
-
-    void add_stress(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                    SphScratchData& scratch) const;
-    void add_stress_on_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls,
-                             SphScratchData& scratch) const;
-    void add_stress_from_walls(const SphSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
-                               SphScratchData& scratch) const;
 };
 
 }  // namespace riprap::fluid

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/device/device_sph.hpp"
+
+#include "riprap/fluid/sph/device/device_scheme.hpp"
+
+namespace riprap::fluid {
+
+std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& settings) {
+    return std::make_unique<DeviceSph<parallel::Host>>(settings);
+}
+
+#ifndef RIPRAP_WITH_CUDA  // else in device_sph.cu
+std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings) {
+    return make_device_scheme_on_host(settings);
+}
+std::string device_name() { return "none"; }
+#endif
+
+}  // namespace riprap::fluid

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "riprap/fluid/particle/particle_scheme.hpp"
+#include "riprap/fluid/sph/sph_settings.hpp"
+
+namespace riprap::fluid {
+
+/// Makes delta_sph with the loops of a device: on the GPU in use where the program was built for one and finds it, else
+/// on the host, with the same bits. The settings have to outlive it.
+std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings);
+/// The same on the host, wherever there is a device.
+std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& settings);
+/// Name of the device that make_device_scheme takes, or "none".
+std::string device_name();
+
+}  // namespace riprap::fluid

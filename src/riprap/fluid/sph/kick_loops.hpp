@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "riprap/fluid/particle/columns.hpp"
+#include "riprap/fluid/particle/numbers.hpp"
+
+namespace riprap::fluid {
+
+/// What a kick adds up over the particles.
+struct KickSums {
+    double kinetic{0}, potential{0}, heat{0}, exchange{0}, external{0};
+    double speed_squared{0}, acceleration_squared{0};
+    Vec3 momentum{}, extra{};
+};
+struct AddKickSums {
+    RIPRAP_HD KickSums operator()(KickSums a, const KickSums& b) const {
+        a.kinetic += b.kinetic;
+        a.potential += b.potential;
+        a.heat += b.heat;
+        a.exchange += b.exchange;
+        a.external += b.external;
+        a.speed_squared = std::max(a.speed_squared, b.speed_squared);
+        a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
+        a.momentum += b.momentum;
+        a.extra += b.extra;
+        return a;
+    }
+};
+
+/// Kicks one particle, see kick(). `Extra` gives the extra force on particle i [N].
+template <class Extra>
+struct KickParticle {
+    double particle_mass, dt;
+    Vec3 gravity, downward;  ///< all of it, and the part that has a potential
+    ParticleColumns water;
+    NumbersView<1> volume;
+    NumbersView<6> pushes;
+    NumbersView<1> heat, wall_heat;
+    NumbersView<3> wall_hold;
+    NumbersView<1> wall_hold_power;
+    Extra extra_force;
+
+    RIPRAP_HD KickSums operator()(std::int64_t entry) const {
+        constexpr std::size_t at_force = 0;
+        const auto i = static_cast<std::size_t>(entry);
+        const double m = particle_mass, v = volume[i];
+        const Vec3 extra = extra_force[i], along = gravity - downward;
+        const Vec3 acceleration = (v * pushes.vector(i, at_force) + extra) / m + gravity;
+        const Vec3 before = water.velocity[i], after = before + dt * acceleration;
+        water.velocity[i] = after;
+        KickSums sums;
+        sums.kinetic = 0.5 * m * dot(before, after);
+        sums.potential = -m * dot(downward, water.position[i]);
+        sums.heat = v * (0.5 * heat[i] + wall_heat[i]);
+        sums.exchange = 0.5 * dot(v * wall_hold.vector(i), before + after) - v * wall_hold_power[i];
+        sums.external = 0.5 * dot(extra + m * along, before + after);
+        sums.speed_squared = norm_squared(after);
+        sums.acceleration_squared = norm_squared(acceleration);
+        sums.momentum = m * after;
+        sums.extra = extra;
+        return sums;
+    }
+};
+
+}  // namespace riprap::fluid

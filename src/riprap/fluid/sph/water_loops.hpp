@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What delta_sph does to one particle of water between its sums over neighbours, as functors for host and device.
+
+#include <cstdint>
+
+#include "riprap/fluid/particle/columns.hpp"
+#include "riprap/fluid/particle/linear_law.hpp"
+#include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/sph/acoustic_damping.hpp"
+#include "riprap/fluid/sph/gradient_correction.hpp"
+#include "riprap/fluid/sph/shifting.hpp"
+#include "riprap/fluid/sph/tearing.hpp"
+
+namespace riprap::fluid {
+
+/// sqrt(2 S:S) from the second sum of Continuity [1/s]
+RIPRAP_HD inline double strain_rate(int dimension, double sum) {
+    return std::sqrt(std::max(0.0, (dimension + 2) * sum));
+}
+
+/// Finds pressure and volume from the density.
+struct FindPressure {
+    PressureLaw pressure_at;
+    double particle_mass;
+    const double* density;
+    NumbersView<1> pressure, volume;
+
+    RIPRAP_HD void operator()(std::int64_t entry) const {
+        const auto i = static_cast<std::size_t>(entry);
+        pressure.set(i, pressure_at(density[i]));
+        volume.set(i, particle_mass / density[i]);
+    }
+};
+
+/// Notes from the water alone, before walls are added: tr M, and how much of a particle is inside it, away from
+/// surfaces and walls, with neighbours evenly all around.
+struct LookAround {
+    int dimension;
+    double h;
+    NumbersView<3> concentration_gradient;
+    NumbersView<6> moments;
+    NumbersView<1> correction_share, damped_share;
+
+    RIPRAP_HD void operator()(std::int64_t entry) const {
+        const auto i = static_cast<std::size_t>(entry);
+        const double sum = trace(dimension, moments.all(i));
+        const double lopsidedness = h * norm(concentration_gradient.vector(i));
+        correction_share.set(i, sum);
+        damped_share.set(i, interior_share(sum / dimension) * even_share(lopsidedness));
+    }
+};
+
+/// Energy that leaves the compression as density is updated, by diffusion and tearing and by shifting [J].
+struct Losses {
+    double diffusion{0}, shifting{0};
+};
+struct AddLosses {
+    RIPRAP_HD Losses operator()(const Losses& a, const Losses& b) const {
+        return {a.diffusion + b.diffusion, a.shifting + b.shifting};
+    }
+};
+
+/// Carries the density over a step by the sums of Continuity, and corrects the gradients (docs/theory/sph.md, 4).
+struct AdvanceDensity {
+    int dimension;
+    bool corrects_gradients;
+    double dt, diffusivity, gone;  ///< [s]; 2 delta h/(c_0 rho_0) [m^3 s/kg]; of density_by_escape [-]
+    double rest_density, particle_mass;
+    PressureLaw pressure_at;
+    double* density;
+    const double* dilution;
+    NumbersView<1> diffusion;
+    NumbersView<6> rates;
+    // Receive what forces read; before, they hold the sums named in WaterFields.
+    NumbersView<6> correction;
+    NumbersView<1> correction_share, damped_share, bareness, compression_rate;
+
+    RIPRAP_HD Losses operator()(std::int64_t entry) const {
+        const auto i = static_cast<std::size_t>(entry);
+        const Symmetric moments = correction.all(i);
+        const double divergence = trace(dimension, moments), alone = correction_share[i];
+        const double bare = bareness_of_particle(dimension, divergence);
+        const bool leaves_wall = may_leave_walls(bare, bareness_of_particle(dimension, alone), divergence / dimension);
+        const double caught = caught_share(alone / dimension, divergence / dimension);
+        correct(i, moments, caught);
+        bareness.set(i, bare);
+        const double before = density[i];
+        const double diluted = density_after_shift(before, dilution[i], rest_density);
+        const double spread = dt * diluted * diffusivity * diffusion[i];
+        const double rate = contract(dimension, correction.all(i), rates.all(i));
+        compression_rate.set(i, rate);
+        const double flown = diluted + dt * diluted * rate + spread;
+        const double torn = density_by_tearing(bare, leaves_wall, flown, rest_density) +
+                            density_by_escape(caught, flown, rest_density, gone);
+        const double after = flown + torn;
+        const double mean = 0.5 * (before + after);
+        density[i] = after;
+        // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
+        const double per_density = particle_mass * pressure_at(mean) / (mean * mean);
+        return {-per_density * (spread + torn), per_density * (before - diluted)};
+    }
+
+ private:
+    RIPRAP_HD void correct(std::size_t i, const Symmetric& moments, double caught) const {
+        const GradientCorrection found =
+            corrects_gradients ? gradient_correction(dimension, moments) : GradientCorrection{make_unit_tensor(), 0};
+        for (std::size_t k = 0; k < found.tensor.size(); ++k) {
+            correction.set(i, k, (1 - caught) * found.tensor[k]);
+        }
+        correction_share.set(i, found.share);
+        damped_share.set(i, damped_share[i] * found.share);
+    }
+};
+
+/// Finds the fields that the sums of forces read: volume, the pressure with damping and its heat, and the viscosity.
+template <class Law>
+struct PrepareForces {
+    ParticleSettings settings;
+    Law law;
+    PressureLaw pressure_at;
+    double resistance;  ///< of the damping of sound [Pa s]
+    const double* density;
+    NumbersView<1> strain, damped_share, compression_rate;
+    NumbersView<1> dynamic_viscosity, volume, pressure, heat;
+
+    RIPRAP_HD void operator()(std::int64_t entry) const {
+        const auto i = static_cast<std::size_t>(entry);
+        if constexpr (Law::follows_strain) {
+            const double rate = strain_rate(settings.domain.dimension, strain[i]);
+            dynamic_viscosity.set(i, settings.rest_density * law.kinematic(settings, rate));
+        }
+        volume.set(i, settings.particle_mass / density[i]);
+        const double damping = resistance * damped_share[i] * compression_rate[i];
+        heat.set(i, damping * compression_rate[i]);
+        pressure.set(i, pressure_at(density[i]) + damping);
+    }
+};
+
+/// Account of shifting in a step.
+struct Shifted {
+    double potential{0};        ///< energy of place that it took away [J]
+    double longest_squared{0};  ///< [m^2]
+};
+struct AddShifted {
+    RIPRAP_HD Shifted operator()(const Shifted& a, const Shifted& b) const {
+        return {a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+    }
+};
+
+/// Moves a particle towards even surroundings and notes the share of density that this takes.
+struct ShiftParticle {
+    int dimension;
+    double strength, h, dt, particle_mass;
+    Vec3 gravity;
+    Vec3* position;
+    double* dilution;
+    NumbersView<3> concentration_gradient;
+    NumbersView<1> strain, bareness, correction_share;
+    NumbersView<6> pushes;
+
+    RIPRAP_HD Shifted operator()(std::int64_t entry) const {
+        constexpr std::size_t at_surface = 3;
+        const auto i = static_cast<std::size_t>(entry);
+        const Vec3 gradient = concentration_gradient.vector(i);
+        const Vec3 shift = shift_of_particle(strength, h, gradient, pushes.vector(i, at_surface), bareness[i],
+                                             strain_rate(dimension, strain[i]), dt);
+        position[i] += shift;
+        dilution[i] = dilution_by_shift(shift, gradient, correction_share[i]);
+        return {particle_mass * dot(gravity, shift), norm_squared(shift)};
+    }
+};
+
+}  // namespace riprap::fluid
