@@ -17,8 +17,8 @@
 #include <span>
 #include <type_traits>
 
+#include "riprap/core/parallel.hpp"
 #include "riprap/core/parallel_cuda_memory.hpp"
-#include "riprap/core/range.hpp"
 
 namespace riprap::parallel::cuda {
 
@@ -61,14 +61,6 @@ __global__ void reduce_kernel(std::int64_t n, std::int64_t block, T identity, Ma
     }
 }
 
-/// A functor whose entries begin elsewhere than at zero.
-template <class F>
-struct Shifted {
-    F f;
-    std::int64_t begin;
-    RIPRAP_HD void operator()(std::int64_t i) const { f(begin + i); }
-};
-
 /// Runs a CUB algorithm twice: once to learn its scratch size, once for real.
 template <class Algorithm>
 void run_with_scratch(const char* what, const Algorithm& algorithm) {
@@ -90,16 +82,6 @@ void for_each(std::int64_t n, const F& f) {
     const auto grid = static_cast<unsigned>(std::min<std::int64_t>(blocks, 1 << 20));
     detail::for_each_kernel<<<grid, detail::threads_per_block>>>(n, f);
     check(cudaGetLastError(), "start a loop on the device");
-}
-
-/// f(i) for every i of a range, on the host or on the device: the same functor, bound to spans of Fields there.
-template <class F>
-void for_each(Residence where, const Range& owned, const F& f) {
-    if (where == Residence::host) {
-        parallel::for_each(owned, f);
-        return;
-    }
-    for_each(owned.size(), detail::Shifted<F>{f, owned.begin});
 }
 
 /// Same bits as parallel::reduce with the same functors.

@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "riprap/core/field.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::parallel::cuda {
@@ -121,7 +120,7 @@ class Stage {
     }
 
  private:
-    static constexpr std::size_t half_size = std::size_t{8} << 20;
+    static constexpr std::size_t half_size = std::size_t{4} << 20;
     struct Half {
         void* memory{nullptr};
         cudaEvent_t arrived{};
@@ -135,7 +134,7 @@ class Stage {
         check(cudaEventRecord(half.arrived, nullptr), "record a copy");
     }
     static void copy(void* to, const void* from, std::size_t bytes) {
-        constexpr std::int64_t grain = 1 << 18;
+        constexpr std::int64_t grain = 1 << 17;
         parallel::for_ranges(static_cast<std::int64_t>(bytes), grain, [=](std::int64_t begin, std::int64_t end) {
             std::memcpy(static_cast<char*>(to) + begin, static_cast<const char*>(from) + begin,
                         static_cast<std::size_t>(end - begin));
@@ -214,19 +213,6 @@ class DeviceArray {
  private:
     T* data_{nullptr};
     std::size_t size_{0}, capacity_{0};
-};
-
-/// Memory of the device in use, for Field.
-class Memory final : public DeviceMemory {
- public:
-    void* allocate(std::size_t bytes) override { return detail::allocate(bytes); }
-    void release(void* memory) noexcept override { detail::release(memory); }
-    void upload(void* device, const void* host, std::size_t bytes) override {
-        detail::Stage::of_process().upload(device, host, bytes);
-    }
-    void download(void* host, const void* device, std::size_t bytes) override {
-        detail::Stage::of_process().download(host, device, bytes);
-    }
 };
 
 }  // namespace riprap::parallel::cuda

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "riprap/core/bits.hpp"
 #include "riprap/fluid/particle/cell_pairs.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
@@ -46,7 +47,6 @@ struct CellSweep {
     float reach_squared;                 ///< [m^2]
 
     RIPRAP_HD void operator()(std::int64_t thread) const {
-        constexpr int stride = packed_fields<Pair::candidate_fields>;
         const auto i = static_cast<std::int64_t>(target_order[thread]);
         const PackedPlace here = target_place[thread];
         float target[Pair::target_fields + 1], sum[Pair::sums] = {};
@@ -54,17 +54,8 @@ struct CellSweep {
             target[k] = static_cast<float>(target_fields[k][i]);
         }
         grid.for_each_run_near(target_position[i], [&](std::int32_t begin, std::int32_t end) {
-            for (std::int32_t k = begin; k < end; ++k) {
-                const PackedPlace there = candidate_place[k];
-                float d[3] = {}, r2 = 0;
-                for (int axis = 0; axis < Dim; ++axis) {
-                    d[axis] = static_cast<float>(apart(here.along[axis], there.along[axis])) * quantum[axis];
-                    r2 += d[axis] * d[axis];
-                }
-                if (r2 < reach_squared) {
-                    pair.template operator()<Dim, float>(target, candidate_fields + std::int64_t{stride} * k, d, r2,
-                                                         distance(r2), sum);
-                }
+            for (std::int32_t first = begin; first < end; first += at_once) {
+                meet(target, here, first, min(end - first, at_once), sum);
             }
         });
         for (std::size_t k = 0; k < Pair::sums; ++k) {
@@ -74,9 +65,39 @@ struct CellSweep {
     }
 
  private:
-    /// Difference of two places modulo 2^32.
-    RIPRAP_HD static std::int32_t apart(std::int32_t a, std::int32_t b) {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+    /// Candidates that are looked at before any is met. Of those near a target about a quarter is in reach, and threads
+    /// that go side by side wait for each other: they meet the first in reach of each at once, then the second, and so
+    /// on, in the order that each target would have had alone.
+    static constexpr std::int32_t at_once = 32;
+
+    RIPRAP_HD static std::int32_t min(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
+
+    /// Fills in x_i - x_j [m]. @returns its square
+    RIPRAP_HD float difference(const PackedPlace& here, std::int32_t candidate, float* d) const {
+        const PackedPlace there = candidate_place[candidate];
+        float r2 = 0;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const auto whole = static_cast<std::int32_t>(static_cast<std::uint32_t>(here.along[axis]) -
+                                                         static_cast<std::uint32_t>(there.along[axis]));
+            d[axis] = static_cast<float>(whole) * quantum[axis];  // modulo 2^32: the nearest image
+            r2 += d[axis] * d[axis];
+        }
+        return r2;
+    }
+    RIPRAP_HD void meet(const float* target, const PackedPlace& here, std::int32_t first, std::int32_t count,
+                        float* sum) const {
+        constexpr int stride = packed_fields<Pair::candidate_fields>;
+        float d[3] = {};
+        std::uint32_t in_reach = 0;
+        for (std::int32_t k = 0; k < count; ++k) {
+            in_reach |= static_cast<std::uint32_t>(difference(here, first + k, d) < reach_squared) << k;
+        }
+        for (; in_reach != 0; in_reach &= in_reach - 1) {
+            const std::int32_t candidate = first + lowest_bit(in_reach);
+            const float r2 = difference(here, candidate, d);
+            pair.template operator()<Dim, float>(target, candidate_fields + std::int64_t{stride} * candidate, d, r2,
+                                                 distance(r2), sum);
+        }
     }
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/fluid/sph/courant_bound.hpp"
+#include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/scene/build/placed_part.hpp"
 
 namespace riprap::scene {
@@ -162,6 +163,11 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
     warn_of_courant(build, sph);
+    if (sph.runs_on == fluid::RunsOn::device && fluid::device_name() == "none") {
+        build.warnings.push_back(
+            "fluid.runs_on = \"device\", but there is none, or this program was built without RIPRAP_CUDA: the host "
+            "computes the same bits, several times as slowly as with runs_on = \"host\"");
+    }
 }
 
 }  // namespace riprap::scene
