@@ -21,7 +21,8 @@ Tank after_steps(Tank tank, std::unique_ptr<riprap::fluid::ParticleScheme> (*mak
 bool check_steps_of(const char* what, const Tank& start) {
     const Tank host = after_steps(start, riprap::fluid::make_device_scheme_on_host);
     const Tank device = after_steps(start, riprap::fluid::make_device_scheme);
-    std::printf("ten steps of %zu particles, %s\n", start.water.position.size(), what);
+    std::printf("ten steps of %zu particles in %d dimensions, %zu of walls, %s\n", start.water.position.size(),
+                start.settings.domain.dimension, start.walls.position.size(), what);
     const auto books = [](const Tank& tank) {
         const riprap::fluid::FluidReport& r = tank.report;
         return std::vector<double>{
@@ -35,6 +36,9 @@ bool check_steps_of(const char* what, const Tank& start) {
     ok &= same_bits("  dilutions", host.water.dilution, device.water.dilution);
     ok &= same_bits("  forces on walls", host.walls.pressure_force, device.walls.pressure_force);
     ok &= same_bits("  viscous forces on walls", host.walls.viscous_force, device.walls.viscous_force);
+    ok &= same_bits("  pressures about walls", host.about_walls.pressure, device.about_walls.pressure);
+    ok &= same_bits("  slopes at walls", host.about_walls.slope, device.about_walls.slope);
+    ok &= same_bits("  weights at walls", host.about_walls.weight, device.about_walls.weight);
     ok &= same_bits("  energies", books(host), books(device));
     return ok;
 }
@@ -42,10 +46,16 @@ bool check_steps_of(const char* what, const Tank& start) {
 }  // namespace
 
 bool check_steps() {
-    Tank tank = some_tank(24);
-    bool ok = check_steps_of("artificial viscosity", tank);
-    tank.settings.viscosity.choose<LaminarSps>();
-    ok &= check_steps_of("laminar_sps", tank);
+    bool ok = true;
+    for (const bool is_turbulent : {false, true}) {
+        const char* const law = is_turbulent ? "laminar_sps" : "artificial viscosity";
+        for (Tank tank : {some_tank(24), some_channel(60), some_drop(60)}) {
+            if (is_turbulent) {
+                tank.settings.viscosity.choose<LaminarSps>();
+            }
+            ok &= check_steps_of(law, tank);
+        }
+    }
     return ok;
 }
 

@@ -13,12 +13,19 @@ struct Tank {
     riprap::fluid::BoundaryParticles walls;
     riprap::fluid::SparseVectors extra_force;
     riprap::Vec3 gravity{0.5, 0, -9.81};
-    riprap::fluid::FluidReport report;  ///< of the last step
+    riprap::fluid::FluidReport report;        ///< of the last step
+    riprap::fluid::WaterAtWalls about_walls;  ///< likewise
     double time{0};
 
     void step(riprap::fluid::ParticleScheme& scheme);
 };
 
 Tank some_tank(int count);
+
+/// The same in the plane, periodic along x, on a floor that moves and holds, with a pressure given at some of it.
+Tank some_channel(int count);
+
+/// A square of water alone.
+Tank some_drop(int count);
 
 }  // namespace selftest

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the device needs for sums over neighbours, for whole steps and for contacts, beside its bandwidth.
+// Times sums over neighbours, whole steps and contacts on the device, beside its bandwidth.
 #include <thread>
 
 #include "checks.hpp"
@@ -62,7 +62,8 @@ void time_water(int count, double bandwidth) {
     Device::Array<Vec3> position, walls;
     Device::upload<Vec3>(tank.water.position, position);
     Device::upload<Vec3>(tank.walls.position, walls);
-    Device::Array<float> numbers(12 * n);
+    Device::Array<float> numbers;
+    Device::upload<float>(std::vector<float>(12 * n, 1.0F), numbers);
     CellLists<Device> lists;
     const Box box = box_of(tank.water.position), box_of_walls = box_of(tank.walls.position);
     std::printf("%zu particles of water, %zu of walls\n", n, tank.walls.position.size());

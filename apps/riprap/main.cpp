@@ -11,6 +11,7 @@
 #include <new>
 
 #include "command_line.hpp"
+#include "riprap/core/device_error.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/core/tint.hpp"
@@ -71,6 +72,8 @@ int guarded_command_line(int argument_count, char** arguments) {
     } catch (const std::filesystem::filesystem_error& error) {
         return fail(ExitCode::file_system,
                     riprap::io::file_error("look at", error.path1(), error.code().value()).what());
+    } catch (const riprap::DeviceError& error) {
+        return fail(ExitCode::bad_case, error.what());
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::bad_case, "out of memory; `riprap check` says what a case needs");
     } catch (const std::exception& error) {

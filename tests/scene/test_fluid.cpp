@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "scene/case_fixture.hpp"
 
@@ -72,6 +73,17 @@ TEST(FluidCase, warns_of_the_limits_of_the_scheme_of_muller) {
     EXPECT_EQ(about_muller(
                   test::read(tank, {"fluid.scheme=muller", "fluid.artificial_alpha=0.1", "fluid.smoothing_ratio=1.2"})),
               1);
+}
+
+TEST(FluidCase, warns_where_there_is_no_device_for_the_water) {
+    EXPECT_THAT(test::read(tank).warnings, Each(Not(HasSubstr("runs_on"))));
+    const auto warnings = test::read(tank, {"fluid.runs_on=device"}).warnings;
+    if (fluid::has_device()) {
+        EXPECT_THAT(warnings, Each(Not(HasSubstr("runs_on"))));
+    } else {
+        EXPECT_THAT(warnings, Contains(HasSubstr("fluid.runs_on = \"device\", but this program finds none")));
+    }
+    EXPECT_THROW(test::read(tank, {"fluid.runs_on=device", "fluid.tait_exponent=6.5"}), CaseError);
 }
 
 TEST(FluidCase, corrected_gradients_can_be_left_out) {

@@ -157,11 +157,12 @@ void add_ratio_to_pass(const std::string& name, std::vector<Result>& results) {
 }
 
 /// The same steps with water on the device, if there is one, and how many times as fast they are.
-void measure_device_steps(const Setting& setting, const std::string& name, const StepScene& scene,
-                          std::vector<Result>& results) {
-    if (fluid::device_name() == "none") {
+void measure_device_steps(const Setting& setting, const std::string& name, StepScene (*make)(const StepSize&),
+                          const StepSize& size, std::vector<Result>& results) {
+    if (!fluid::has_device()) {
         return;
     }
+    const StepScene scene = make(size);
     StepScene there = scene;
     there.model.particles()->sph().runs_on = fluid::RunsOn::device;
     for (const int threads : setting.thread_counts) {
@@ -183,13 +184,13 @@ void measure_device_steps(const Setting& setting, const std::string& name, const
 void step_dam_break(const Setting& setting, std::vector<Result>& results) {
     measure_steps(setting, "step.dam_break", dam_break_on_box(), results);
     add_ratio_to_pass("step.dam_break.over_pass", results);
-    measure_device_steps(setting, "step.dam_break", dam_break_on_box(), results);
-    measure_device_steps(setting, "step.dam_break.fine", dam_break_on_box({0.5}), results);
+    measure_device_steps(setting, "step.dam_break", dam_break_on_box, {}, results);
+    measure_device_steps(setting, "step.dam_break.fine", dam_break_on_box, {0.5}, results);
 }
 
 void step_floes(const Setting& setting, std::vector<Result>& results) {
     measure_steps(setting, "step.floes", dam_break_with_floes(), results);
-    measure_device_steps(setting, "step.floes", dam_break_with_floes(), results);
+    measure_device_steps(setting, "step.floes", dam_break_with_floes, {}, results);
 }
 
 void step_rubble(const Setting& setting, std::vector<Result>& results) {

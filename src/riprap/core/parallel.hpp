@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The only place (with parallel_cuda.hpp, parallel.cpp and crew.hpp) that knows of threads of loops or of CUDA.
+// The only place (with parallel_cuda*.hpp, parallel.cpp and crew.hpp) that knows of threads of loops or of CUDA.
 //
 // Work is cut by data, never by thread, so results have the same bits at any thread count:
 // for_each writes by index; reduce folds fixed blocks of `reduce_block` entries in index order.

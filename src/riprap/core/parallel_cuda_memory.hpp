@@ -8,26 +8,27 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "riprap/core/device_error.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::parallel::cuda {
 
-/// The CUDA runtime refused something; the message says what was asked and the runtime's reason.
-class DeviceError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 inline void check(cudaError_t code, const char* what) {
-    if (code != cudaSuccess) {
-        throw DeviceError(std::string(what) + ": " + cudaGetErrorString(code));
+    if (code == cudaSuccess) {
+        return;
     }
+    const char* const advice =
+        code == cudaErrorMemoryAllocation         ? ": a larger fluid.spacing, or fluid.runs_on = \"host\""
+        : code == cudaErrorNoKernelImageForDevice ? ": a build with the device's CMAKE_CUDA_ARCHITECTURES"
+                                                  : "";
+    throw DeviceError(std::string("the device cannot ") + what + ": " + cudaGetErrorString(code) + advice);
 }
 
 /// Number of usable devices; 0 when there is no device or no driver for it.
@@ -36,12 +37,16 @@ inline int device_count() {
     return cudaGetDeviceCount(&count) == cudaSuccess ? count : 0;
 }
 
-/// "NVIDIA H100, compute capability 9.0", of the device in use.
+/// Returns "NVIDIA H100, compute capability 9.0", of the device in use; why there is none where that is so.
 inline std::string device_name() {
-    int device = 0;
+    int device = 0, count = 0;
     cudaDeviceProp properties{};
-    check(cudaGetDevice(&device), "ask for the device");
-    check(cudaGetDeviceProperties(&properties, device), "ask for the device's properties");
+    cudaError_t code = cudaGetDeviceCount(&count);
+    code = code == cudaSuccess ? cudaGetDevice(&device) : code;
+    code = code == cudaSuccess ? cudaGetDeviceProperties(&properties, device) : code;
+    if (code != cudaSuccess) {
+        return std::string("none (") + cudaGetErrorString(code) + ")";
+    }
     return std::string(properties.name) + ", compute capability " + std::to_string(properties.major) + "." +
            std::to_string(properties.minor);
 }
@@ -86,6 +91,7 @@ class Stage {
     Stage& operator=(const Stage&) = delete;
 
     void upload(void* device, const void* host, std::size_t bytes) {
+        const std::lock_guard lock(mutex_);
         for (std::size_t done = 0; done < bytes; done += half_size) {
             Half& half = next();
             const std::size_t part = std::min(half_size, bytes - done);
@@ -95,6 +101,7 @@ class Stage {
         }
     }
     void download(void* host, const void* device, std::size_t bytes) {
+        const std::lock_guard lock(mutex_);
         Half* before = nullptr;
         std::size_t begin = 0, size = 0;
         for (std::size_t done = 0; done < bytes || before != nullptr; done += half_size) {
@@ -140,6 +147,7 @@ class Stage {
                         static_cast<std::size_t>(end - begin));
         });
     }
+    std::mutex mutex_;  // two runs of one program share the halves
     Half halves_[2];
     int turn_{0};
 };
@@ -179,6 +187,7 @@ class DeviceArray {
     /// Makes room for so many entries. What they hold is lost where the room has to grow.
     void resize(std::size_t size) {
         if (size > capacity_) {
+            *this = DeviceArray();  // free the old room before asking for more
             *this = DeviceArray(size);
         }
         size_ = size;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 
 namespace riprap::parallel {
@@ -26,6 +27,7 @@ struct Host {
     /// Copies them back; the sizes have to agree.
     template <class T>
     static void download(const Array<T>& there, std::span<T> host) {
+        RIPRAP_ASSERT(there.size() == host.size(), "entries into room for another number of them");
         std::copy(there.begin(), there.end(), host.begin());
     }
     /// See parallel::for_each.

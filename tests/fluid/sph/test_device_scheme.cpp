@@ -7,14 +7,16 @@
 #include <utility>
 
 #include "fluid/sph/water.hpp"
+#include "riprap/core/fields.hpp"
 #include "riprap/core/key.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
 
 /// A heap of water that falls apart in a corner of sticky and slippery walls, of which one moves.
-Water heap(int dimension, bool is_turbulent) {
+Water heap(int dimension, bool is_turbulent, int layers = 8) {
     Water water;
     const double dp = 0.05;
     SphSettings& settings = water.settings;
@@ -25,14 +27,14 @@ Water heap(int dimension, bool is_turbulent) {
     settings.domain.high.z = 100;
     if (dimension == 3) {
         settings.domain.low.z = 0;
-        settings.domain.high.z = 8 * dp;
+        settings.domain.high.z = layers * dp;
         settings.domain.is_periodic[2] = true;
     }
     if (is_turbulent) {
         settings.viscosity.choose<LaminarSps>();
     }
     water.gravity = {0.5, -9.81, 0};
-    const int layers = dimension == 3 ? 8 : 1;
+    layers = dimension == 3 ? layers : 1;
     for (int layer = 0; layer < layers; ++layer) {
         const double z = dimension == 3 ? (layer + 0.5) * dp : 0;
         for_lattice(dp, 10 * dp, 12 * dp, [&](double x, double y) {
@@ -49,6 +51,7 @@ Water heap(int dimension, bool is_turbulent) {
     }
     for (std::size_t w = 0; w < water.walls.position.size(); ++w) {
         water.walls.acceleration[w] = water.walls.velocity[w].x > 0 ? Vec3{3, 0, 0} : Vec3{};
+        water.walls.given_pressure.push_back(w % 7 == 0 ? 200 : -1);
     }
     return water;
 }
@@ -60,8 +63,7 @@ struct Outcome {
     Vec3 force{};
 };
 
-Outcome run(Water water, RunsOn where) {
-    constexpr int steps = 20;
+Outcome run(Water water, RunsOn where, int steps = 20) {
     water.settings.runs_on = where;
     const std::unique_ptr<ParticleScheme> scheme = make_scheme(water.settings);
     Outcome outcome;
@@ -138,28 +140,56 @@ TEST(DeviceScheme, has_the_whole_viscous_stress_too) {
     expect_as_good_as_the_host([] { return heap(3, true); });
 }
 
+TEST(DeviceScheme, has_the_same_bits_at_any_number_of_threads) {
+    const auto hash = [](int threads) {
+        parallel::set_thread_count(threads);
+        const Outcome outcome = run(heap(3, true, 40), RunsOn::device, 2);
+        parallel::set_thread_count(1);
+        EXPECT_GT(outcome.state.size(), parallel::reduce_block);  // else there is one block only
+        return std::pair(hash_fields(outcome.state), outcome.report.kinetic);
+    };
+    const auto alone = hash(1);
+    EXPECT_EQ(hash(3), alone);
+}
+
+TEST(DeviceScheme, needs_no_walls) {
+    const auto drop = [](RunsOn where) {
+        Water water = heap(2, false);
+        water.walls = {};
+        return run(std::move(water), where, 3);
+    };
+    const Outcome device = drop(RunsOn::device);
+    ASSERT_EQ(device.report.problem, "");
+    EXPECT_LT(apart(device, drop(RunsOn::host))[0], 1e-9);
+}
+
+WaterAtWalls description(Water water, RunsOn where) {
+    water.settings.runs_on = where;
+    const std::unique_ptr<ParticleScheme> scheme = make_scheme(water.settings);
+    FluidReport report;
+    WaterAtWalls found;
+    scheme->update_density(water.state, water.walls, water.gravity, 1e-4, report);
+    scheme->begin_forces(water.state, water.walls, {0, 1e-4}, water.gravity, report);
+    scheme->describe_walls(water.gravity, found);
+    return found;
+}
+
 TEST(DeviceScheme, describes_the_water_at_walls_as_the_host_does) {
-    Water water = heap(3, false);
-    WaterAtWalls found[2];
-    for (const RunsOn where : {RunsOn::host, RunsOn::device}) {
-        water.settings.runs_on = where;
-        const std::unique_ptr<ParticleScheme> scheme = make_scheme(water.settings);
-        ParticleState state = water.state;
-        FluidReport report;
-        scheme->update_density(state, water.walls, water.gravity, 1e-4, report);
-        scheme->begin_forces(state, water.walls, {0, 1e-4}, water.gravity, report);
-        scheme->describe_walls(water.gravity, found[static_cast<int>(where)]);
+    for (const int dimension : {2, 3}) {
+        const WaterAtWalls host = description(heap(dimension, false), RunsOn::host);
+        const WaterAtWalls device = description(heap(dimension, false), RunsOn::device);
+        const SphSettings settings = heap(dimension, false).settings;
+        const double peak = WendlandC2(settings.smoothing_length(), dimension).value(0.0);
+        ASSERT_EQ(host.weight.size(), device.weight.size());
+        double most = 0;
+        for (std::size_t w = 0; w < host.weight.size(); ++w) {
+            most = std::max(most, host.pressure[w]);
+            ASSERT_NEAR(device.weight[w], host.weight[w], 1e-5 * host.weight[w] + 1e-6 * peak);
+            ASSERT_NEAR(device.pressure[w], host.pressure[w], 1e-3 * host.pressure[w] + 0.1);
+            ASSERT_LT(norm(device.slope[w] - host.slope[w]), 1e-4 / settings.spacing);
+        }
+        EXPECT_GT(most, 100);
     }
-    ASSERT_EQ(found[0].weight.size(), water.walls.position.size());
-    const double peak = WendlandC2(water.settings.smoothing_length(), 3).value(0.0);
-    double most = 0;
-    for (std::size_t w = 0; w < water.walls.position.size(); ++w) {
-        most = std::max(most, found[0].pressure[w]);
-        ASSERT_NEAR(found[1].weight[w], found[0].weight[w], 1e-5 * found[0].weight[w] + 1e-6 * peak);
-        ASSERT_NEAR(found[1].pressure[w], found[0].pressure[w], 1e-3 * found[0].pressure[w] + 0.1);
-        ASSERT_LT(norm(found[1].slope[w] - found[0].slope[w]), 1e-4 * (1 / water.settings.spacing));
-    }
-    EXPECT_GT(most, 100);
 }
 
 TEST(DeviceScheme, refuses_powers_that_hosts_and_devices_round_in_two_ways) {

@@ -97,7 +97,8 @@ struct CellGridView {
         }
         return false;
     }
-    RIPRAP_HD CellRange cells_around(double x, const Axis& a) const {
+    // Inlined everywhere: files of kernels, which fuse products with sums, and others would each have their own.
+    [[gnu::always_inline]] RIPRAP_HD CellRange cells_around(double x, const Axis& a) const {
         if (a.cells == 1) {
             return {0, 1};
         }

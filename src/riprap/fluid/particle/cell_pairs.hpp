@@ -15,7 +15,7 @@ struct alignas(16) PackedPlace {
     std::int32_t along[4];
 };
 
-/// Key of a particle's cell; those that are not finite go behind the last one.
+/// Finds the cell of a particle, as a key to sort by; those that are not finite go behind the last one.
 struct FindCell {
     CellGridView cells;
     const Vec3* position;
@@ -29,7 +29,7 @@ struct FindCell {
     }
 };
 
-/// First particle of a cell among sorted keys.
+/// Finds the first particle of a cell among sorted keys.
 struct FindStart {
     const std::uint64_t* key;
     std::int64_t count;
@@ -133,6 +133,7 @@ class CellLists {
 
  private:
     /// Over the reach: narrower cells follow the sphere in reach more closely, at the cost of more runs to look up.
+    /// Part of the definition of a result, as sums follow the cells.
     static constexpr double cell_edge = 1.0 / 3;
 
     CellPlaces<Where> fluid_, walls_;

@@ -55,7 +55,7 @@ struct CellSweep {
         }
         grid.for_each_run_near(target_position[i], [&](std::int32_t begin, std::int32_t end) {
             for (std::int32_t first = begin; first < end; first += at_once) {
-                meet(target, here, first, min(end - first, at_once), sum);
+                meet(target, here, first, end - first < at_once ? end - first : at_once, sum);
             }
         });
         for (std::size_t k = 0; k < Pair::sums; ++k) {
@@ -69,8 +69,6 @@ struct CellSweep {
     /// that go side by side wait for each other: they meet the first in reach of each at once, then the second, and so
     /// on, in the order that each target would have had alone.
     static constexpr std::int32_t at_once = 32;
-
-    RIPRAP_HD static std::int32_t min(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
 
     /// Fills in x_i - x_j [m]. @returns its square
     RIPRAP_HD float difference(const PackedPlace& here, std::int32_t candidate, float* d) const {

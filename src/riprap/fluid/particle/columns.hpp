@@ -11,8 +11,8 @@
 
 namespace riprap::fluid {
 
-/// The particles of a fluid where loops over them run, on the host or on a device: pointers to the columns of
-/// ParticleState.
+/// The particles of a fluid that this machine owns, where loops over them run, on the host or on a device: pointers to
+/// the columns of ParticleState. A view: whoever has it may write.
 struct ParticleColumns {
     std::int64_t count{0};
     Vec3* position{nullptr};
@@ -25,7 +25,7 @@ struct ParticleColumns {
     std::span<const double> densities() const { return {density, static_cast<std::size_t>(count)}; }
 };
 
-/// The columns of BoundaryParticles likewise.
+/// The columns of BoundaryParticles, as a view too.
 struct WallColumns {
     std::int64_t count{0};
     const Vec3* position{nullptr};
@@ -51,7 +51,8 @@ inline bool may_stick(const BoundaryParticles& walls) {
 }
 
 inline ParticleColumns columns_of(ParticleState& state) {
-    return {state.size(), state.position.data(), state.velocity.data(), state.density.data(), state.dilution.data()};
+    return {state.owned().size(), state.position.data(), state.velocity.data(), state.density.data(),
+            state.dilution.data()};
 }
 /// To be read only.
 inline ParticleColumns columns_of(const ParticleState& state) { return columns_of(const_cast<ParticleState&>(state)); }

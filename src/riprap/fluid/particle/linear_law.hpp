@@ -2,7 +2,6 @@
 #pragma once
 
 #include "riprap/core/config.hpp"
-#include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
@@ -17,7 +16,7 @@ class PressureLaw {
           rest_density_(s.rest_density),
           exponent_(s.tait_exponent) {}
     RIPRAP_HD double operator()(double density) const {
-        const double x = max(density, least_) / rest_density_;
+        const double x = (density < least_ ? least_ : density) / rest_density_;  // what is no number stays none
         return is_linear_ ? stiffness_ * (x - 1) : stiffness_ / exponent_ * (power(x, exponent_) - 1);
     }
 

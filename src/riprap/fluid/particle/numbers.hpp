@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include "riprap/core/parallel_host.hpp"
@@ -62,6 +63,8 @@ struct FillNumbers {
 /// ones, in memory of the host or of a device.
 template <std::size_t N, class Where = parallel::Host>
 class Numbers {
+    static constexpr bool is_here = std::is_same_v<Where, parallel::Host>;
+
  public:
     void resize(std::size_t count, bool is_wide) {
         wide_.resize(is_wide ? N * count : 0);
@@ -83,13 +86,13 @@ class Numbers {
     }
 
     // One at a time, on the host.
-    double get(std::size_t i, std::size_t k) const { return columns().get(i, k); }
-    double operator[](std::size_t i) const requires(N == 1) { return get(i, 0); }
-    std::array<double, N> all(std::size_t i) const { return columns().all(i); }
-    Vec3 vector(std::size_t i, std::size_t k = 0) const requires(N >= 3) { return columns().vector(i, k); }
-    void set(std::size_t i, std::size_t k, double a) { columns().set(i, k, a); }
-    void set(std::size_t i, double a) requires(N == 1) { columns().set(i, 0, a); }
-    void set_vector(std::size_t i, const Vec3& a) requires(N == 3) { columns().set_vector(i, a); }
+    double get(std::size_t i, std::size_t k) const requires(is_here) { return columns().get(i, k); }
+    double operator[](std::size_t i) const requires(is_here&& N == 1) { return get(i, 0); }
+    std::array<double, N> all(std::size_t i) const requires(is_here) { return columns().all(i); }
+    Vec3 vector(std::size_t i, std::size_t k = 0) const requires(is_here&& N >= 3) { return columns().vector(i, k); }
+    void set(std::size_t i, std::size_t k, double a) requires(is_here) { columns().set(i, k, a); }
+    void set(std::size_t i, double a) requires(is_here&& N == 1) { columns().set(i, 0, a); }
+    void set_vector(std::size_t i, const Vec3& a) requires(is_here&& N == 3) { columns().set_vector(i, a); }
 
     /// Number k of each particle, for sweeps to read or to add to. Where there are numbers of one particle only, all
     /// have those.

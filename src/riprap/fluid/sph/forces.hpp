@@ -54,8 +54,8 @@ void add_fluid_forces(const SphSettings& settings, const Kernel& kernel, const P
          p(2), p(3), p(4), p(5)}};
     const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
     add_pair_sums_within(settings, Momentum<Kernel, Law>{kernel, law}, fluid_with_surface,
-                         fresh<7>({f(0), f(1), f(2), s.forces.heat.sink(), f(ForceSums::at_surface),
-                                   f(ForceSums::at_surface + 1), f(ForceSums::at_surface + 2)}),
+                         fresh<7>({f(0), f(1), f(2), s.forces.heat.sink(), f(PushPlaces::at_surface),
+                                   f(PushPlaces::at_surface + 1), f(PushPlaces::at_surface + 2)}),
                          s.lists.fluid_fluid);
 }
 

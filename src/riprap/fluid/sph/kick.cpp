@@ -56,12 +56,11 @@ void book_kick(const ParticleSettings& settings, std::int64_t count, const Vec3&
     report.max_acceleration = std::sqrt(sums.acceleration_squared);
 }
 
-void book_compression(const ParticleSettings& settings, ParticleState& state, FluidReport& report) {
+void book_compression(const ParticleSettings& settings, const ParticleState& state, FluidReport& report) {
     const auto energy_of = [&](std::int64_t i) {
         return settings.particle_mass * internal_energy_of(settings, state.density[static_cast<std::size_t>(i)]);
     };
     report.internal = parallel::reduce(state.owned(), 0.0, energy_of, [](double a, double b) { return a + b; });
-    state.max_acceleration = report.max_acceleration;
 }
 
 namespace {
@@ -76,6 +75,7 @@ void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gr
           SphNumbers<parallel::Host>& found, const SparseVectors& extra_force, FluidReport& report) {
     kick_particles(settings, columns_of(state), gravity, dt, found, SparseExtra{&extra_force}, report);
     book_compression(settings, state, report);
+    state.max_acceleration = report.max_acceleration;
 }
 
 void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) {

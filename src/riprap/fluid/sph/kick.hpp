@@ -36,8 +36,8 @@ void kick_particles(const ParticleSettings& settings, const ParticleColumns& wat
               report);
 }
 
-/// Books the energy of compression at the densities that the forces saw, and notes the acceleration for the next step.
-void book_compression(const ParticleSettings& settings, ParticleState& state, FluidReport& report);
+/// Books the energy of compression at the densities that the forces saw.
+void book_compression(const ParticleSettings& settings, const ParticleState& state, FluidReport& report);
 
 /// The whole kick of particles on the host.
 void kick(const ParticleSettings& settings, ParticleState& state, const Vec3& gravity, double dt,

@@ -6,10 +6,11 @@
 
 #include "riprap/fluid/particle/columns.hpp"
 #include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/sph/push_places.hpp"
 
 namespace riprap::fluid {
 
-/// What a kick adds up over the particles.
+/// Sums of a kick over the particles.
 struct KickSums {
     double kinetic{0}, potential{0}, heat{0}, exchange{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
@@ -44,11 +45,10 @@ struct KickParticle {
     Extra extra_force;
 
     RIPRAP_HD KickSums operator()(std::int64_t entry) const {
-        constexpr std::size_t at_force = 0;
         const auto i = static_cast<std::size_t>(entry);
         const double m = particle_mass, v = volume[i];
         const Vec3 extra = extra_force[i], along = gravity - downward;
-        const Vec3 acceleration = (v * pushes.vector(i, at_force) + extra) / m + gravity;
+        const Vec3 acceleration = (v * pushes.vector(i, PushPlaces::at_force) + extra) / m + gravity;
         const Vec3 before = water.velocity[i], after = before + dt * acceleration;
         water.velocity[i] = after;
         KickSums sums;

@@ -20,7 +20,7 @@ KeyList<S> scheme_keys() {
                "(2003), density by summation, for comparison: it needs an artificial_alpha of 0.1 or more."),
         choice(&S::runs_on, "runs_on", {{"host", RunsOn::host}, {"device", RunsOn::device}},
                "Where the water is computed. `device`: on a GPU, where the program was built with RIPRAP_CUDA and "
-               "finds one; else the same numbers, to the bit, come from the host, many times as slow.")
+               "finds one; else the same numbers, to the bit, come from the host, several times as slowly.")
             .read_with("scheme", {"delta_sph"}),
         choice(&S::state_equation, "state_equation", {{"tait", StateEquation::tait}, {"linear", StateEquation::linear}},
                "Equation of state.")

@@ -12,6 +12,7 @@
 #include "riprap/fluid/particle/numbers.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
+#include "riprap/fluid/sph/push_places.hpp"
 #include "riprap/fluid/sph/sph_step.hpp"
 
 namespace riprap::fluid {
@@ -53,12 +54,9 @@ struct WaterFieldsIn {
     }
 };
 
-/// Sums of Momentum and MomentumFromWalls, per volume of the particle: read by the kick.
+/// Sums of Momentum and MomentumFromWalls (PushPlaces), per volume of the particle: read by the kick.
 template <class Where>
 struct ForceSumsIn {
-    // Places in `pushes`.
-    static constexpr std::size_t at_force = 0, at_surface = 3;
-
     Numbers<6, Where> pushes;           ///< force, and where the surface is
     Numbers<1, Where> heat;             ///< of viscosity, pair by pair; each pair is met twice
     Numbers<1, Where> wall_heat;        ///< that counts once: of viscosity at walls and of damped sound

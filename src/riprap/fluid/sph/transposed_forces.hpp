@@ -12,7 +12,11 @@
 
 namespace riprap::fluid {
 
-/// mu (grad u)^T from grad u, in its place.
+inline WendlandC2 kernel_of_stress(const SphSettings& settings) {
+    return WendlandC2(settings.smoothing_length(), settings.domain.dimension);
+}
+
+/// Finds mu (grad u)^T from grad u, in its place.
 struct StressFromGradient {
     NumbersView<1> dynamic_viscosity;
     NumbersView<tensor_numbers> stress;
@@ -43,7 +47,7 @@ struct AddStressOnWall {
 template <class Data>
 void find_transposed_stress(const SphSettings& settings, const ParticleColumns& fluid, const WallColumns& walls,
                             Data& s) {
-    const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    const WendlandC2 kernel = kernel_of_stress(settings);
     s.water.transposed_stress.fill(static_cast<std::size_t>(fluid.count), settings.is_plain, {});
     mirror_velocity(settings, s.at_walls, walls, s.walls);  // before walls are told how they move in the end
     const auto v = [&](int axis) { return component(fluid.velocities(), axis); };
@@ -62,7 +66,7 @@ void find_transposed_stress(const SphSettings& settings, const ParticleColumns& 
 /// Adds what particles do to each other, walls to particles, and particles to walls, as forces.hpp does.
 template <class Data>
 void add_transposed_forces(const SphSettings& settings, const ParticleColumns& fluid, Data& s) {
-    const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    const WendlandC2 kernel = kernel_of_stress(settings);
     const auto v = [&](int axis) { return component(fluid.velocities(), axis); };
     const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
     const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
@@ -76,7 +80,7 @@ void add_transposed_forces(const SphSettings& settings, const ParticleColumns& f
 template <class Data>
 void add_transposed_forces_from_walls(const SphSettings& settings, const ParticleColumns& fluid,
                                       const WallColumns& walls, Data& s) {
-    const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    const WendlandC2 kernel = kernel_of_stress(settings);
     const auto v = [&](int axis) { return component(fluid.velocities(), axis); };
     const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
     const auto f = [&](std::size_t k) { return s.forces.pushes.sink(k); };
@@ -91,7 +95,7 @@ void add_transposed_forces_from_walls(const SphSettings& settings, const Particl
 template <class Data>
 void add_transposed_forces_on_walls(const SphSettings& settings, const ParticleColumns& fluid, const WallColumns& walls,
                                     Data& s) {
-    const WendlandC2 kernel(settings.smoothing_length(), settings.domain.dimension);
+    const WendlandC2 kernel = kernel_of_stress(settings);
     const auto t = [&](std::size_t k) { return s.water.transposed_stress.view(k); };
     auto& sum = s.at_walls.stress;
     sum.resize(static_cast<std::size_t>(walls.count), settings.is_plain);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What delta_sph finds at one wall particle from its sums over the water, as functors for host and device.
+// Functors for host and device: they find at one wall particle what follows from its sums over the water.
 
 #include <algorithm>
 #include <cstdint>
@@ -53,13 +53,13 @@ struct ExtrapolateToWall {
     }
 };
 
-/// Makes a force of nothing.
+/// Makes a force zero, before sums are added to it.
 struct ClearForce {
     Vec3* force;
     RIPRAP_HD void operator()(std::int64_t w) const { force[w] = Vec3{}; }
 };
 
-/// Force of pressure from the sums of PressureOnWalls, and of viscosity from those per volume [N].
+/// Finds the force of pressure from the sums of PressureOnWalls, and that of viscosity from the one per volume [N].
 struct ForceOnWall {
     WallColumns walls;
     NumbersView<3> slope, push;

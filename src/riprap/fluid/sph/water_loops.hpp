@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What delta_sph does to one particle of water between its sums over neighbours, as functors for host and device.
+// Functors for host and device: they do to one particle of water what delta_sph does between its sums over neighbours.
 
 #include <cstdint>
 
@@ -10,6 +10,7 @@
 #include "riprap/fluid/particle/numbers.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
+#include "riprap/fluid/sph/push_places.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
 
@@ -161,11 +162,10 @@ struct ShiftParticle {
     NumbersView<6> pushes;
 
     RIPRAP_HD Shifted operator()(std::int64_t entry) const {
-        constexpr std::size_t at_surface = 3;
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 gradient = concentration_gradient.vector(i);
-        const Vec3 shift = shift_of_particle(strength, h, gradient, pushes.vector(i, at_surface), bareness[i],
-                                             strain_rate(dimension, strain[i]), dt);
+        const Vec3 shift = shift_of_particle(strength, h, gradient, pushes.vector(i, PushPlaces::at_surface),
+                                             bareness[i], strain_rate(dimension, strain[i]), dt);
         position[i] += shift;
         dilution[i] = dilution_by_shift(shift, gradient, correction_share[i]);
         return {particle_mass * dot(gravity, shift), norm_squared(shift)};

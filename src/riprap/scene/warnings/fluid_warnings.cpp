@@ -163,10 +163,12 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
     warn_of_courant(build, sph);
-    if (sph.runs_on == fluid::RunsOn::device && fluid::device_name() == "none") {
+    if (sph.runs_on == fluid::RunsOn::device && !fluid::has_device()) {
         build.warnings.push_back(
-            "fluid.runs_on = \"device\", but there is none, or this program was built without RIPRAP_CUDA: the host "
-            "computes the same bits, several times as slowly as with runs_on = \"host\"");
+            fmt::format("fluid.runs_on = \"device\", but this program finds {} (docs/howto/device.md): the host "
+                        "computes the bits of "
+                        "one, several times as slowly as with runs_on = \"host\"",
+                        fluid::device_name()));
     }
 }
 

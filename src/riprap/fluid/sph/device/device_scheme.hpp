@@ -31,7 +31,7 @@ void add_pair_sums_within(const SphSettings& settings, const Pair& pair,
     add_pair_sums(settings, pair, particles, particles, sums, pairs);
 }
 
-/// Water about a wall particle under this gravity.
+/// Describes the water about a wall particle under this gravity, as WaterAtWalls has it.
 struct DescribeWall {
     PressureAtWall at_wall;
     NumbersView<3> slope;
@@ -48,8 +48,9 @@ struct DescribeWall {
     }
 };
 
-/// delta_sph whose loops run over copies in memory of `Where`. The State stays with the host: each verb copies what it
-/// reads and what it changed, so all else that the host does to particles and walls between verbs holds.
+/// delta_sph whose loops run over copies in memory of `Where`. The State stays with the host, which may change all of
+/// it before update_density, places of particles and all of walls before begin_forces, and how walls move before each
+/// load_walls: that is what these verbs take. Each gives back what it changed.
 template <class Where>
 class DeviceSph final : public ParticleScheme {
  public:
@@ -108,6 +109,7 @@ class DeviceSph final : public ParticleScheme {
                        extra_.take(extra_force, state.position.size()), report);
         water_.give_motion(state);
         book_compression(*settings_, state, report);
+        state.max_acceleration = report.max_acceleration;
         book_walls(walls, span.dt, report);
         find_wild_particle(*settings_, state, span.time, report);
     }

@@ -13,6 +13,7 @@ std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& se
 std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings) {
     return make_device_scheme_on_host(settings);
 }
+bool has_device() { return false; }
 std::string device_name() { return "none"; }
 #endif
 

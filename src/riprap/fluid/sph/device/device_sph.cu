@@ -4,13 +4,14 @@
 
 namespace riprap::fluid {
 
-std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings) {
-    if (parallel::cuda::device_count() == 0) {
-        return make_device_scheme_on_host(settings);
-    }
-    return std::make_unique<DeviceSph<parallel::cuda::Device>>(settings);
-}
+bool has_device() { return parallel::cuda::device_count() > 0; }
+std::string device_name() { return parallel::cuda::device_name(); }
 
-std::string device_name() { return parallel::cuda::device_count() == 0 ? "none" : parallel::cuda::device_name(); }
+std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings) {
+    if (has_device()) {
+        return std::make_unique<DeviceSph<parallel::cuda::Device>>(settings);
+    }
+    return make_device_scheme_on_host(settings);
+}
 
 }  // namespace riprap::fluid

@@ -14,7 +14,9 @@ namespace riprap::fluid {
 std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings);
 /// The same on the host, wherever there is a device.
 std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& settings);
-/// Name of the device that make_device_scheme takes, or "none".
+/// Tells whether make_device_scheme takes a device.
+bool has_device();
+/// Returns the name of that device, or "none" and why.
 std::string device_name();
 
 }  // namespace riprap::fluid
