@@ -7,6 +7,7 @@
 #include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/geometry/ground_cells.hpp"
 
 namespace riprap::coupling {
 namespace {
@@ -25,33 +26,35 @@ class Walls {
         settings_.domain = {{-3, -3, -3}, {3, 3, 3}, {}, dimension};
     }
 
-    Walls& box(const Vec3& low, const Vec3& high, body::Drive drive = body::Drive::fixed) {
-        const Vec3 size = high - low;
-        scene_.add(settings_.domain.dimension == 2
-                       ? geometry::planar_prism(std::vector<geometry::Point2>{{-0.5 * size.x, -0.5 * size.y},
-                                                                              {0.5 * size.x, -0.5 * size.y},
-                                                                              {0.5 * size.x, 0.5 * size.y},
-                                                                              {-0.5 * size.x, 0.5 * size.y}})
-                             .value()
-                       : geometry::box(size),
-                   {0.5 * (low + high), {}}, drive);
+    /// Adds a body of convex pieces where they are.
+    Walls& add(const std::vector<geometry::Polyhedron>& pieces, body::Drive drive = body::Drive::fixed) {
+        std::vector<body::Part> parts;
+        for (const geometry::Polyhedron& piece : pieces) {
+            Vec3 place;
+            const ShapeId shape = scene_.shapes.add_convex(piece, scene_.bodies.is_planar, &place);
+            parts.push_back({BodyId{}, shape, {place, {}}});
+        }
+        scene_.add_parts(parts, {}, drive);
         return *this;
     }
-    Walls& polygon(const std::vector<geometry::Point2>& corners) {
-        double area = 0;
-        Vec3 centre{};
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const geometry::Point2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-            const double twice = a[0] * b[1] - a[1] * b[0];
-            area += 0.5 * twice;
-            centre += twice / 6 * Vec3{a[0] + b[0], a[1] + b[1], 0};
+    Walls& box(const Vec3& low, const Vec3& high, body::Drive drive = body::Drive::fixed) {
+        return add({box_of(low, high)}, drive);
+    }
+    geometry::Polyhedron box_of(const Vec3& low, const Vec3& high) const {
+        if (scene_.bodies.is_planar) {
+            return polygon_of({{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}});
         }
-        centre *= 1 / area;
-        std::vector<geometry::Point2> about;
-        for (const geometry::Point2& corner : corners) {
-            about.push_back({corner[0] - centre.x, corner[1] - centre.y});
+        geometry::Polyhedron box = geometry::box(high - low);
+        for (Vec3& vertex : box.vertices) {
+            vertex += 0.5 * (low + high);
         }
-        scene_.add(geometry::planar_prism(about).value(), {centre, {}}, body::Drive::fixed);
+        return box;
+    }
+    static geometry::Polyhedron polygon_of(const std::vector<geometry::Point2>& corners) {
+        return geometry::planar_prism(corners).value();
+    }
+    Walls& repeat_along_x() {
+        settings_.domain.is_periodic[0] = true;
         return *this;
     }
     Walls& floor() {
@@ -98,12 +101,16 @@ const std::vector<double> sizes{0.0041 * dp, 0.031 * dp, 0.2 * dp};  ///< of ste
 
 /// Corners of two walls about water at x > 0, y > 0.
 std::vector<Walls> corners() {
-    std::vector<Walls> all(5);
-    all[0].box({-0.2, -t, 0}, {1, 0, 0}).box({-t, 0, 0}, {0, 1, 0});  // one stands on the other, which goes on
-    all[1].box({-t, -t, 0}, {1, 0, 0}).box({-t, 0, 0}, {0, 1, 0});    // and ends with it
-    all[2].box({-t, -t, 0}, {1, 0, 0}).box({-t, -t, 0}, {0, 1, 0});   // both fill the corner
-    all[3].polygon({{0, 0}, {-t, -t}, {1, -t}, {1, 0}}).polygon({{0, 0}, {0, 1}, {-t, 1}, {-t, -t}});  // mitred
+    std::vector<Walls> all(7);
+    all[0].box({-0.2, -t, 0}, {1, 0, 0}).box({-t, 0, 0}, {0, 1, 0});       // one stands on the other, which goes on
+    all[1].box({-t, -t, 0}, {1, 0, 0}).box({-t, 0, 0}, {0, 1, 0});         // and ends with it
+    all[2].box({-t, -t, 0}, {1, 0, 0}).box({-t, -t, 0}, {0, 1, 0});        // both fill the corner
+    all[3].add({Walls::polygon_of({{0, 0}, {-t, -t}, {1, -t}, {1, 0}})});  // mitred
+    all[3].add({Walls::polygon_of({{0, 0}, {0, 1}, {-t, 1}, {-t, -t}})});
     all[4].floor().box({-t, 0, 0}, {0, 1, 0});
+    all[5].add({all[5].box_of({-0.2, -t, 0}, {1, 0, 0}), all[5].box_of({-t, 0, 0}, {0, 1, 0})}, body::Drive::free);
+    const std::vector<Vec3> ground{{-1, 0, 0}, {-0.7 * t, 0, 0}, {0.2 * t, 0, 0}, {1, 0, 0}};
+    all[6].add(geometry::cells_under_line(ground, 0.2)).box({-t, 0, 0}, {0, 1, 0});
     return all;
 }
 
@@ -162,6 +169,25 @@ TEST(Passage, AroundAFreeEndOrAnOuterCornerIsNone) {
     }
 }
 
+TEST(Passage, ThroughTheEdgeOfABlockIsNoneUnlessItIsSharp) {
+    for (const double half_deg : {20.0, 28.0, 34.0, 40.0, 50.0}) {
+        const double slope = std::tan(half_deg / 180 * 3.14159265358979);
+        Walls wedge;  // its edge at 0
+        wedge.add({Walls::polygon_of({{0, 0}, {-1, slope}, {-1, -slope}})});
+        const std::vector<Vec3> path{{-0.41 * t, 0.613 * t, 0}, {-0.41 * t, -0.7 * t, 0}};
+        EXPECT_EQ(wedge.count(path, sizes[1]), half_deg < 30 ? 1 : 0) << half_deg;
+    }
+}
+
+TEST(Passage, ThroughTheFloorUnderAWallIsCountedAndUnderAStepIsNot) {
+    for (const double height : {0.3 * t, 1.2 * t, 2.6 * t, 1.0}) {
+        Walls walls;
+        walls.floor().box({-t, 0, 0}, {0, height, 0});
+        const std::int64_t expected = height > 2 * t ? 1 : 0;
+        EXPECT_EQ(walls.count({{0.512 * t, -0.4 * t, 0}, {-1.5 * t, -0.4 * t, 0}}, sizes[1]), expected) << height;
+    }
+}
+
 TEST(Passage, ThroughAGapIsNoneWhereItIsWiderThanATenthOfASpacing) {
     for (const double step : sizes) {
         for (const double share : {0.0, 0.05, 0.09, 0.11, 0.4}) {
@@ -170,6 +196,14 @@ TEST(Passage, ThroughAGapIsNoneWhereItIsWiderThanATenthOfASpacing) {
             const std::int64_t expected = share < 0.1 ? 1 : 0;
             EXPECT_EQ(walls.count({{0, 0.31 * t, 0}, {0, -1.5 * t, 0}}, step), expected) << share << ' ' << step;
         }
+    }
+}
+
+TEST(Passage, WhereABedMeetsItselfAcrossAPeriodIsCounted) {
+    Walls bed;
+    bed.repeat_along_x().box({-3, -t, 0}, {3, 0, 0});
+    for (const double x : {-3.0, 2.99, 3.01}) {
+        EXPECT_EQ(bed.count({{x, 0.512 * t, 0}, {x + 0.1 * t, -1.5 * t, 0}}, sizes[1]), 1) << x;
     }
 }
 
