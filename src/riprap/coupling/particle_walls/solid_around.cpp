@@ -151,7 +151,8 @@ class SolidAround::Search {
 
     void look_at_corner(const Plane& one, const Plane& other, const Plane& third) {
         const double volume = dot(one.normal, cross(other.normal, third.normal));
-        if (third.part == one.part || third.part == other.part || volume * volume < parallel) {
+        if (third.part == one.part || third.part == other.part || std::abs(third.depth) >= least_ ||
+            volume * volume < parallel) {
             return;
         }
         const std::array<Vec3, 3> dual{1 / volume * cross(other.normal, third.normal),
