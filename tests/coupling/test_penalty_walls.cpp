@@ -149,6 +149,7 @@ TEST(PenaltyWalls, a_particle_that_goes_around_an_edge_or_a_tip_has_gone_through
     EXPECT_EQ(passages(plate, {0.502, 0.006, 0}, {0.502, -0.006, 0}), 0);
     const std::vector<geometry::Point2> knife{{-0.2, -0.05}, {0.4, 0}, {-0.2, 0.05}};  // centroid at 0
     EXPECT_EQ(passages(knife, {0.399, 0.003, 0}, {0.399, -0.003, 0}), 0);
+    EXPECT_EQ(passages(knife, {0.385, 0.005, 0}, {0.385, -0.005, 0}), 0);
     EXPECT_EQ(passages(knife, {0.36, 0.005, 0}, {0.36, -0.005, 0}), 1);
 }
 

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <ranges>
 
+#include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/particle_walls/near_parts.hpp"
+#include "riprap/coupling/particle_walls/passage.hpp"
+#include "riprap/coupling/particle_walls/touch.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {
 
 namespace {
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 constexpr std::int64_t block_size = 1024;  ///< particles whose pushes are kept together; decides no bit
 static_assert(block_size % fluid::SparseVectors::block_size == 0);
@@ -39,109 +38,6 @@ void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     });
 }
 
-/// Position of a part relative to a particle.
-struct Touch {
-    Vec3 place;       ///< of the particle's image [m]
-    Vec3 normal;      ///< n
-    double distance;  ///< of the nearest face, negative inside [m]
-    double reach;     ///< of the push [m]
-    std::int32_t body;
-};
-
-/// The part's, if it is nearer to a particle at one place than `within`.
-std::optional<Touch> touch_at(const PlacedPart& part, const Vec3& x, double within) {
-    if (norm_squared(x - part.pose.position) > part.reach * part.reach) {
-        return std::nullopt;
-    }
-    const Vec3 local = to_body(part.pose, x);
-    if (geometry::depth_below_faces(part.shape, local) <= -within) {
-        return std::nullopt;
-    }
-    const geometry::SurfacePoint near = geometry::closest_surface_point(part.shape, local);
-    if (near.distance >= within) {
-        return std::nullopt;
-    }
-    return Touch{x, rotate(part.pose.orientation, near.normal), near.distance, 0.5 * within, part.body};
-}
-
-/// Returns the deepest of the images of a particle.
-std::optional<Touch> deepest_touch(const PlacedPart& part, const Vec3& x, double within,
-                                   const fluid::PeriodicImages& images) {
-    const Vec3 nearest = std::isfinite(part.reach) ? images.nearest(x, part.pose.position) : x;
-    std::optional<Touch> deepest;
-    for (const Vec3& shift : images.shifts()) {
-        const std::optional<Touch> touch = touch_at(part, nearest + shift, within);
-        if (touch && (!deepest || touch->distance < deepest->distance)) {
-            deepest = touch;
-        }
-    }
-    return deepest;
-}
-
-/// Does the way from one place to another meet a convex part? In its frame.
-bool meets(const geometry::ConvexView& shape, const Vec3& from, const Vec3& to) {
-    double enter = 0, leave = 1;
-    for (int j = 0; j < shape.face_count; ++j) {
-        const double begin = dot(shape.normal(j), from) - shape.offset[j],
-                     end = dot(shape.normal(j), to) - shape.offset[j];
-        if (begin > 0 && end > 0) {
-            return false;
-        }
-        if (begin > 0) {
-            enter = std::max(enter, begin / (begin - end));
-        } else if (end > 0) {
-            leave = std::min(leave, begin / (begin - end));
-        }
-    }
-    return enter <= leave;
-}
-
-/// Distance from a place in a part to the tip at which two of its faces meet; infinite where they are parallel [m].
-double distance_to_tip(const geometry::ConvexView& shape, const Vec3& place, const Vec3& normal, const Vec3& other) {
-    constexpr double parallel = 1e-9;
-    const Vec3 towards = normal + other;
-    double distance = std::numeric_limits<double>::infinity();
-    if (norm_squared(towards) < parallel) {
-        return distance;
-    }
-    for (int j = 0; j < shape.face_count; ++j) {
-        const double rate = dot(shape.normal(j), towards);
-        if (rate > parallel) {
-            distance = std::min(distance, std::max(0.0, shape.offset[j] - dot(shape.normal(j), place)) / rate);
-        }
-    }
-    return distance * norm(towards);
-}
-
-/// Did a particle go through a part on its way [m] to the place of a touch? Not where it may have gone around a tip.
-bool went_through(const PlacedPart& part, const Touch& touch, const Vec3& way) {
-    constexpr double away = -0.5;
-    if (touch.distance * std::abs(touch.distance) >= norm_squared(way)) {
-        return false;  // it is farther out than it came
-    }
-    const Vec3 to = to_body(part.pose, touch.place), from = to_body(part.pose, touch.place - way);
-    if (!meets(part.shape, from, to)) {
-        return false;
-    }
-    const Vec3 before = geometry::closest_surface_point(part.shape, from).normal;
-    const Vec3 after = geometry::closest_surface_point(part.shape, to).normal;
-    return dot(before, after) < away && distance_to_tip(part.shape, 0.5 * (from + to), before, after) > 2 * norm(way);
-}
-
-/// The push of ground: of its surface as one, so that no edge between two triangles is felt.
-std::optional<Touch> touch_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double within,
-                                  const fluid::PeriodicImages& images) {
-    std::optional<Touch> deepest;
-    for (const Vec3& shift : images.shifts()) {
-        const auto near = ground.field.nearest(to_body(pose, x + shift), within);
-        if (near && near->distance < within && (!deepest || near->distance < deepest->distance)) {
-            deepest = Touch{x + shift, rotate(pose.orientation, near->normal), near->distance, 0.5 * within,
-                            ground.body.value};
-        }
-    }
-    return deepest;
-}
-
 /// Between opposite faces neither pushes beyond the middle.
 void meet_in_the_middle(std::vector<Touch>& touches) {
     constexpr double looking = -0.5;
@@ -160,7 +56,7 @@ PenaltySettings scaled_settings(const fluid::ParticleSettings& settings, double 
     const double stiffness = strength * settings.rest_density * settings.sound_speed * settings.sound_speed *
                              std::pow(settings.spacing, settings.domain.dimension - 2);
     return {reach * settings.spacing, stiffness, 2 * damping_ratio * std::sqrt(stiffness * settings.particle_mass),
-            settings.domain};
+            settings.spacing, settings.domain};
 }
 
 }  // namespace
@@ -193,10 +89,6 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
     passed_.assign(blocks_.size(), {});
     const fluid::PeriodicImages images(settings.domain);
-    const auto velocity_at = [&motion](std::int32_t body, const Vec3& x) {
-        const auto b = at(body);
-        return motion.velocity[b] + cross(motion.angular_velocity[b], x - motion.pose[b].position);
-    };
     parallel::for_ranges(particles.size(), block_size, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Push>& pushes = blocks_[at(begin / block_size)];
         pushes.clear();
@@ -211,10 +103,6 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
             for (const std::int32_t part : near) {
                 if (const auto touch = deepest_touch(parts[at(part)], particles.position[at(i)], within, images)) {
                     touches.push_back(*touch);
-                    const Vec3 speed = particles.velocity[at(i)] - velocity_at(touch->body, touch->place);
-                    if (went_through(parts[at(part)], *touch, settings.dt * speed)) {
-                        passed_[at(begin / block_size)].add({1, touch->body});
-                    }
                 }
             }
             for (const body::Ground& ground : grounds_) {
@@ -226,6 +114,12 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                     touches.push_back(*touch);
                 }
             }
+            if (touches.empty()) {
+                continue;
+            }
+            passed_[at(begin / block_size)].add(
+                passage_of({bodies, motion, parts, is_dry, images, settings.spacing, settings.dt},
+                           particles.position[at(i)], particles.velocity[at(i)], touches));
             meet_in_the_middle(touches);
             for (const Touch& touch : touches) {
                 const double overlap = touch.reach - touch.distance;
@@ -233,7 +127,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                     continue;
                 }
                 const double closing =
-                    dot(particles.velocity[at(i)] - velocity_at(touch.body, touch.place), touch.normal);
+                    dot(particles.velocity[at(i)] - velocity_at(motion, touch.body, touch.place), touch.normal);
                 const double factor = share.empty() ? 1 : share[at(touch.body)];
                 const double most = settings.hardest * std::max(0.0, settings.fastest_return - closing);
                 const double size =

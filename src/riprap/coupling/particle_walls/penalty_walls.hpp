@@ -24,6 +24,7 @@ struct PenaltySettings {
     double reach;            ///< r_0: the push begins at this distance from a face [m]
     double stiffness;        ///< k_s [N/m]; in 2D per metre of width
     double damping;          ///< k_d [N s/m]
+    double spacing;          ///< of the particles [m]
     fluid::Domain domain{};  ///< faces reach across its periodic sides
     /// v_r and m/dt: one push leaves a particle no faster away from the face than v_r [m/s], [kg/s].
     double fastest_return{std::numeric_limits<double>::infinity()}, hardest{std::numeric_limits<double>::infinity()};
@@ -75,9 +76,7 @@ class PenaltyWalls {
 
     /// The pushes of the last call, in the order of the particles, by blocks of them.
     std::span<const std::vector<Push>> pushes() const { return blocks_; }
-    /// Particles that went through a part since they were pushed before, one step ago: the way of a particle, relative
-    /// to the body, meets the part, and the faces nearest to its two ends look away from each other. A wall however
-    /// thin is gone through no more than once so, and a particle that goes around an edge is none.
+    /// Particles that went through solid since they were pushed before, one step ago (passage.hpp).
     const WallPassages& passages() const { return passages_; }
 
     std::size_t bytes() const { return bytes_of(blocks_) + bytes_of(passed_); }

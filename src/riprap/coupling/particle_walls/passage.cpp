@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/coupling/particle_walls/passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "riprap/body/may_move.hpp"
+#include "riprap/core/index.hpp"
+#include "riprap/coupling/particle_walls/solid_around.hpp"
+#include "riprap/geometry/convex_query.hpp"
+
+namespace riprap::coupling {
+
+namespace {
+
+constexpr double shut = 0.1;  ///< widest gap that is none, over the spacing [-]
+
+/// Tells whether two bodies are one solid where they touch.
+bool are_joined(const body::BodySet& bodies, std::int32_t a, std::int32_t b) {
+    return a == b || !(body::may_move(bodies, at(a)) || body::may_move(bodies, at(b)));
+}
+
+/// Adds those images of a part that come within the distance of a particle.
+void add_images(const PassageScene& scene, std::int64_t p, const Vec3& x, const Vec3& velocity, double within,
+                SolidAround& solid) {
+    const PlacedPart& part = scene.parts[at(p)];
+    const double reach = part.shape.circumradius + within;
+    const Vec3 nearest = std::isfinite(reach) ? scene.images.nearest(x, part.pose.position) : x;
+    for (const Vec3& shift : scene.images.shifts()) {
+        const Vec3 image = nearest + shift;
+        if (norm_squared(image - part.pose.position) <= reach * reach &&
+            geometry::depth_below_faces(part.shape, to_body(part.pose, image)) >= -within) {
+            solid.add(part.shape, part.pose, image,
+                      scene.dt * (velocity - velocity_at(scene.motion, part.body, image)));
+        }
+    }
+}
+
+/// Did the particle go through the solid that a body belongs to?
+bool went_through(const PassageScene& scene, std::int32_t body, const Vec3& x, const Vec3& velocity, double depth) {
+    const body::BodySet& bodies = scene.bodies;
+    const double within = 2 * (std::max(0.0, depth) + scene.spacing);
+    SolidAround solid(0.5 * shut * scene.spacing, within);
+    const bool is_alone = body::may_move(bodies, at(body));
+    const std::int64_t first = is_alone ? bodies.part_begin[at(body)] : 0;
+    const std::int64_t last = is_alone ? bodies.part_begin[at(body) + 1] : bodies.part_count();
+    for (std::int64_t p = first; p < last; ++p) {
+        const auto b = at(scene.parts[at(p)].body);
+        if ((is_alone || !body::may_move(bodies, b)) && (scene.is_dry.empty() || scene.is_dry[b] == 0)) {
+            add_images(scene, p, x, velocity, within, solid);
+        }
+    }
+    return solid.is_gone_through();
+}
+
+}  // namespace
+
+WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& velocity,
+                        std::span<const Touch> touches) {
+    const auto may_have = [&](const Touch& touch) {
+        const Vec3 way = scene.dt * (velocity - velocity_at(scene.motion, touch.body, touch.place));
+        return touch.distance * std::abs(touch.distance) < norm_squared(way) ||  // else it is farther out than it came
+               (touches.size() > 1 && touch.distance < shut * scene.spacing);
+    };
+    WallPassages passed;
+    for (auto touch = touches.begin(); touch != touches.end(); ++touch) {
+        const auto is_of_it = [&](const Touch& other) { return are_joined(scene.bodies, other.body, touch->body); };
+        if (!may_have(*touch) || std::any_of(touches.begin(), touch,
+                                             [&](const Touch& other) { return is_of_it(other) && may_have(other); })) {
+            continue;
+        }
+        double depth = 0;
+        bool has_part = false;  // nothing comes through ground alone
+        for (const Touch& other : touches) {
+            if (is_of_it(other)) {
+                depth = std::max(depth, -other.distance);
+                has_part = has_part || !other.is_ground;
+            }
+        }
+        if (has_part && went_through(scene, touch->body, x, velocity, depth)) {
+            passed.add({1, touch->body});
+        }
+    }
+    return passed;
+}
+
+}  // namespace riprap::coupling
