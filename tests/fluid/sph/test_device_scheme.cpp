@@ -152,6 +152,18 @@ TEST(DeviceScheme, has_the_same_bits_at_any_number_of_threads) {
     EXPECT_EQ(hash(3), alone);
 }
 
+TEST(DeviceScheme, leaves_schemes_that_have_none_to_the_host) {
+    for (const bool is_plain : {false, true}) {
+        const auto hash = [&](RunsOn where) {
+            Water water = heap(2, false);
+            water.settings.scheme = is_plain ? SphScheme::delta_sph : SphScheme::muller;
+            water.settings.is_plain = is_plain;
+            return hash_fields(run(std::move(water), where, 3).state);
+        };
+        EXPECT_EQ(hash(RunsOn::device), hash(RunsOn::host)) << is_plain;
+    }
+}
+
 TEST(DeviceScheme, needs_no_walls) {
     const auto drop = [](RunsOn where) {
         Water water = heap(2, false);

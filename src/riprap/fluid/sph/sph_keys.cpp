@@ -66,7 +66,7 @@ std::vector<KeyProblem> problems_of(const S& settings) {
     }
     const bool has_whole_powers =
         settings.state_equation != StateEquation::tait || settings.tait_exponent == std::floor(settings.tait_exponent);
-    if (settings.runs_on == RunsOn::device && !has_whole_powers) {
+    if (settings.is_on_device() && !has_whole_powers) {
         problems.push_back({"tait_exponent", "host and device round powers that are not whole in two ways",
                             "a whole tait_exponent with runs_on = \"device\""});
     }

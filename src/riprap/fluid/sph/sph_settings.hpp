@@ -44,6 +44,8 @@ struct SphSettings : ParticleSettings {
     /// Inflows, outflows and joints need layers that take part in the sums of a scheme with a rate of density.
     bool takes_openings() const { return scheme == SphScheme::delta_sph; }
     bool takes_joints() const { return scheme == SphScheme::delta_sph; }
+    /// Müller's scheme has no loops for a device, nor have sums in double.
+    bool is_on_device() const { return runs_on == RunsOn::device && scheme == SphScheme::delta_sph && !is_plain; }
 };
 
 }  // namespace riprap::fluid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/sph_step.hpp"
 
-#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/fluid/sph/kick.hpp"
@@ -100,8 +99,7 @@ void SphFluid::kick(ParticleState& state, const BoundaryParticles& walls, const 
 }
 
 std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings) {
-    if (settings.runs_on == RunsOn::device) {
-        RIPRAP_ASSERT(settings.scheme == SphScheme::delta_sph && !settings.is_plain, "what devices compute");
+    if (settings.is_on_device()) {
         return make_device_scheme(settings);
     }
     return std::make_unique<SphFluid>(settings);

@@ -163,7 +163,7 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
 void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
     warn_of_muller(build, sph);
     warn_of_courant(build, sph);
-    if (sph.runs_on == fluid::RunsOn::device && !fluid::has_device()) {
+    if (sph.is_on_device() && !fluid::has_device()) {
         build.warnings.push_back(
             fmt::format("fluid.runs_on = \"device\", but this program finds {} (docs/howto/device.md): the host "
                         "computes the bits of "
