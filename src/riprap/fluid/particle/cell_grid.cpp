@@ -125,21 +125,13 @@ CellGridView lay_out_cells(const Box& box, std::size_t count, const Domain& doma
 
 void CellGrid::build(std::span<const Vec3> points, const Domain& domain, double reach) {
     cells_ = lay_out_cells(box_of(points), points.size(), domain, reach, reach);
-    const std::int64_t cell_count = cells_.cell_count();
+    const auto count = static_cast<std::int64_t>(points.size());
     keys_.resize(points.size());
     points_.resize(points.size());
-    parallel::for_each(static_cast<std::int64_t>(points.size()), [&](std::int64_t i) {
-        const auto k = static_cast<std::size_t>(i);
-        // points that are not finite go behind the last cell
-        keys_[k] = static_cast<std::uint64_t>(is_finite(points[k]) ? cells_.cell_of(points[k]) : cell_count);
-        points_[k] = static_cast<std::uint32_t>(i);
-    });
+    start_.resize(static_cast<std::size_t>(cells_.cell_count()) + 1);
+    parallel::for_each(count, FindCell{cells_, points.data(), keys_.data(), points_.data()});
     parallel::sort_by_key(keys_, points_, key_buffer_, value_buffer_);
-    start_.resize(static_cast<std::size_t>(cell_count) + 1);
-    parallel::for_each(cell_count + 1, [&](std::int64_t cell) {
-        start_[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(
-            std::lower_bound(keys_.begin(), keys_.end(), static_cast<std::uint64_t>(cell)) - keys_.begin());
-    });
+    parallel::for_each(cells_.cell_count() + 1, FindStart{keys_.data(), count, start_.data()});
 }
 
 }  // namespace riprap::fluid

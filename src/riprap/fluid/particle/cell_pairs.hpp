@@ -15,40 +15,6 @@ struct alignas(16) PackedPlace {
     std::int32_t along[4];
 };
 
-/// Finds the cell of a particle, as a key to sort by; those that are not finite go behind the last one.
-struct FindCell {
-    CellGridView cells;
-    const Vec3* position;
-    std::uint64_t* key;
-    std::uint32_t* order;
-
-    RIPRAP_HD void operator()(std::int64_t i) const {
-        const Vec3& x = position[i];
-        key[i] = static_cast<std::uint64_t>(is_finite(x) ? cells.cell_of(x) : cells.cell_count());
-        order[i] = static_cast<std::uint32_t>(i);
-    }
-};
-
-/// Finds the first particle of a cell among sorted keys.
-struct FindStart {
-    const std::uint64_t* key;
-    std::int64_t count;
-    std::int32_t* start;
-
-    RIPRAP_HD void operator()(std::int64_t cell) const {
-        std::int64_t low = 0, high = count;
-        while (low < high) {
-            const std::int64_t middle = (low + high) / 2;
-            if (key[middle] < static_cast<std::uint64_t>(cell)) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        start[cell] = static_cast<std::int32_t>(low);
-    }
-};
-
 /// Writes places in the order of cells.
 struct PackPlace {
     FixedPoint fixed;
