@@ -36,27 +36,63 @@ void add_images(const PassageScene& scene, std::int64_t p, const Vec3& x, const 
     }
 }
 
+bool is_wet(const PassageScene& scene, std::size_t body) { return scene.is_dry.empty() || scene.is_dry[body] == 0; }
+
 /// Did the particle go through the solid that a body belongs to?
-bool went_through(const PassageScene& scene, std::int32_t body, const Vec3& x, const Vec3& velocity, double depth) {
+bool went_through(const PassageScene& scene, std::int32_t body, const Vec3& x, const Vec3& velocity, double depth,
+                  PartsAround& around) {
     const body::BodySet& bodies = scene.bodies;
     const double within = 2 * (std::max(0.0, depth) + scene.spacing);
     SolidAround solid(0.5 * shut * scene.spacing, within);
-    const bool is_alone = body::may_move(bodies, at(body));
-    const std::int64_t first = is_alone ? bodies.part_begin[at(body)] : 0;
-    const std::int64_t last = is_alone ? bodies.part_begin[at(body) + 1] : bodies.part_count();
-    for (std::int64_t p = first; p < last; ++p) {
-        const auto b = at(scene.parts[at(p)].body);
-        if ((is_alone || !body::may_move(bodies, b)) && (scene.is_dry.empty() || scene.is_dry[b] == 0)) {
+    if (!body::may_move(bodies, at(body))) {
+        for (const std::int32_t part : around.within(within)) {
+            add_images(scene, part, x, velocity, within, solid);
+        }
+    } else if (is_wet(scene, at(body))) {
+        for (std::int64_t p = bodies.part_begin[at(body)]; p < bodies.part_begin[at(body) + 1]; ++p) {
             add_images(scene, p, x, velocity, within, solid);
         }
     }
     return solid.is_gone_through();
 }
 
+/// How far a part is from a place at least, along the axes that do not repeat [m].
+double least_distance(const PassageScene& scene, const PlacedPart& part, const Vec3& place) {
+    Vec3 apart = place - part.pose.position;
+    for (const Vec3& shift : scene.images.shifts()) {
+        for (int axis = 0; axis < 3; ++axis) {
+            apart[axis] = shift[axis] != 0 ? 0 : apart[axis];
+        }
+    }
+    return norm(apart) - part.shape.circumradius;
+}
+
 }  // namespace
 
-WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& velocity,
-                        std::span<const Touch> touches) {
+std::span<const std::int32_t> PartsAround::within(double distance) {
+    if (distance <= distance_ || particles_.empty()) {
+        return parts_;
+    }
+    constexpr double room = 1.5;  // for particles that are deeper
+    distance_ = room * distance;
+    parts_.clear();
+    const Vec3& one = particles_.front();
+    double farthest = 0;
+    for (const Vec3& x : particles_) {
+        farthest = std::max(farthest, norm(x - one));
+    }
+    for (std::size_t p = 0; p < scene_.parts.size(); ++p) {
+        const auto body = at(scene_.parts[p].body);
+        if (!body::may_move(scene_.bodies, body) && is_wet(scene_, body) &&
+            least_distance(scene_, scene_.parts[p], one) <= distance_ + farthest) {
+            parts_.push_back(static_cast<std::int32_t>(p));
+        }
+    }
+    return parts_;
+}
+
+WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& velocity, std::span<const Touch> touches,
+                        PartsAround& around) {
     const auto may_have = [&](const Touch& touch) {
         const Vec3 way = scene.dt * (velocity - velocity_at(scene.motion, touch.body, touch.place));
         return touch.distance * std::abs(touch.distance) < norm_squared(way) ||  // else it is farther out than it came
@@ -77,7 +113,7 @@ WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& ve
                 has_part = has_part || !other.is_ground;
             }
         }
-        if (has_part && went_through(scene, touch->body, x, velocity, depth)) {
+        if (has_part && went_through(scene, touch->body, x, velocity, depth, around)) {
             passed.add({1, touch->body});
         }
     }

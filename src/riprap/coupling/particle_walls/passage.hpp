@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/motion.hpp"
@@ -28,10 +29,27 @@ struct PassageScene {
     double dt;       ///< [s]
 };
 
+/// The wet parts of bodies that no force moves about a block of particles, looked up when one of these may have gone
+/// through.
+class PartsAround {
+ public:
+    PartsAround(const PassageScene& scene, std::span<const Vec3> particles) : scene_(scene), particles_(particles) {}
+    /// Returns those within a distance of any of the particles [m], and perhaps some more, in the order of parts.
+    std::span<const std::int32_t> within(double distance);
+
+ private:
+    const PassageScene& scene_;
+    std::span<const Vec3> particles_;
+    double distance_{-1};  ///< that parts_ is for
+    std::vector<std::int32_t> parts_;
+};
+
 /// Tells whether a particle has gone through solid on its way of the last step: through a body that forces move, or
 /// through all bodies that none moves, which are one solid where they touch (SolidAround). Joints between a body that
 /// forces move and others are not shut, nor are gaps wider than a tenth of a spacing.
 /// @param touches  of the particle with all parts and grounds that are near it
-WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& velocity, std::span<const Touch> touches);
+/// @param around   parts about particles of which it is one
+WallPassages passage_of(const PassageScene& scene, const Vec3& x, const Vec3& velocity, std::span<const Touch> touches,
+                        PartsAround& around);
 
 }  // namespace riprap::coupling

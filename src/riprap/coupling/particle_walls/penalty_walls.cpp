@@ -89,10 +89,12 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
     passed_.assign(blocks_.size(), {});
     const fluid::PeriodicImages images(settings.domain);
+    const PassageScene scene{bodies, motion, parts, is_dry, images, settings.spacing, settings.dt};
     parallel::for_ranges(particles.size(), block_size, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Push>& pushes = blocks_[at(begin / block_size)];
         pushes.clear();
         std::vector<Touch> touches;
+        PartsAround around(scene, std::span(particles.position).subspan(at(begin), at(end - begin)));
         for (std::int64_t i = begin; i < end; ++i) {
             const std::span<const std::int32_t> near = near_parts.of_block(i / NearParts::block_size);
             if (near.empty() && grounds_.empty()) {
@@ -118,8 +120,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                 continue;
             }
             passed_[at(begin / block_size)].add(
-                passage_of({bodies, motion, parts, is_dry, images, settings.spacing, settings.dt},
-                           particles.position[at(i)], particles.velocity[at(i)], touches));
+                passage_of(scene, particles.position[at(i)], particles.velocity[at(i)], touches, around));
             meet_in_the_middle(touches);
             for (const Touch& touch : touches) {
                 const double overlap = touch.reach - touch.distance;
