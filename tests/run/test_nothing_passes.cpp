@@ -20,6 +20,7 @@ struct End {
     std::string reason;  ///< of the refusal; empty where the end was reached
     double time;         ///< [s]
     std::int64_t retries;
+    std::string remedy{};
 };
 
 End end_of(const std::string& text) {
@@ -27,7 +28,7 @@ End end_of(const std::string& text) {
     while (simulation.steps_left() > 0) {
         const StepOutcome outcome = simulation.step(sim::Measure::flow);
         if (outcome.kind == StepOutcome::Kind::refused) {
-            return {outcome.why.text, simulation.state().time, simulation.summary().retries};
+            return {outcome.why.text, simulation.state().time, simulation.summary().retries, outcome.why.remedy};
         }
     }
     return {"", simulation.state().time, simulation.summary().retries};
@@ -58,6 +59,17 @@ TEST(NothingPasses, ThroughAFloorThatCannotCarryItsWeight) {
     const End end = end_of(gravity + "end = 1\n" + rock("1000") + floor_of_rock +
                            body("block", "cube = 1", "position = [0, 0, 0.5]"));
     EXPECT_THAT(end.reason, AllOf(HasSubstr("block"), HasSubstr("ground")));
+}
+
+TEST(NothingPasses, AsSpheresAreTooSoft) {
+    const auto end = [](const std::string& law) {
+        return end_of(gravity + "end = 1\n" + rock("1e7") + "[solid]\nmethod = 'sphere_dem'\n" + law + floor_of_rock +
+                      body("ball", "sphere = 0.1", "position = [0, 0, 0.5]"));
+    };
+    const End hertz = end("youngs_modulus = 1e3\n"), springs = end("normal_law = 'linear'\nspring_stiffness = 100\n");
+    EXPECT_THAT(hertz.reason, AllOf(HasSubstr("ball"), HasSubstr("ground"), HasSubstr("overlap")));
+    EXPECT_THAT(hertz.remedy, HasSubstr("solid.youngs_modulus above 1000 Pa"));
+    EXPECT_THAT(springs.remedy, HasSubstr("solid.spring_stiffness above 100 N/m"));
 }
 
 TEST(NothingPasses, AsItIsTooFastForTheStep) {

@@ -21,6 +21,17 @@
 
 namespace riprap::solid {
 
+namespace {
+
+/// What carries an impact that went too deep.
+std::string stiffer(const SphereDemSettings& settings) {
+    return settings.laws.normal == contact::NormalLaw::hertz
+               ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", settings.youngs_modulus)
+               : fmt::format("a solid.spring_stiffness above {:.4g} N/m", settings.spring_stiffness);
+}
+
+}  // namespace
+
 std::size_t SphereDem::Scratch::bytes() const {
     return bytes_of(spheres.body, spheres.radius, spheres.local, buffers.placed.records, buffers.slots.a,
                     buffers.slots.b, buffers.slots.ends, buffers.load_rows.rows) +
@@ -191,9 +202,11 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     }
     if (!(sums.deepest <= settings_->laws.max_overlap)) {
         const sphere_dem::DeepestContact deepest = deepest_contact(model(), *fields_, buffers);
-        return {fmt::format(
-            "{} and {} overlap by {:.4g} of the smaller sphere's radius at t = {:.9g} s; allowed: {:.4g}",
-            bodies.name(deepest.a), bodies.name(deepest.b), sums.deepest, kick_time, settings_->laws.max_overlap)};
+        return {
+            fmt::format("{} and {} overlap by {:.4g} of the smaller sphere's radius at t = {:.9g} s; allowed: {:.4g}",
+                        bodies.name(deepest.a), bodies.name(deepest.b), sums.deepest, kick_time,
+                        settings_->laws.max_overlap),
+            0, stiffer(*settings_)};
     }
     return overlap_of_faces;
 }
