@@ -56,7 +56,7 @@ bool went_through(const PassageScene& scene, std::int32_t body, const Vec3& x, c
     return solid.is_gone_through();
 }
 
-/// How far a part is from a place at least, along the axes that do not repeat [m].
+/// Returns the least distance of a part from a place, along the axes that do not repeat [m].
 double least_distance(const PassageScene& scene, const PlacedPart& part, const Vec3& place) {
     Vec3 apart = place - part.pose.position;
     for (const Vec3& shift : scene.images.shifts()) {

@@ -186,8 +186,6 @@ class CellGrid {
         view.points = points_.data();
         return view;
     }
-    std::span<const std::int32_t> starts() const { return start_; }
-    std::span<const std::uint32_t> points() const { return points_; }
 
     template <class F>
     void for_each_near(const Vec3& x, F&& f) const {

@@ -23,7 +23,7 @@ namespace riprap::solid {
 
 namespace {
 
-/// What carries an impact that went too deep.
+/// Names the key that makes contacts stiff enough, with its value now.
 std::string stiffer(const SphereDemSettings& settings) {
     return settings.laws.normal == contact::NormalLaw::hertz
                ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", settings.youngs_modulus)
