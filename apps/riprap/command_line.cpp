@@ -147,7 +147,7 @@ void add_matrix(CLI::App& app, Action& action) {
     });
 }
 
-void add_validate(CLI::App& app, Action& action) {
+void add_validate(CLI::App& app, Action& action, const Words& words, const BuiltIn& built_in) {
     auto options = std::make_shared<validation::ValidateOptions>();
     CLI::App* command = app.add_subcommand("validate", "Run validation suites and compare with published answers");
     command->footer("Example:\n  riprap validate rigid water/standing_wave --report report");
@@ -160,15 +160,18 @@ void add_validate(CLI::App& app, Action& action) {
     auto threads = std::make_shared<int>(0);
     command->add_option("--threads", *threads, "Threads (default: OMP_NUM_THREADS, or else all)")
         ->check(CLI::Range(1, max_threads));
-    command->callback([&action, options, threads, report] {
-        action = [options, threads, report] {
+    command->callback([&action, &words, &built_in, options, threads, report] {
+        action = [&words, &built_in, options, threads, report] {
+            if (!built_in.validate) {
+                return start_program("riprap-validate", words);
+            }
             run::use_threads(*threads);
-            return report->empty() ? validation::validate_main(*options) : validate_with_report(*options, *report);
+            return built_in.validate(*options, *report);
         };
     });
 }
 
-void add_list(CLI::App& app, Action& action) {
+void add_list(CLI::App& app, Action& action, const Words& words, const BuiltIn& built_in) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
     command->footer("Example:\n  riprap list --costs");
     auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
@@ -179,10 +182,16 @@ void add_list(CLI::App& app, Action& action) {
         ->add_flag("--costs", *as_costs,
                    "What the run of each case takes on this machine, by some steps of it: a minute in all")
         ->excludes(names);
-    command->callback([&action, as_json, as_names, as_costs] {
-        action = [as_json, as_names, as_costs] {
+    command->callback([&action, &words, &built_in, as_json, as_names, as_costs] {
+        action = [&words, &built_in, as_json, as_names, as_costs] {
             end_with_reader();
-            return *as_names ? print_case_names() : *as_costs ? print_costs(*as_json) : print_list(*as_json);
+            if (*as_names || *as_costs) {
+                return *as_names ? print_case_names() : print_costs(*as_json);
+            }
+            if (!built_in.published && has_program("riprap-validate")) {
+                return start_program("riprap-validate", words);
+            }
+            return print_list(built_in.published, *as_json);
         };
     });
 }
@@ -207,7 +216,7 @@ void add_schema(CLI::App& app, Action& action) {
     });
 }
 
-void add_bench(CLI::App& app, Action& action) {
+void add_bench(CLI::App& app, Action& action, const Words& words, const BuiltIn& built_in) {
     auto options = std::make_shared<bench::BenchOptions>();
     CLI::App* command = app.add_subcommand("bench", "Measure the machine and how fast Riprap is on it");
     command->footer("Example:\n  riprap bench contact step.dam_break");
@@ -216,7 +225,11 @@ void add_bench(CLI::App& app, Action& action) {
     command->add_flag("--json", options->as_json, "As JSON");
     command->add_option("--threads", options->threads, "Measure with 1 thread and with this many (default: all)")
         ->check(CLI::Range(1, max_threads));
-    command->callback([&action, options] { action = [options] { return bench::bench_main(*options); }; });
+    command->callback([&action, &words, &built_in, options] {
+        action = [&words, &built_in, options] {
+            return built_in.bench ? built_in.bench(*options) : start_program("riprap-bench", words);
+        };
+    });
 }
 
 void add_version(CLI::App& app, Action& action) {
@@ -236,7 +249,7 @@ void add_version(CLI::App& app, Action& action) {
 
 void end_with_reader() { std::signal(SIGPIPE, SIG_DFL); }
 
-int command_line(int argument_count, char** arguments) {
+int command_line(const Words& words, const BuiltIn& built_in) {
     CLI::App app("Riprap: discrete solid blocks in and under water", "riprap");
     app.require_subcommand(1);
     app.set_version_flag("--version", "riprap " + run::build_info().version, "Print the version and exit");
@@ -248,24 +261,24 @@ int command_line(int argument_count, char** arguments) {
     add_new(app, action);
     add_sweep(app, action);
     add_matrix(app, action);
-    add_validate(app, action);
+    add_validate(app, action, words, built_in);
     add_commands_of_runs(app, action);
-    add_list(app, action);
+    add_list(app, action, words, built_in);
     add_schema(app, action);
-    add_bench(app, action);
+    add_bench(app, action, words, built_in);
     add_version(app, action);
     add_completion(app, action);
     add_man(app, action);
-    if (argument_count <= 1) {
+    if (words.count <= 1) {
         end_with_reader();
         fmt::print("{}", app.help());
         return static_cast<int>(ExitCode::success);
     }
     try {
-        app.parse(argument_count, arguments);
+        app.parse(words.count, words.words);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) {
-            return refuse(app, error, {arguments + 1, arguments + argument_count});
+            return refuse(app, error, {words.words + 1, words.words + words.count});
         }
         end_with_reader();
         app.exit(error);  // prints the help or the version that was asked for

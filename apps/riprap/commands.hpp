@@ -2,14 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "built_in.hpp"
 #include "riprap/run/matrix.hpp"
 
-namespace riprap::validation {
-struct ValidateOptions;
-}
 namespace riprap::run {
 struct EnsembleOptions;
 }
@@ -25,7 +24,9 @@ namespace riprap {
 int print_version(bool as_json);
 
 /// Prints the cases and suites that `riprap run` and `riprap validate` find by name.
-int print_list(bool as_json);
+/// `published` are those of the validation, or null where this program does not know them all: those with a case file
+/// are listed then, and how to see the others.
+int print_list(const std::function<std::vector<ListedCase>()>& published, bool as_json);
 /// Prints the cases and the cost of their runs on this machine, estimated from some steps of each.
 int print_costs(bool as_json);
 /// Prints the names of all cases, one a line, for the completion of shells.
@@ -67,8 +68,5 @@ int plot_run(const PlotOptions& options);
 
 /// The waves that the level and surface gauges of a run recorded, and how much of them was reflected.
 int print_waves(const std::filesystem::path& folder, const view::WaveRequest& request, bool as_json);
-
-/// Validates and writes one page with every result and plot into a folder.
-int validate_with_report(const validation::ValidateOptions& options, const std::filesystem::path& folder);
 
 }  // namespace riprap

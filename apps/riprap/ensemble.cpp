@@ -6,7 +6,7 @@
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/plot_svg.hpp"
 #include "riprap/view/sweep_page.hpp"
 
 namespace riprap {
@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t most_bands = 8;  // as many colours as a plot has
 
 /// The bands that share the unit of the first one: the mean as a line, the limits dashed.
-validation::Plot plot_of(const run::Bands& bands) {
-    validation::Plot plot;
+view::Plot plot_of(const run::Bands& bands) {
+    view::Plot plot;
     plot.title = "Ensemble: mean, least and largest of the members";
     plot.x.label = "time [s]";
     int color = 0;
@@ -25,7 +25,7 @@ validation::Plot plot_of(const run::Bands& bands) {
         if (band.column.unit != bands.bands.front().column.unit || plot.curves.size() >= 3 * most_bands) {
             continue;
         }
-        using validation::CurveStyle;
+        using view::CurveStyle;
         plot.curves.push_back({band.column.name, bands.time, band.mean, CurveStyle::line, color});
         plot.curves.push_back({"", bands.time, band.low, CurveStyle::dashed, color});
         plot.curves.push_back({"", bands.time, band.high, CurveStyle::dashed, color});
@@ -48,7 +48,7 @@ int run_ensemble(const run::EnsembleOptions& options) {
     }
     const run::Bands bands = run::gather_bands(folders);
     if (!bands.bands.empty()) {
-        validation::write_svg(options.run.out / "bands.svg", plot_of(bands));
+        view::write_svg(options.run.out / "bands.svg", plot_of(bands));
     }
     const std::filesystem::path page = view::write_ensemble_page(options.run.out);
     if (!options.run.quiet) {

@@ -10,7 +10,6 @@
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/progress.hpp"
 #include "riprap/run/run_cost.hpp"
-#include "riprap/validation/registry.hpp"
 
 namespace riprap {
 
@@ -18,35 +17,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Entry {
-    std::string name, title, file;  ///< the file is empty where the case is built in code
-    bool is_long{false};            ///< only run when asked for by name or with --full
-};
-
-std::vector<Entry> examples() {
-    std::vector<Entry> entries;
-    for (const run::KnownCase& known : run::known_cases("cases")) {
-        entries.push_back({known.name, known.title, known.file.string()});
+std::vector<ListedCase> with_files(const std::string& folder) {
+    std::vector<ListedCase> cases;
+    for (const run::KnownCase& known : run::known_cases(folder)) {
+        cases.push_back({known.name, known.title, known.file.string()});
     }
-    return entries;
+    return cases;
 }
 
-std::vector<Entry> validations() {
-    const std::vector<run::KnownCase> files = run::known_cases("validation");
-    std::vector<Entry> entries;
-    for (const validation::ValidationCase& one : validation::all_cases()) {
-        Entry entry{fmt::format("{}/{}", one.suite, one.name), std::string(one.title), "", one.is_long};
-        const auto file = std::find_if(files.begin(), files.end(),
-                                       [&entry](const run::KnownCase& known) { return known.name == entry.name; });
-        entry.file = file == files.end() ? "" : file->file.string();
-        entries.push_back(std::move(entry));
-    }
-    return entries;
-}
+std::vector<ListedCase> examples() { return with_files("cases"); }
 
-Json to_json(const std::vector<Entry>& entries) {
+Json to_json(const std::vector<ListedCase>& entries) {
     Json list = Json::array();
-    for (const Entry& entry : entries) {
+    for (const ListedCase& entry : entries) {
         list.push_back({{"name", entry.name},
                         {"title", entry.title},
                         {"file", entry.file.empty() ? Json() : Json(entry.file)},
@@ -55,13 +38,13 @@ Json to_json(const std::vector<Entry>& entries) {
     return list;
 }
 
-void print(const std::string& heading, const std::vector<Entry>& entries) {
+void print(const std::string& heading, const std::vector<ListedCase>& entries) {
     std::size_t width = 0;
-    for (const Entry& entry : entries) {
+    for (const ListedCase& entry : entries) {
         width = std::max(width, entry.name.size());
     }
     fmt::print("{}\n", heading);
-    for (const Entry& entry : entries) {
+    for (const ListedCase& entry : entries) {
         fmt::print("  {:<{}}  {}{}\n", entry.name, width, entry.title, entry.is_long ? " (long)" : "");
     }
     if (entries.empty()) {
@@ -72,7 +55,7 @@ void print(const std::string& heading, const std::vector<Entry>& entries) {
 }  // namespace
 
 int print_case_names() {
-    for (const Entry& entry : examples()) {
+    for (const ListedCase& entry : examples()) {
         fmt::print("{}\n", entry.name);
     }
     return 0;
@@ -81,11 +64,11 @@ int print_case_names() {
 int print_costs(bool as_json) {
     constexpr double budget = 1.5;  // [s] a case
     Json list = Json::array();
-    const std::vector<Entry> cases = examples();
+    const std::vector<ListedCase> cases = examples();
     if (!as_json) {
         fmt::print("{:<20} {:>9} {:>7} {:>9}  about\n", "case", "particles", "bodies", "steps");
     }
-    for (const Entry& entry : cases) {
+    for (const ListedCase& entry : cases) {
         run::RunCost cost;
         try {
             cost = run::measure_cost(scene::read_case(entry.file), budget);
@@ -112,8 +95,8 @@ int print_costs(bool as_json) {
     return 0;
 }
 
-int print_list(bool as_json) {
-    const std::vector<Entry> cases = examples(), suites = validations();
+int print_list(const std::function<std::vector<ListedCase>()>& published, bool as_json) {
+    const std::vector<ListedCase> cases = examples(), suites = published ? published() : with_files("validation");
     if (as_json) {
         const Json answer{{"cases", to_json(cases)}, {"validation", to_json(suites)}};
         fmt::print("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -121,6 +104,9 @@ int print_list(bool as_json) {
     }
     print("cases (riprap run NAME; what each takes: riprap list --costs)", cases);
     print("validation (riprap validate SUITE/CASE)", suites);
+    if (!published) {
+        fmt::print("  and cases without a file, listed once `riprap validate` has built its program\n");
+    }
     return 0;
 }
 

@@ -11,9 +11,9 @@
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/scene/text/suggest.hpp"
-#include "riprap/validation/plot_svg.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/browser.hpp"
+#include "riprap/view/plot_svg.hpp"
 #include "riprap/view/recorded_run.hpp"
 
 namespace riprap {
@@ -151,15 +151,15 @@ std::string stacked(const std::vector<std::string>& panels) {
 }
 
 /// `is_change` draws what has changed since the first row: a large constant would flatten everything else.
-validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>& sources, bool is_change) {
-    validation::Plot plot;
+view::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>& sources, bool is_change) {
+    view::Plot plot;
     plot.title = run.title;
     plot.subtitle = run.status;
     plot.x.label = "time [s]";
     plot.y.label = fmt::format("{}{}[{}]", sources.size() == 1 ? sources.front().heading().name + ' ' : "",
                                is_change ? "change since the start " : "", sources.front().heading().unit);
     for (const Source& source : sources) {
-        validation::Curve curve;
+        view::Curve curve;
         curve.label = source.heading().name;
         const std::vector<double>& values = source.table->values[source.column];
         const double start = is_change && !values.empty() ? values.front() : 0;
@@ -168,9 +168,9 @@ validation::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>
             curve.x.push_back(source.table->values[0][i]);
             curve.y.push_back(values[i] - start);
         }
-        constexpr std::array<validation::CurveStyle, 3> styles{
-            validation::CurveStyle::line, validation::CurveStyle::dashed, validation::CurveStyle::markers};
-        curve.style = styles[plot.curves.size() / validation::color_count % styles.size()];
+        constexpr std::array<view::CurveStyle, 3> styles{view::CurveStyle::line, view::CurveStyle::dashed,
+                                                         view::CurveStyle::markers};
+        curve.style = styles[plot.curves.size() / view::color_count % styles.size()];
         plot.curves.push_back(std::move(curve));
     }
     return plot;
@@ -200,7 +200,7 @@ int plot_run(const PlotOptions& options) {
     const bool is_change = !is_asked && sources.front().table == &run.ledger;
     std::vector<std::string> panels;
     for (const std::vector<Source>& panel : by_unit(sources)) {
-        panels.push_back(validation::to_svg(plot_of(run, panel, is_change)));
+        panels.push_back(view::to_svg(plot_of(run, panel, is_change)));
     }
     const std::string svg = stacked(panels);
     const std::filesystem::path out = options.out.empty() ? options.folder / "plot.svg" : options.out;

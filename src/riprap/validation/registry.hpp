@@ -8,10 +8,16 @@
 #include <vector>
 
 #include "riprap/validation/after_step.hpp"
-#include "riprap/validation/plot_svg.hpp"
 #include "riprap/validation/result.hpp"
+#include "riprap/view/plot_svg.hpp"
 
 namespace riprap::validation {
+
+// Every case draws its curves with these.
+using view::Axis;
+using view::Curve;
+using view::CurveStyle;
+using view::Plot;
 
 /// Input of a case besides its report.
 struct CaseSetting {

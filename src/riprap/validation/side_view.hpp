@@ -6,7 +6,7 @@
 
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
-#include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/plot_svg.hpp"
 
 namespace riprap::validation {
 

@@ -7,8 +7,8 @@
 
 #include "riprap/solid/planar_dda/pieces.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
-#include "riprap/validation/plot_svg.hpp"
 #include "riprap/validation/result.hpp"
+#include "riprap/view/plot_svg.hpp"
 
 namespace riprap::validation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace riprap::validation {
+namespace riprap::view {
 
 /// Colours that curves get in turn.
 constexpr std::size_t color_count = 8;
@@ -44,4 +44,4 @@ void write_svg(const std::filesystem::path& path, const Plot& plot);
 /// Values at which an axis from low to high is marked: about `count` round numbers (1, 2 or 5 times a power of ten).
 std::vector<double> axis_ticks(double low, double high, int count);
 
-}  // namespace riprap::validation
+}  // namespace riprap::view

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/plot_svg.hpp"
 
-namespace riprap::validation {
+namespace riprap::view {
 namespace {
 
 using testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(AxisTicks, are_round_numbers_inside_the_range) {
 }
 
 }  // namespace
-}  // namespace riprap::validation
+}  // namespace riprap::view

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/validation/plot_svg.hpp"
+#include "riprap/view/plot_svg.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "riprap/core/error.hpp"
 
-namespace riprap::validation {
+namespace riprap::view {
 
 namespace {
 
@@ -269,4 +269,4 @@ void write_svg(const std::filesystem::path& path, const Plot& plot) {
     }
 }
 
-}  // namespace riprap::validation
+}  // namespace riprap::view
