@@ -9,6 +9,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
+#include "riprap/solid/affine/seams.hpp"
 
 namespace riprap::solid::affine {
 
@@ -71,15 +72,15 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
 
 /// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
 void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, const contact::PlacedHull& b,
-                  const BlockContactHistory& history, RowsOfPairs& rows, double reach, Vec3& separating,
-                  std::vector<BlockContact>& found) {
+                  const BlockContactHistory& history, RowsOfPairs& rows, double reach, const Seams& seams,
+                  Vec3& separating, std::vector<BlockContact>& found) {
     if (norm_squared(separating) > 0 && plane_gap(a, b, separating) > reach) {
         return;
     }
     const auto [begin, end] = rows.of(pair);
     const contact::PlaneFeature before =
         begin < end ? contact::unpack_feature(history.plane[begin]) : contact::PlaneFeature{};
-    const contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
+    contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
     if (plane.gap > reach) {
         separating = plane.normal;
         return;
@@ -87,7 +88,13 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
     const double widest = 0.1 * std::min(size_of(a), size_of(b));
     contact::PlaneContacts points;
     // Takes what may close within the reach of a step too, not only what touches now.
-    find_plane_contacts(a, b, plane, std::max(contact_tolerance(a, b, plane), std::min(reach, widest)), points);
+    const auto find_points = [&] {
+        find_plane_contacts(a, b, plane, std::max(contact_tolerance(a, b, plane), std::min(reach, widest)), points);
+    };
+    find_points();
+    if (seams.open_plane(pair, points, plane)) {
+        find_points();
+    }
     const std::size_t first = found.size();
     for (int k = 0; k < points.count; ++k) {
         const contact::PlaneContact& point = points.contacts[at(k)];
@@ -207,6 +214,7 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
     find_pairs(system, state, placed, reach);
     const std::int64_t count = pair_count();
     chunks_.resize(at((count + grain - 1) / grain));
+    const Seams seams(system, state, placed, pairs_, reach);
     parallel::for_ranges(count, grain, [&](std::int64_t begin, std::int64_t end) {
         std::vector<BlockContact>& chunk = chunks_[at(begin / grain)];
         chunk.clear();
@@ -225,7 +233,7 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
                 }
             }
             find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, rows,
-                         reach, separating_[at(p)], chunk);
+                         reach, seams, separating_[at(p)], chunk);
         }
     });
     contacts_.clear();

@@ -6,74 +6,12 @@
 #include <numbers>
 
 #include "riprap/core/index.hpp"
+#include "riprap/solid/planar_dda/contact_scene.hpp"
+#include "riprap/solid/planar_dda/seams.hpp"
 
 namespace riprap::solid::planar_dda {
 
 namespace {
-
-std::uint64_t key_of(std::int32_t corner, std::int32_t edge) {
-    return (static_cast<std::uint64_t>(corner) << 32) | static_cast<std::uint32_t>(edge);
-}
-
-/// Input of one search.
-struct Scene {
-    const Model& model;
-    const State& state;
-    const Settings& settings;
-    const std::vector<Vec2>& corners;
-    double reach;
-
-    Vec2 place(std::int32_t corner) const { return corners[at(corner)]; }
-    std::int32_t next(std::int32_t corner) const { return model.corner_next[at(corner)]; }
-    std::int32_t before(std::int32_t corner) const { return model.corner_before[at(corner)]; }
-    Vec2 center(std::int32_t block) const { return {state.x[at(block)], state.y[at(block)]}; }
-    CornerAndEdge pair(std::int32_t corner, std::int32_t edge) const {
-        return {place(corner), place(edge), place(next(edge)), center(model.corner_block[at(corner)]),
-                center(model.corner_block[at(edge)])};
-    }
-    /// Index into the contacts of the state, or -1.
-    std::int64_t remembered(std::int32_t corner, std::int32_t edge) const {
-        const auto count = static_cast<std::int64_t>(state.contact_corner.size());
-        std::int64_t low = 0, high = count;
-        const std::uint64_t wanted = key_of(corner, edge);
-        while (low < high) {
-            const std::int64_t middle = (low + high) / 2;
-            if (key_of(state.contact_corner[at(middle)], state.contact_edge[at(middle)]) < wanted) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        const bool is_there =
-            low < count && state.contact_corner[at(low)] == corner && state.contact_edge[at(low)] == edge;
-        return is_there ? low : -1;
-    }
-    /// An open contact is not looked for deeper than this: behind it lies the other side of a block [m].
-    double depth(std::int32_t corner, std::int32_t edge) const {
-        const double narrow =
-            std::min(model.width[at(model.corner_block[at(corner)])], model.width[at(model.corner_block[at(edge)])]);
-        return std::min(reach, 0.5 * narrow);
-    }
-    bool is_closed(std::int32_t corner, std::int32_t edge) const {
-        const std::int64_t old = remembered(corner, edge);
-        return old >= 0 && state.contact_mode[at(old)] != static_cast<std::uint8_t>(Mode::open);
-    }
-};
-
-struct GapAndFoot {
-    double gap, foot, length;
-};
-GapAndFoot gap_and_foot(const Scene& scene, std::int32_t corner, std::int32_t edge) {
-    const Vec2 end = scene.place(scene.next(edge)), line = scene.place(edge) - end, to = scene.place(corner) - end;
-    const double length = norm(line);
-    return {cross(line, to) / length, dot(line, to) / (length * length), length};
-}
-
-/// Distance of the foot beyond the ends of the edge [m].
-double beyond_ends(const GapAndFoot& g) { return g.length * std::max({0.0, -g.foot, g.foot - 1}); }
-
-/// A foot may lie outside of its edge by this share of its length.
-constexpr double foot_slack = 1e-3;
 
 /// Corner against edge where no other corner is near.
 void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, ContactSearch& search) {
@@ -93,16 +31,12 @@ void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, Co
     }
 }
 
-/// A corner and an edge.
-using Key = std::pair<std::int32_t, std::int32_t>;
-
 /// Ways in at two convex corners: none where their cones leave none from outside, one, or two that share it.
 struct Entrances {
     int count{0};
     Key key[2]{};
+    bool is_at_seam{false};  ///< the other one is hidden by a third block
 };
-
-bool is_foot_on_edge(const GapAndFoot& g) { return g.foot >= -foot_slack && g.foot <= 1 + foot_slack; }
 
 /// Two lines that are nearly one: who stands on whom. Both, where both do.
 Entrances standing_entrances(const Scene& scene, const Key& first, const Key& second) {
@@ -114,17 +48,28 @@ Entrances standing_entrances(const Scene& scene, const Key& first, const Key& se
     return {1, {beyond_ends(g1) < beyond_ends(g2) ? first : second}};
 }
 
-/// Two lines at an angle: a closed contact stays the entrance until it opens or is left, else the larger gap decides.
-Entrances cornered_entrance(const Scene& scene, const Key& first, const Key& second) {
+/// Two lines at an angle: what a third block hides is none; a closed contact stays the entrance until it opens or is
+/// left; else the larger gap decides.
+Entrances cornered_entrance(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w, const Key& first,
+                            const Key& second) {
+    const Seams::Answer seam = seams.open_entrance(v, w, first, second);
+    if (seam.kind == Seams::Answer::Kind::clear) {
+        return {1, {seam.is_first ? first : second}, true};
+    }
     const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
     const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
     const bool stays1 = scene.is_closed(first.first, first.second) && is_foot_on_edge(g1);
     const bool stays2 = scene.is_closed(second.first, second.second) && is_foot_on_edge(g2);
-    const bool is_first = stays1 != stays2 ? stays1 : g1.gap >= g2.gap;
-    return {1, {is_first ? first : second}};
+    if (stays1 != stays2) {
+        return {1, {stays1 ? first : second}};
+    }
+    if (seam.kind == Seams::Answer::Kind::weak) {
+        return {1, {seam.is_first ? first : second}, true};
+    }
+    return {1, {g1.gap >= g2.gap ? first : second}};
 }
 
-Entrances find_entrances(const Scene& scene, std::int32_t v, std::int32_t w) {
+Entrances find_entrances(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w) {
     const Vec2 p1 = scene.place(scene.next(w)) - scene.place(w), p2 = scene.place(scene.before(w)) - scene.place(w);
     const Vec2 q1 = scene.place(v) - scene.place(scene.next(v)), q2 = scene.place(v) - scene.place(scene.before(v));
     const auto angle = [](const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), dot(a, b)); };
@@ -143,12 +88,13 @@ Entrances find_entrances(const Scene& scene, std::int32_t v, std::int32_t w) {
     }
     const Key first = begin == 0 ? Key{v, w} : Key{w, v};
     const Key second = end == cone_w ? Key{v, scene.before(w)} : Key{w, scene.before(v)};
-    return total > std::numbers::pi - 2 * scene.settings.angle_tolerance ? standing_entrances(scene, first, second)
-                                                                         : cornered_entrance(scene, first, second);
+    return total > std::numbers::pi - 2 * scene.settings.angle_tolerance
+               ? standing_entrances(scene, first, second)
+               : cornered_entrance(scene, seams, v, w, first, second);
 }
 
-void find_at_corners(const Scene& scene, std::int32_t v, std::int32_t w, ContactSearch& search) {
-    const Entrances entrances = find_entrances(scene, v, w);
+void find_at_corners(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w, ContactSearch& search) {
+    const Entrances entrances = find_entrances(scene, seams, v, w);
     if (entrances.count == 0) {
         return;
     }
@@ -157,7 +103,12 @@ void find_at_corners(const Scene& scene, std::int32_t v, std::int32_t w, Contact
     };
     for (int k = 0; k < entrances.count; ++k) {
         const auto& [corner, edge] = entrances.key[k];
-        if (gap_and_foot(scene, corner, edge).gap >= -scene.depth(corner, edge) || scene.is_closed(corner, edge)) {
+        const GapAndFoot g = gap_and_foot(scene, corner, edge);
+        const bool is_closed = scene.is_closed(corner, edge);
+        if (entrances.is_at_seam && is_closed && !is_foot_on_edge(g)) {
+            continue;  // it has left this face for the next one
+        }
+        if (g.gap >= -scene.depth(corner, edge) || is_closed) {
             search.wanted.push_back(key_of(corner, edge));
         }
     }
@@ -258,7 +209,7 @@ ContactSearch::Box box_of(const Model& model, const std::vector<Vec2>& corners, 
 }
 
 /// Corners of block i against edges and corners of block j.
-void find_of_pair(const Scene& scene, std::int32_t i, std::int32_t j, ContactSearch& search) {
+void find_of_pair(const Scene& scene, const Seams& seams, std::int32_t i, std::int32_t j, ContactSearch& search) {
     const Model& model = scene.model;
     const ContactSearch::Box& box = search.boxes[at(j)];
     for (std::int32_t v = model.corner_begin[at(i)]; v < model.corner_begin[at(i + 1)]; ++v) {
@@ -271,7 +222,7 @@ void find_of_pair(const Scene& scene, std::int32_t i, std::int32_t j, ContactSea
             find_at_edge(scene, v, e, search);
             const Vec2 d = p - scene.place(e);
             if (i < j && model.is_convex[at(e)] && dot(d, d) < 2.25 * scene.reach * scene.reach) {
-                find_at_corners(scene, v, e, search);
+                find_at_corners(scene, seams, v, e, search);
             }
         }
     }
@@ -326,9 +277,10 @@ void find_contacts(const Model& model, const State& state, const Settings& setti
     search.wanted.clear();
     search.vetoed.clear();
     search.twins.clear();
+    const Seams seams(scene, search);
     for (const auto& [i, j] : search.pairs) {
-        find_of_pair(scene, i, j, search);
-        find_of_pair(scene, j, i, search);
+        find_of_pair(scene, seams, i, j, search);
+        find_of_pair(scene, seams, j, i, search);
     }
     std::sort(search.wanted.begin(), search.wanted.end());
     search.wanted.erase(std::unique(search.wanted.begin(), search.wanted.end()), search.wanted.end());
