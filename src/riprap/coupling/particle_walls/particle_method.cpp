@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "riprap/core/index.hpp"
+#include "riprap/coupling/particle_walls/closed_pocket.hpp"
 #include "riprap/coupling/particle_walls/walls.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/sort.hpp"
@@ -187,6 +188,11 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
                                        gravity, span.end(), span.dt, state_.open, state_.particles);
     }
     let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, report.passage);
+    if (report.passage.problem.empty() && is_time_to_look(water_->settings(), state_.particles, span)) {
+        const RoomWalls walls{scene_->shapes, scene_->bodies, water_->is_dry, scratch.motion};
+        return {crowded_pocket(walls, water_->settings(), state_.particles, span.end()), 0,
+                "a way out for the water, less of it in the pocket at the start, or a motion that ends before"};
+    }
     return {report.passage.problem, 0, report.passage.remedy};
 }
 
