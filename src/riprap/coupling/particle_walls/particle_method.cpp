@@ -54,13 +54,13 @@ Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, con
     const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
     scratch.motion = now;
     find_near_samples(*scene_, *water_, state_, span.dt, scratch);
-    place_walls(*water_, state_.open, span.time, 0, scratch);
+    place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
     scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
                                    report.fluid);
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
 
     scratch.motion = middle;
-    place_walls(*water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
+    place_walls(*scene_, *water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
     scratch.scheme->begin_forces(state_.particles, scratch.walls, span, scene_->gravity.at(span.middle()),
                                  report.fluid);
     if (report.fluid.problem.empty()) {
@@ -85,7 +85,7 @@ void ParticleMethod::hold_loads(const TimeSpan& span) {
 void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
     ParticleScratch& scratch = *scratch_;
     scratch.motion = middle;
-    place_walls(*water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
+    place_walls(*scene_, *water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
     const bool is_penalty = water_->wall == WallTreatment::penalty;
     if (is_penalty) {
         scratch.penalty.push(scene_->shapes, scene_->bodies, scratch.motion, water_->is_dry,
@@ -94,7 +94,7 @@ void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, Flui
     }
     scratch.scheme->load_walls(state_.particles, scratch.walls, scene_->gravity.at(span.middle()));
     if (!is_penalty) {
-        gather_loads(SampleView(water_->samples, scratch.near_numbers), scratch.motion, scratch.walls, loads);
+        gather_wall_loads(*scene_, *water_, scratch, loads);
         loads.pressure += scratch.held_loads.pressure;
     }
 }
@@ -127,6 +127,9 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     }
     scratch.scheme->kick(state_.particles, scratch.walls, scene_->gravity.at(span.middle()), span, scratch.extra_force,
                          report.fluid);
+    const double seam_work = span.dt * power_at_seams(*scene_, *water_, scratch);
+    report.fluid.work_on_solids += seam_work;  // walls mirrored as much more, which is no loss
+    (scratch.scheme->for_bodies() != nullptr ? report.fluid.pressure_loss : report.fluid.wall_exchange) -= seam_work;
     const double joint_work = span.dt * joint_power(scratch);
     report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
     report.fluid.work_external += joint_work;

@@ -9,6 +9,7 @@
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/samples/moving_seams.hpp"
 #include "riprap/coupling/samples/near_samples.hpp"
 #include "riprap/fluid/particle/lanes.hpp"
 
@@ -85,6 +86,15 @@ bool are_whole_fours(std::span<const std::int32_t> numbers, std::int64_t samples
     return true;
 }
 
+MovingSeams seams_of(const FluidScene& scene, const ParticleFluid& water, const ParticleScratch& scratch) {
+    return {scene.shapes,
+            scene.bodies,
+            water.is_dry,
+            scratch.motion,
+            water.settings().spacing,
+            water.settings().support_radius()};
+}
+
 double fastest_of(const fluid::ParticleState& particles) {
     return std::sqrt(parallel::reduce(
         particles.size(), 0.0, [&](std::int64_t i) { return norm_squared(particles.velocity[at(i)]); },
@@ -93,10 +103,13 @@ double fastest_of(const fluid::ParticleState& particles) {
 
 }  // namespace
 
-void place_walls(const ParticleFluid& water, const fluid::OpenState& open, double time, double ahead,
-                 ParticleScratch& scratch) {
-    place_samples(SampleView(water.samples, scratch.near_numbers), scratch.motion, scratch.walls,
-                  scratch.bodies.is_still);
+void place_walls(const FluidScene& scene, const ParticleFluid& water, const fluid::OpenState& open, double time,
+                 double ahead, ParticleScratch& scratch) {
+    const SampleView samples(water.samples, scratch.near_numbers);
+    place_samples(samples, scratch.motion, scratch.walls, scratch.bodies.is_still);
+    if (const MovingSeams seams = seams_of(scene, water, scratch); !seams.empty()) {
+        seams.share(samples, scratch.walls);
+    }
     if (fluid::takes_outward_area(water.scheme)) {
         place_areas(SampleView(water.samples, scratch.near_numbers), scratch.motion, water.settings().spacing,
                     scratch.walls);
@@ -104,6 +117,20 @@ void place_walls(const ParticleFluid& water, const fluid::OpenState& open, doubl
     if (!water.open.empty()) {
         place_openings(water.open, open, water.settings(), time, ahead, scratch.walls);
     }
+}
+
+void gather_wall_loads(const FluidScene& scene, const ParticleFluid& water, const ParticleScratch& scratch,
+                       FluidLoads& loads) {
+    const SampleView samples(water.samples, scratch.near_numbers);
+    gather_loads(samples, scratch.motion, scratch.walls, loads);
+    if (const MovingSeams seams = seams_of(scene, water, scratch); !seams.empty()) {
+        seams.hand_over(samples, scratch.walls, loads.pressure);
+    }
+}
+
+double power_at_seams(const FluidScene& scene, const ParticleFluid& water, const ParticleScratch& scratch) {
+    const MovingSeams seams = seams_of(scene, water, scratch);
+    return seams.empty() ? 0 : seams.handed_power(SampleView(water.samples, scratch.near_numbers), scratch.walls);
 }
 
 void find_near_samples(const FluidScene& scene, const ParticleFluid& water, const FluidState& state, double dt,

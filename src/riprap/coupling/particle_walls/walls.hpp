@@ -23,8 +23,15 @@ void find_near_samples(const FluidScene& scene, const ParticleFluid& water, cons
 /// Places boundary particles of bodies that move as scratch.motion says, and behind openings.
 /// @param time   of the motion [s]
 /// @param ahead  by how much it is ahead of the State [s]
-void place_walls(const ParticleFluid& water, const fluid::OpenState& open, double time, double ahead,
-                 ParticleScratch& scratch);
+void place_walls(const FluidScene& scene, const ParticleFluid& water, const fluid::OpenState& open, double time,
+                 double ahead, ParticleScratch& scratch);
+
+/// Gathers the loads that the water has put on boundary particles, per body.
+void gather_wall_loads(const FluidScene& scene, const ParticleFluid& water, const ParticleScratch& scratch,
+                       FluidLoads& loads);
+
+/// Returns the power of these loads beyond that of the forces on boundary particles as they were told to move [W].
+double power_at_seams(const FluidScene& scene, const ParticleFluid& water, const ParticleScratch& scratch);
 
 /// Names a body that moves and has boundary particles among the layers of an opening; empty where there is none.
 /// Bodies that stay are looked at when the case is read.

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Still water beside an upright wall that slides along itself through the floor: nothing happens to it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "riprap/run/simulation.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::run {
+namespace {
+
+/// Water 0.4 m long and 0.3 m deep.
+std::string scene_of(const std::string& method, double speed, double end) {
+    const auto body = [&](const std::string& name, const std::string& place, const std::string& size,
+                          const std::string& how) {
+        return fmt::format("[[body]]\nname = '{}'\nmaterial = 'rock'\nshape = {{ box = {} }}\nposition = {}\n{}\n",
+                           name, size, place, how);
+    };
+    return fmt::format(
+               "dimension = 2\ngravity = [0, -9.81]\nend = {}\n[material.rock]\ndensity = 2500\n"
+               "normal_stiffness = 1e6\nfriction_coefficient = 0.4\n[fluid]\nmethod = '{}'\nspacing = 0.02\n"
+               "domain = {{ low = [-0.12, -0.12], high = [0.6, 0.6] }}\n[[fluid.region]]\n"
+               "box = {{ low = [0, 0], high = [0.4, 0.3] }}\n",
+               end, method) +
+           body("bottom", "[0.2, -0.1]", "[0.8, 0.2]", "fixed = true") +
+           body("left", "[-0.1, 0.2]", "[0.2, 0.8]", "fixed = true") +
+           body("wall", "[0.44, 0.0]", "[0.08, 4.0]",
+                fmt::format("motion = {{ linear = {{ velocity = [0, {}] }} }}", speed)) +
+           "[[output.probe]]\nbody = 'wall'\nquantity = 'fluid_force'\n"
+           "[[output.probe]]\nquantity = 'max_water_speed'\n";
+}
+
+struct Felt {
+    double across, along, speed;  ///< mean forces on the wall [N/m]; of the fastest particle in the second half [m/s]
+};
+
+Felt run(const std::string& text) {
+    Simulation simulation(scene::read_case_text(text, "case.toml", "."));
+    const std::vector<sim::Column> columns = sim::record_columns(simulation.model());
+    Felt felt{0, 0, 0};
+    int steps = 0;
+    while (simulation.steps_left() > 0) {
+        const StepOutcome outcome = simulation.step(sim::Measure::energy);
+        EXPECT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.why.text;
+        if (outcome.kind == StepOutcome::Kind::refused) {
+            break;
+        }
+        felt.across += sim::evaluate(columns[0], simulation.now());
+        felt.along += sim::evaluate(columns[1], simulation.now());
+        ++steps;
+        if (simulation.state().time > 0.5 * simulation.model().time.end) {
+            felt.speed = std::max(felt.speed, sim::evaluate(columns[3], simulation.now()));
+        }
+    }
+    felt.across /= steps;
+    felt.along /= steps;
+    return felt;
+}
+
+TEST(SlidingWall, FeelsNoForceAlongItselfAndLeavesTheWaterAtRest) {
+    constexpr double head = 0.5 * 9810 * 0.3 * 0.3;
+    for (const double speed : {-0.3, 0.3}) {
+        const Felt felt = run(scene_of("sph", speed, 0.6));
+        EXPECT_NEAR(felt.across, head, 0.02 * head) << speed;
+        EXPECT_NEAR(felt.along, 0, 0.01 * head) << speed;
+        EXPECT_LT(felt.speed, 0.03) << speed;
+    }
+}
+
+TEST(SlidingWall, RunsToTheEndWithEveryParticleScheme) {
+    for (const char* method : {"wcmps", "mps"}) {
+        const Felt felt = run(scene_of(method, -0.3, 0.6));
+        EXPECT_NEAR(felt.along, 0, 0.02 * felt.across) << method;
+    }
+}
+
+}  // namespace
+}  // namespace riprap::run
