@@ -54,6 +54,59 @@ TEST(WallPressure, still_water_presses_with_its_depth_on_walls_floor_and_corner)
     }
 }
 
+void add_box(Basin& basin, const Vec3& low, const Vec3& high) {
+    const Vec3 half = 0.5 * (high - low);
+    const std::vector<geometry::Point2> corners{
+        {-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
+    basin.add("box", basin.add_shape(geometry::planar_prism(corners).value()), {0.5 * (low + high), {}},
+              body::Drive::fixed);
+}
+
+/// The reading on the left face of a box that stands free in still water 1 m deep, over the pressure at its height.
+double reading_on_box(double thickness, const fluid::SchemeSettings& scheme, double width, double place) {
+    Basin basin;
+    add_box(basin, {place, 0, 0}, {place + thickness, 0.8, 0});
+    basin.fill_pool(width, 1);
+    coupling::ParticleFluid& water = *basin.model.particles();
+    const fluid::ParticleSettings settings = water.settings();
+    water.scheme = scheme;
+    const double ratio = water.settings().smoothing_ratio;
+    const fluid::StateEquation equation = water.settings().state_equation;
+    water.settings() = settings;
+    water.settings().smoothing_ratio = ratio;
+    water.settings().state_equation = equation;
+    const Column column = add_gauge(basin, {place, 0.4, 0});
+    const State initial = basin.state;
+    Scratch scratch;
+    const StepReport report = basin.steps(3, scratch);
+    EXPECT_TRUE(report.status.ok());
+    return evaluate(column, {basin.model, initial, basin.state, &scratch, &report}) / (9810 * 0.6);
+}
+
+TEST(WallPressure, a_face_of_a_thin_box_feels_its_own_side_of_still_water_in_every_scheme) {
+    for (const int spacings : {2, 3, 4, 5, 6}) {
+        const double thick = spacings * dp, width = 1 + thick;
+        EXPECT_NEAR(reading_on_box(thick, fluid::SphSettings{}, width, 0.5), 1, 0.02) << spacings;
+        EXPECT_NEAR(reading_on_box(thick, fluid::WcmpsSettings{}, width, 0.5), 1, 0.03) << spacings;
+    }
+}
+
+TEST(WallPressure, a_face_of_a_thin_box_feels_nothing_of_water_on_its_other_side_alone) {
+    Basin basin;
+    add_box(basin, {}, {3 * dp, 1.5, 0});
+    basin.add_wall({0, 1, 0}, 0);
+    basin.add_wall({-1, 0, 0}, -1.15);
+    basin.fill({3 * dp, 0, 0}, {1.15, 2, 0}, {1, dp, 0}, 1, {0, -9.81, 0});
+    const Column dry = add_gauge(basin, {0, 0.4, 0}), wet = add_gauge(basin, {3 * dp, 0.4, 0});
+    const State initial = basin.state;
+    Scratch scratch;
+    const StepReport report = basin.steps(3, scratch);
+    ASSERT_TRUE(report.status.ok());
+    const Moment moment{basin.model, initial, basin.state, &scratch, &report};
+    EXPECT_NEAR(evaluate(dry, moment), 0, 0.01 * 9810 * 0.6);
+    EXPECT_NEAR(evaluate(wet, moment), 9810 * 0.6, 0.02 * 9810 * 0.6);
+}
+
 TEST(WallPressure, a_run_taken_up_again_reads_the_same_bits_at_any_thread_count) {
     Basin basin;
     basin.add_square(0.3, 700, {0.4, 0.8, 0});

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "riprap/core/index.hpp"
+#include "riprap/coupling/particle_walls/gauge_edges.hpp"
+#include "riprap/coupling/particle_walls/side_forces.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr double spline_end = 2;     ///< of the spline's width
 constexpr double height = 0.05;      ///< of a spacing: "just" above and below a face
+constexpr double edge_depth = 0.5;   ///< of a spacing: a face that bends away by less than that has no edge
 constexpr double slack = 1e-6;       ///< of a spacing, for what lies on an edge or in a corner itself
 constexpr double same_side = -0.5;   ///< cosine: faces that look away from each other more than that are opposite
 constexpr double least_slope = 0.3;  ///< sine: a cover flatter than this has no front along the face
@@ -130,7 +133,7 @@ Vec3 tangent(const Vec3& normal, bool is_planar) {
 /// One face with what presses on it.
 class FaceReading {
  public:
-    FaceReading(const FaceGauge& gauge, const LoadedFaces& loaded)
+    FaceReading(const FaceGauge& gauge, const LoadedFaces& loaded, const WaterAtFace* water = nullptr)
         : loaded_(loaded),
           images_(loaded.domain),
           pose_(loaded.motion.pose[at(gauge.body.value)]),
@@ -142,9 +145,22 @@ class FaceReading {
           far_(spline_end * loaded.spacing + loaded.reach),
           solids_(loaded, x_, 2 * far_),
           plane_{solids_, x_, n_, loaded.spacing},
-          is_open_(plane_.is_open({}, gauge.body)) {}
+          is_open_(plane_.is_open({}, gauge.body)) {
+        if (water != nullptr && is_open_) {
+            sides_.emplace(*water, loaded.particles, x_, n_, far_ + 2 * loaded.reach);
+        }
+    }
 
     bool is_open() const { return is_open_; }
+    /// Tells whether the face ends in the water within a distance: neither its body nor another goes on below it.
+    bool ends_within(double distance) const {
+        const auto is_solid = [&](const Vec3& way, double depth) { return solids_.contain(x_ + way - depth * n_, 0); };
+        const bool is_thin = !is_solid({}, edge_depth * loaded_.spacing);
+        const auto ends = [&](const Vec3& way) {
+            return !is_solid(distance * way, (is_thin ? height : edge_depth) * loaded_.spacing);
+        };
+        return ends(first_) || ends(-first_) || (!is_planar_ && (ends(second_) || ends(-second_)));
+    }
     double pressure() {
         for (std::size_t i = 0; i < at(loaded_.samples.size()) && i < loaded_.particles.pressure_force.size(); ++i) {
             add_sample(i);
@@ -172,22 +188,24 @@ class FaceReading {
         }
         const BodyId body = loaded_.samples.body(i);
         const Vec3 normal = rotate(loaded_.motion.pose[at(body.value)].orientation, loaded_.samples.normal(i));
-        if (dot(normal, n_) < same_side) {
-            return;
+        const bool is_two_sided = sides_ && sides_->has_water_behind();
+        if (dot(normal, n_) < same_side && !is_two_sided) {
+            return;  // it serves the other side alone
         }
+        const Vec3 force = loaded_.particles.pressure_force[i] + (is_two_sided ? sides_->correction(i) : Vec3{});
         Vec3 foot = d + depth * n_;
         if (plane_.is_open(foot, body)) {
             const double share = weight(foot);
             // The first layer of a face lies half of its thickness deep, at most 2/3 of a spacing.
             const double middle = std::max(depth, loaded_.samples.depth(i));
             area_ += middle < 0.7 * loaded_.spacing ? share * loaded_.particles.volume[i] / (2 * middle) : 0.0;
-            force_ -= share * dot(loaded_.particles.pressure_force[i], n_);
+            force_ -= share * dot(force, n_);
             return;
         }
         const Vec3 surface = x_ + d + (loaded_.samples.depth(i) + height * loaded_.spacing) * normal;
         if (solids_.contain(surface, -slack * loaded_.spacing)) {  // buried
             if (const std::optional<Vec3> place = plane_.uncovered(foot)) {
-                force_ -= weight(*place) * dot(loaded_.particles.pressure_force[i], n_);
+                force_ -= weight(*place) * dot(force, n_);
             }
         }
     }
@@ -209,6 +227,7 @@ class FaceReading {
     Solids solids_;
     FacePlane plane_;
     bool is_open_;
+    std::optional<SideForces> sides_;
     double force_{0}, area_{0};  ///< weighted sums
 };
 
@@ -217,6 +236,15 @@ class FaceReading {
 double read_face(const FaceGauge& gauge, const LoadedFaces& loaded) {
     FaceReading reading(gauge, loaded);
     return reading.is_open() ? reading.pressure() : 0;
+}
+
+double read_face(const FaceGauge& gauge, const LoadedFaces& loaded, const WaterAtFace& water) {
+    FaceReading reading(gauge, loaded, &water);
+    return reading.is_open() ? reading.pressure() : 0;
+}
+
+bool is_near_edge(const FaceGauge& gauge, const LoadedFaces& loaded) {
+    return FaceReading(gauge, loaded).ends_within(near_edge * loaded.spacing);
 }
 
 bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded) { return FaceReading(gauge, loaded).is_open(); }

@@ -8,6 +8,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/coupling/particle_walls/closed_pocket.hpp"
+#include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/coupling/particle_walls/walls.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/sort.hpp"
@@ -201,7 +202,7 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
 
 std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settings& water,
                                            const fluid::ParticleState& particles, const Scratch* scratch,
-                                           const fluid::Gauge& gauge, const FaceGauge* face, double /*time*/) {
+                                           const fluid::Gauge& gauge, const FaceGauge* face, double time) {
     const fluid::ParticleSettings& settings = water.settings();
     if (face == nullptr) {
         return read_gauge(gauge, settings, particles);
@@ -209,9 +210,11 @@ std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settin
     if (scratch == nullptr || scratch->motion.pose.empty()) {
         return {std::numeric_limits<double>::quiet_NaN()};
     }
-    return {read_face(*face, {scene.shapes, scene.bodies, water.is_dry, scratch->motion,
-                              SampleView(water.samples, scratch->near_numbers), scratch->walls, settings.domain,
-                              settings.spacing, settings.support_radius(), scratch->penalty.pushes()})};
+    return {read_face(
+        *face,
+        {scene.shapes, scene.bodies, water.is_dry, scratch->motion, SampleView(water.samples, scratch->near_numbers),
+         scratch->walls, settings.domain, settings.spacing, settings.support_radius(), scratch->penalty.pushes()},
+        {water.scheme, particles, in_plane(scene.gravity.at(time), settings.domain)})};
 }
 
 }  // namespace riprap::coupling
