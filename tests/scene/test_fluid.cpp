@@ -292,6 +292,33 @@ TEST(FluidCase, warns_of_a_gauge_inside_a_block) {
                 Contains(HasSubstr("'g' lies inside 'block' at the start")));
 }
 
+TEST(FluidCase, warns_of_a_gauge_that_starts_in_a_block_thinner_than_two_spacings_and_of_one_in_water_of_the_grid) {
+    const std::string gauge = "\n[[output.gauge]]\nname = \"g\"\nkind = \"pressure\"\npoint = ";
+    const std::string thin = test::with(tank, "{ box = [0.2, 0.2] }", "{ box = [0.03, 0.2] }");
+    EXPECT_THAT(test::read(thin + gauge + "[0.5, 0.5]\n").warnings,
+                Contains(HasSubstr("'g' lies inside 'block' at the start and reads the water beside it")));
+    const std::string cells =
+        test::with(test::with(tank, "[fluid]\n", "[fluid]\nmethod = \"grid\"\n"), ", periodic = [true, false]", "");
+    EXPECT_THAT(test::read(cells + gauge + "[0.5, 0.5]\n").warnings,
+                Contains(HasSubstr("'g' lies inside 'block' at the start")));
+    EXPECT_THAT(test::read(cells + gauge + "[0.5, 0.2]\n").warnings, Each(Not(HasSubstr("lies inside"))));
+}
+
+TEST(FluidCase, warns_of_a_gauge_nearer_than_two_spacings_to_an_edge_of_its_face) {
+    const auto warnings = [](const std::string& point) {
+        return test::read(
+                   test::with(tank, "{ box = [0.2, 0.2] }", "{ box = [0.2, 0.4] }") +
+                   "\n[[output.gauge]]\nname = \"g\"\nkind = \"wall_pressure\"\nbody = \"block\"\npoint = " + point)
+            .warnings;
+    };
+    const auto of_an_edge = HasSubstr("'g' is nearer than two spacings");
+    EXPECT_THAT(warnings("[0.4, 0.5]\n"), Each(Not(of_an_edge)));
+    EXPECT_THAT(warnings("[0.4, 0.67]\n"), Contains(of_an_edge));
+    EXPECT_THAT(warnings("[0.4, 0.65]\n"), Each(Not(of_an_edge)));
+    EXPECT_THAT(warnings("[0.5, 0.7]\n"), Each(Not(of_an_edge)));  // in the middle of the top
+    EXPECT_THAT(warnings("[0.57, 0.7]\n"), Contains(of_an_edge));
+}
+
 TEST(FluidCase, warns_of_a_run_up_line_that_ends_at_a_block) {
     const std::string gauge = tank + "\n[[output.gauge]]\nname = \"g\"\nkind = \"run_up\"\npoint = ";
     EXPECT_THAT(test::read(gauge + "[0.2, 0.5]\nend = [0.9, 0.5]\n").warnings,

@@ -149,7 +149,36 @@ TEST(FluidWarnings, of_several_levels_that_of_the_water_at_the_paddle_counts) {
     EXPECT_THAT(test::read(two + paddle("0.5")).warnings, ElementsAre());
     EXPECT_THAT(test::read(two + paddle("0.3")).warnings, ElementsAre(HasSubstr("0.5 m deep before it")));
     const std::string away = test::with(flume, "low = [0.0, 0.0], high", "low = [0.5, 0.0], high");
-    EXPECT_THAT(test::read(away + paddle("0.3")).warnings, ElementsAre());  // no water touches it: nothing is known
+    EXPECT_THAT(test::read(away + paddle("0.3")).warnings,
+                ElementsAre(HasSubstr("no water touches the face of the wave maker 'paddle'")));
+}
+
+TEST(FluidWarnings, a_paddle_off_the_water) {
+    const auto warnings = [](const std::string& begin) {
+        return test::read(test::with(flume, "low = [0.0, 0.0], high", "low = [" + begin + ", 0.0], high") +
+                          paddle("0.5"))
+            .warnings;
+    };
+    EXPECT_THAT(warnings("0.04"), ElementsAre());
+    EXPECT_THAT(warnings("0.15"),
+                ElementsAre(AllOf(HasSubstr("case.toml:23:"), HasSubstr("no water touches"), HasSubstr("0.075 m"))));
+}
+
+TEST(FluidWarnings, water_as_shallow_as_the_support_of_its_particles) {
+    const auto warnings = [](const std::string& depth, const std::string& method) {
+        const std::string wide = test::with(flume, "low = [-0.5, -0.2], high = [2.5", "low = [0.0, -0.2], high = [2.0");
+        const std::string walls = body("left", "[0.2, 2.0]", "[-0.1, 0.5]", "fixed = true") +
+                                  body("right", "[0.2, 2.0]", "[2.1, 0.5]", "fixed = true");
+        return test::read(test::with(test::with(wide, "high = [2.0, 0.5] }", "high = [2.0, " + depth + "] }"),
+                                     "[fluid]\n", "[fluid]\nmethod = \"" + method + "\"\n") +
+                          walls)
+            .warnings;
+    };
+    EXPECT_THAT(warnings("0.15", "sph"), Contains(AllOf(HasSubstr("3 spacings deep"), HasSubstr("0.015 m"))));
+    EXPECT_THAT(warnings("0.15", "wcmps"), Contains(HasSubstr("3 spacings deep")));
+    EXPECT_THAT(warnings("0.2", "sph"), Not(Contains(HasSubstr("spacings deep"))));  // 3 of support and one
+    EXPECT_THAT(warnings("0.15", "mps"), Contains(HasSubstr("3 spacings deep")));    // 2.1 and one
+    EXPECT_THAT(warnings("0.2", "mps"), Not(Contains(HasSubstr("spacings deep"))));
 }
 
 TEST(FluidWarnings, a_wave_lower_than_four_spacings) {
@@ -173,7 +202,7 @@ TEST(FluidWarnings, a_paddle_that_draws_back_out_of_the_domain) {
                                          "shape = { half_space = { normal = [1.0, 0.0] } }");
     EXPECT_THAT(test::read(plane).warnings, ElementsAre(HasSubstr("which ends at -0.08 m")));
     EXPECT_THAT(test::read(test::with(plane, "low = [0.0, 0.0], high", "low = [0.3, 0.0], high")).warnings,
-                ElementsAre(HasSubstr("which ends at -0.08 m")));
+                ElementsAre(HasSubstr("which ends at -0.08 m"), HasSubstr("no water touches")));
     EXPECT_THAT(test::read(test::with(plane, "end = 6.0", "end = 2998.5")).warnings,  // 1999 periods
                 ElementsAre(HasSubstr("which ends at -0.08 m")));
     EXPECT_THAT(test::read(domain_from("-0.08")).warnings,

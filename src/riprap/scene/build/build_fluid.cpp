@@ -189,6 +189,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
                               ? room_for_water(build, fluid.settings().domain, regions)
                               : fluid.reached_volume;
     warn_of_thin_bodies(build, fluid, filling.particles);
+    warn_of_shallow_water(build, list, fluid, filling);
     warn_of_paddles(build, fluid, filling);
     if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {
         warn_of_scheme(build, *sph);

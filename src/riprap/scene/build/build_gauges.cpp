@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "riprap/coupling/particle_walls/face_reading.hpp"
+#include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/placed_part.hpp"
@@ -97,7 +97,7 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
     return body;
 }
 
-/// A transducer that another body lies on reads nothing.
+/// A transducer that another body lies on reads nothing, one at an edge too little.
 void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const fluid::Gauge& gauge) {
     const coupling::ParticleFluid& water = *build.model.particles();
     body::Motion motion;
@@ -105,18 +105,16 @@ void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const flui
         motion.pose.push_back({build.state.bodies.position[i], build.state.bodies.orientation[i]});
     }
     const fluid::ParticleSettings& sph = water.settings();
-    if (!coupling::is_open(face, {build.model.shapes,
-                                  build.model.bodies,
-                                  water.is_dry,
-                                  motion,
-                                  {},
-                                  {},
-                                  sph.domain,
-                                  sph.spacing,
-                                  sph.support_radius(),
-                                  {}})) {
+    const coupling::LoadedFaces faces{build.model.shapes, build.model.bodies, water.is_dry,         motion, {}, {},
+                                      sph.domain,         sph.spacing,        sph.support_radius(), {}};
+    if (!coupling::is_open(face, faces)) {
         build.warnings.push_back(
             fmt::format("the gauge '{}' is covered at the start and reads 0 as long as it is", gauge.name));
+    } else if (coupling::is_near_edge(face, faces)) {
+        build.warnings.push_back(
+            fmt::format("the gauge '{}' is nearer than two spacings, {:.3g} m, to an edge of its face, and reads up to "
+                        "a third too little there",
+                        gauge.name, coupling::near_edge * sph.spacing));
     }
 }
 
@@ -203,9 +201,10 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
 
 /// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
 void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
-    if (build.model.particles() == nullptr ||
-        build.model.particles()->is_dry.size() != build.state.bodies.position.size()) {
-        return;  // no water, or it has a problem
+    const double spacing = spacing_of(build.model);
+    const bool is_particles = build.model.particles() != nullptr;
+    if (spacing == 0 || !build.has_all_bodies || build.is_dry.size() != build.state.bodies.position.size()) {
+        return;  // no water that solids keep out, or something has a problem
     }
     const auto warn = [&](BodyId solid, std::string_view text) {
         if (solid.is_valid()) {
@@ -213,16 +212,21 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
                 Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
         }
     };
-    const double spacing = build.model.particles()->settings().spacing;
     if (gauge.kind == fluid::GaugeKind::run_up) {
-        if (gauge.end != gauge.point) {
+        if (is_particles && gauge.end != gauge.point) {
             warn(first_solid(build, gauge, spacing),
                  "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
         }
     } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
                gauge.kind == fluid::GaugeKind::level) {
-        const PlacedSolids solids(build, build.model.particles()->is_dry, gauge.point, gauge.point);
-        warn(solids.at(gauge.point, spacing), "the gauge '{}' lies inside '{}' at the start and reads 0 there");
+        const PlacedSolids solids(build, build.is_dry, gauge.point, gauge.point);
+        const BodyId around = solids.at(gauge.point, spacing);
+        warn(around, "the gauge '{}' lies inside '{}' at the start and reads 0 there");
+        if (!around.is_valid()) {
+            constexpr double least = 0.1;  // of a spacing: a gauge on a face is beside the water
+            warn(solids.at(gauge.point, least * spacing),
+                 "the gauge '{}' lies inside '{}' at the start and reads the water beside it there");
+        }
     }
 }
 

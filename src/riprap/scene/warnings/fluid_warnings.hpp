@@ -39,6 +39,11 @@ void warn_of_dry_walls(CaseBuild& build, const coupling::ParticleFluid& fluid, c
 void warn_of_cut_region(CaseBuild& build, const SourcePlace& place, const coupling::FillRegion& region,
                         const coupling::ParticleFluid& fluid);
 
+/// Regions of water so shallow that the surface and the bed lie within the support of every particle. Their tables are
+/// the items of `regions`.
+void warn_of_shallow_water(CaseBuild& build, const Value& regions, const coupling::ParticleFluid& fluid,
+                           const coupling::Filling& filling);
+
 /// Sides of the domain that water stands at without a solid beyond it or an opening there. The table of the domain is
 /// at `place`.
 void warn_of_open_sides(CaseBuild& build, const SourcePlace& place, const coupling::ParticleFluid& fluid,

@@ -25,7 +25,7 @@ struct WaterBefore {
     Vec3 place;                                     ///< of the highest of the nearest [m]
 };
 
-/// Nothing where no water touches the face, or regions of different levels do.
+/// Returns nothing where regions of different levels touch the face, and an empty one where no water does.
 std::optional<WaterBefore> water_before(const CaseBuild& build, const WavePaddle& paddle, double spacing,
                                         const coupling::Filling& filling) {
     std::vector<PlacedPart> parts;
@@ -53,7 +53,15 @@ std::optional<WaterBefore> water_before(const CaseBuild& build, const WavePaddle
         found.nearest = std::min(found.nearest, along);
         found.farthest = std::max(found.farthest, along);
     }
-    return std::isfinite(found.surface) ? std::optional(found) : std::nullopt;
+    return found;
+}
+
+void warn_of_dry_paddle(CaseBuild& build, const WavePaddle& paddle, double spacing) {
+    build.warnings.push_back(to_string(
+        Diagnostic{paddle.place,
+                   fmt::format("no water touches the face of the wave maker '{}' at the start, nearer than {:.3g} m",
+                               paddle.wave.paddle, touching * spacing),
+                   "water up to its face: it makes no waves before it meets water"}));
 }
 
 /// Depth of that water [m]; a paddle may hang above the bed.
@@ -170,6 +178,10 @@ void warn_of_paddles(CaseBuild& build, const coupling::ParticleFluid& fluid, con
         warn_of_height(build, paddle, spacing);
         warn_of_leaving(build, paddle, fluid.settings());
         if (const auto before = water_before(build, paddle, spacing, filling)) {
+            if (!std::isfinite(before->surface)) {
+                warn_of_dry_paddle(build, paddle, spacing);
+                continue;
+            }
             warn_of_depth(build, paddle, spacing,
                           depth_of(build, paddle, spacing, *before, filling.particles.position));
         }

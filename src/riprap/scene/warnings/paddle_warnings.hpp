@@ -7,8 +7,9 @@
 namespace riprap::scene {
 
 /// Warns of paddles that make waves with
-/// - a depth other than that of the water at their face, by more than a spacing. Says nothing where no water touches
-///   the face, or regions of different levels do;
+/// - no water at their face;
+/// - a depth other than that of the water at their face, by more than a spacing. Says nothing where regions of
+///   different levels touch it;
 /// - a wave of less than four spacings from crest to trough, which the water can hardly carry;
 /// - a face that draws back out of the domain of the water, along an axis, without what absorption adds: water that
 ///   follows it ends the run.
