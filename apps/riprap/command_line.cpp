@@ -126,13 +126,17 @@ void add_check(CLI::App& app, Action& action) {
 
 void add_matrix(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::MatrixOptions>();
-    CLI::App* command = app.add_subcommand("matrix", "Run a case with every solid method and every fluid");
-    command->footer("Example:\n  riprap matrix sliding_block --set end=0.5");
+    CLI::App* command =
+        app.add_subcommand("matrix", "Run a case with every solid method and every fluid, and judge it in each");
+    command->footer("Example:\n  riprap matrix sliding_block --scales");
     command->add_option("CASE", options->case_path, case_help)->required();
     command->add_option("--set", options->overrides, "Replace a key of the case")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command->add_option("--value", options->quantity, "Column to compare (default: of the first expected answer)");
+    command->add_option("--value", options->quantity,
+                        "Column to show (default: an answer that is missed, else the first)");
+    command->add_flag("--scales", options->has_scales,
+                      "Also with the step and the stiffness of the solid method times 1/4 and 4");
     auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "As JSON");
     auto threads = std::make_shared<int>(0);

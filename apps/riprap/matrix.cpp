@@ -17,21 +17,18 @@ int print_matrix(run::MatrixOptions options, bool as_json) {
     const run::MatrixResult result = run::run_matrix(options, [&](const run::MatrixEntry& entry) {
         if (!as_json) {
             if (is_first) {
-                fmt::print("{}\n", run::matrix_heading({}));
+                fmt::print("{}\n", run::matrix_heading());
             }
             fmt::print("{}\n", printable(run::matrix_line(entry)));
             std::fflush(stdout);
         }
         is_first = false;
     });
-    if (as_json) {
-        fmt::print("{}\n", run::matrix_json(result));
-    } else {
-        fmt::print("value: {}\n", result.quantity);
-    }
-    const bool has_failed = std::any_of(result.entries.begin(), result.entries.end(),
-                                        [](const run::MatrixEntry& entry) { return entry.status == "failed"; });
-    return static_cast<int>(has_failed ? ExitCode::numerical : ExitCode::success);
+    fmt::print("{}\n", as_json ? run::matrix_json(result) : run::matrix_counts(result.entries));
+    const bool has_wrong = std::any_of(result.entries.begin(), result.entries.end(), [](const run::MatrixEntry& entry) {
+        return entry.finding == run::Finding::wrong;
+    });
+    return static_cast<int>(has_wrong ? ExitCode::failed : ExitCode::success);
 }
 
 }  // namespace riprap

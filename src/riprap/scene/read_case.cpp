@@ -13,6 +13,7 @@
 #include "riprap/scene/build/check_spreads.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/build/variations.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
@@ -46,7 +47,7 @@ bool is_planar_case(const Value& root) {
 /// Hashes all that decides the motion: the other files and the resolved case, without the length of the run and its
 /// outputs. A checkpoint belongs to all cases that agree in this.
 std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
-    constexpr std::array<std::string_view, 5> bystanders{"title", "end", "max_steps", "output", "expect"};
+    constexpr std::array<std::string_view, 6> bystanders{"title", "end", "max_steps", "output", "expect", "vary"};
     std::erase_if(root.entries, [&](const Entry& entry) {
         return std::find(bystanders.begin(), bystanders.end(), entry.key) != bystanders.end();
     });
@@ -126,6 +127,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     check_counts(checked, problems);
     if (problems.empty()) {  // numbers that are tried in keys that are right
         check_spreads(checked, root, is_planar, problems);
+        check_variations(checked, root, is_planar, problems);
     }
     throw_if_any(problems, "bodies, water, records and the time step");
     const Value resolved = expand_records(checked, problems);

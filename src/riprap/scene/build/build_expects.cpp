@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "riprap/scene/text/suggest.hpp"
+#include "riprap/sim/abilities.hpp"
 
 namespace riprap::scene {
 
@@ -108,6 +109,18 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     }
 }
 
+/// Refuses an answer that needs physics which the methods of the case lack.
+void check_needs(CaseBuild& build, const Value& table, const std::string& name) {
+    const Value* needs = table.find("needs");
+    for (const Value& need : needs != nullptr ? needs->items : std::vector<Value>{}) {
+        if (!sim::has_ability(build.model, need.text)) {
+            build.problem(need.place,
+                          fmt::format("[[expect]] '{}' needs {}, which no method of this case has", name, need.text),
+                          fmt::format("one of the methods {}", fmt::join(sim::methods_with(need.text), ", ")));
+        }
+    }
+}
+
 void read_expect(CaseBuild& build, const Value& table) {
     sim::Expect expect;
     expect.name = get_text(table, "name");
@@ -118,6 +131,7 @@ void read_expect(CaseBuild& build, const Value& table) {
     if (expect.citation.empty()) {
         build.problem(get(table, "citation").place, "the citation is empty", "say where the value comes from");
     }
+    check_needs(build, table, expect.name);
     const Value* at = table.find("at");
     if ((expect.reduce == "at") != (at != nullptr)) {
         build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");

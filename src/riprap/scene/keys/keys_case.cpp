@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/keys_vary.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/sim/method_traits.hpp"
@@ -129,6 +130,10 @@ Table rows_of_case() {
          {"spread",
           {table_list(spread_table)},
           "Numbers that differ between the members of an ensemble.",
+          Value::array()},
+         {"vary",
+          {table_list(vary_table)},
+          "Values at which `riprap matrix` and `riprap validate` run the case again.",
           Value::array()},
          {"output", {form::table(output_table)}, "Files to write, and their intervals.", Value::table()},
          {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: output, probes, expected answers.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/sim/abilities.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {
@@ -85,6 +88,22 @@ const Table& gauge_table() {
     return table;
 }
 
+std::vector<std::string_view> ability_words() {
+    std::vector<std::string_view> words;
+    for (const sim::Ability& ability : sim::abilities()) {
+        words.push_back(ability.word);
+    }
+    return words;
+}
+
+std::string ability_help() {
+    std::string help = "Physics without which no run can give the answer: a case whose methods lack it is refused.";
+    for (const sim::Ability& ability : sim::abilities()) {
+        help += fmt::format(" {}: {}.", ability.word, ability.help);
+    }
+    return help;
+}
+
 const Table& damage_table() {
     static const Table table{
         "output.damage",
@@ -165,6 +184,7 @@ const Table& expect_table() {
          {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
          {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
          {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
+         {"needs", {list(choice(ability_words()), 1, 8)}, ability_help(), {}},
          {"citation", {text()}, "Source of the value: a formula, a paper, an experiment.", {}, true}},
         {{GroupRule::exactly_one, {"value", "low"}},
          {GroupRule::all_or_none, {"low", "high"}},

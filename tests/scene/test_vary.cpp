@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
+
+namespace riprap::scene {
+namespace {
+
+constexpr const char* block = R"(dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+[[body]]
+name = "block"
+shape = { box = [1.0, 1.0] }
+material = "rock"
+[[expect]]
+name = "fall"
+quantity = "block.displacement.y"
+value = -4.905
+tolerance = 0.01
+citation = "g t^2/2"
+)";
+
+std::string problem_of(const std::string& more) {
+    try {
+        read_case_text(block + more, "case.toml", "/nonexistent");
+    } catch (const CaseError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
+std::vector<Variation> runs_of(const std::string& more) {
+    std::vector<Diagnostic> problems;
+    return variations_of(
+        parse_toml(read_case_text(block + more, "case.toml", "/nonexistent").resolved_toml, "case", problems));
+}
+
+TEST(Vary, gives_a_run_for_each_value_with_the_answer_expected_there) {
+    const auto runs = runs_of(
+        "[[vary]]\nkey = \"gravity.1\"\nvalues = [-1.0, -2.0]\n[[vary.expect]]\nname = \"fall\"\nvalues = [-0.5, "
+        "-1.0]\n");
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[1].label, "gravity.1 = -2");
+    EXPECT_THAT(runs[1].overrides, ::testing::ElementsAre("gravity.1=-2.0", "expect.0.value=-1.0"));
+}
+
+TEST(Vary, changes_several_keys_together_by_rows) {
+    const auto runs =
+        runs_of("[[vary]]\nname = \"elsewhere\"\nkey = [\"gravity.0\", \"gravity.1\"]\nrows = [[1.0, 2.0]]\n");
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs[0].label, "elsewhere");
+    EXPECT_THAT(runs[0].overrides, ::testing::ElementsAre("gravity.0=1.0", "gravity.1=2.0"));
+}
+
+TEST(Vary, refuses_a_key_that_the_case_does_not_have_with_its_place) {
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"body.block.colour\"\nvalues = [1.0]\n"),
+                ::testing::StartsWith("case.toml:18:7: body.block.colour = 1: unknown key 'colour'"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"body.stone.density\"\nvalues = [1.0]\n"),
+                ::testing::HasSubstr("no entry 'stone'"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"body.block.density\"\nvalues = [-1.0]\n"),
+                ::testing::HasSubstr("density = -1"));
+}
+
+TEST(Vary, refuses_answers_that_are_none_of_the_case_or_not_as_many_as_the_values) {
+    const std::string vary = "[[vary]]\nkey = \"gravity.1\"\nvalues = [-1.0, -2.0]\n[[vary.expect]]\n";
+    EXPECT_THAT(problem_of(vary + "name = \"fal\"\nvalues = [1.0, 2.0]\n"),
+                ::testing::HasSubstr("did you mean 'fall'?"));
+    EXPECT_THAT(problem_of(vary + "name = \"fall\"\nvalues = [1.0]\n"),
+                ::testing::HasSubstr("1 expected values for 2 runs"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = [\"gravity.0\", \"gravity.1\"]\nrows = [[1.0]]\n"),
+                ::testing::HasSubstr("a row of 1 values for 2 keys"));
+}
+
+TEST(Needs, refuse_methods_without_the_physics_and_name_those_with_it) {
+    const auto problem = [](const std::string& overrides) {
+        try {
+            const std::vector<std::string> words{overrides, "expect.0.needs=[\"bonds\"]"};
+            read_case_text(block, "case.toml", "/nonexistent", words);
+        } catch (const CaseError& error) {
+            return to_string(error.problems().front());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(problem("solid.method=\"sphere_dem\""), ::testing::HasSubstr("needs bonds"));
+    EXPECT_THAT(problem("solid.method=\"sphere_dem\""), ::testing::HasSubstr("planar_dda"));
+    EXPECT_EQ(problem("solid.method=\"planar_dda\""), "");
+}
+
+}  // namespace
+}  // namespace riprap::scene
