@@ -94,5 +94,22 @@ TEST_F(AReport, BeginsWithTheVerdictOfEveryCase) {
     EXPECT_LT(red, at("<h2>"));
 }
 
+TEST(AReportOfAllMethods, has_one_table_with_methods_across_and_the_causes_of_wrong_cells) {
+    const TemporaryFolder folder;
+    const std::string text = io::read_file(write_validation_report(folder.path(), R"({"suite": "cross", "results": [
+ {"case": "seam", "quantity": "speed: planar_dda", "unit": "m/s", "paper": null, "exact": 3, "value": 1.54,
+  "low": 2.97, "high": 3.03, "verdict": "close", "note": "", "seconds": 1}], "cells": [
+ {"scene": "seam", "solid": "planar_dda", "fluid": "none", "variation": "", "is_energy": false, "finding": "wrong",
+  "value": 1.54, "why": "speed: 1.54 for 2.97 to 3.03", "cause": "sees two blocks only", "seconds": 0.1},
+ {"scene": "seam", "solid": "sphere_dem", "fluid": "none", "variation": "", "is_energy": false, "finding": "right",
+  "value": 3.0, "why": "", "cause": "", "seconds": 0.1}]})",
+                                                                   folder / "suites", true),
+                                           1U << 20U);
+    EXPECT_THAT(text, HasSubstr("<tr><th>scene</th><th></th><th>planar_dda</th><th>sphere_dem</th></tr>"));
+    EXPECT_THAT(
+        text, HasSubstr("<td class=\"cell wrong\" title=\"as it is: wrong 1.54; speed: 1.54 for 2.97 to 3.03; sees two "
+                        "blocks only\n\">1.54</td><td class=\"cell right\""));
+}
+
 }  // namespace
 }  // namespace riprap::view

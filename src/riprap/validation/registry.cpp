@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "riprap/validation/cross/scene.hpp"
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/dda/planar_cases.hpp"
 #include "riprap/validation/ding/breakwater.hpp"
@@ -366,6 +367,8 @@ std::span<const ValidationCase> all_cases() {
               mellado_cases(), grid_cases(), dda_in_plane_cases(), ding_in_plane_cases()}) {
             all.insert(all.end(), suite.begin(), suite.end());
         }
+        const std::vector<ValidationCase> crossed = cross::scenes();
+        all.insert(all.end(), crossed.begin(), crossed.end());
         return all;
     }();
     return cases;

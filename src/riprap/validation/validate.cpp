@@ -12,6 +12,8 @@
 #include "riprap/core/printable.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/scene/text/suggest.hpp"
+#include "riprap/validation/cross/scene.hpp"
+#include "riprap/validation/cross/table.hpp"
 
 namespace riprap::validation {
 
@@ -87,7 +89,9 @@ AfterStep teller(std::ostream& progress, double interval) {
     };
 }
 
-CaseReport run_one(const ValidationCase& one, const ValidateOptions& options, std::ostream* progress) {
+/// The results of a case; of a scene that is run with every method its cells as well.
+std::vector<Result> run_one(const ValidationCase& one, const ValidateOptions& options, std::ostream* progress,
+                            std::vector<cross::Cell>& cells) {
     CaseReport report{std::string(one.name)};
     CaseSetting setting;
     setting.folder = case_folder(options) / one.suite / one.name;
@@ -95,16 +99,27 @@ CaseReport run_one(const ValidationCase& one, const ValidateOptions& options, st
     setting.is_full = options.is_full;
     setting.after_step = progress != nullptr ? teller(*progress, options.tell_every) : AfterStep{};
     const Timer timer;
+    std::vector<Result> results;
+    const std::size_t first = cells.size();
     try {
-        one.run(setting, report);
-        if (report.results().empty()) {
+        if (one.suite == cross::suite) {
+            cross::run_scene(setting, cells);
+        } else {
+            one.run(setting, report);
+        }
+        if (report.results().empty() && cells.size() == first) {
             report.fail("the case compared nothing");
         }
     } catch (const std::exception& error) {
         report.fail(error.what());
     }
     report.set_seconds(timer.seconds());
-    return report;
+    for (std::size_t i = first; i < cells.size(); ++i) {
+        results.push_back(cross::result_of(cells[i]));
+        results.back().seconds = timer.seconds();
+    }
+    results.insert(results.end(), report.results().begin(), report.results().end());
+    return results;
 }
 
 }  // namespace
@@ -136,9 +151,13 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
         }
     }
     std::vector<Result> all_results;
+    std::vector<cross::Cell> cells;
     // One JSON document, whatever was asked for: with several suites a case carries the name of its own.
     const bool names_suites = suites.size() > 1;
-    const auto json = [&] { return to_json(names_suites ? "all" : suites.front(), all_results, options.is_full); };
+    const auto json = [&] {
+        std::string document = to_json(names_suites ? "all" : suites.front(), all_results, options.is_full);
+        return cells.empty() ? document : cross::with_cells(document, cells);
+    };
     for (const std::string_view suite : suites) {
         std::vector<Result> results;
         for (const ValidationCase& one : cases) {
@@ -148,8 +167,7 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
             if (progress != nullptr) {
                 *progress << fmt::format("{}: {}\n", full_name(one), one.title) << std::flush;
             }
-            const CaseReport report = run_one(one, options, progress);
-            for (Result result : report.results()) {
+            for (Result result : run_one(one, options, progress, cells)) {
                 results.push_back(result);
                 result.name = names_suites ? fmt::format("{}/{}", suite, result.name) : result.name;
                 all_results.push_back(std::move(result));
@@ -159,7 +177,7 @@ int validate(const ValidateOptions& options, std::span<const ValidationCase> cas
             }
         }
         if (!options.as_json) {
-            out << to_table(suite, results);
+            out << (suite == cross::suite ? cross::table_of(cells) : to_table(suite, results));
             for (const ValidationCase& one : cases) {
                 if (one.suite == suite && has_wanted_suite(one, options) && !is_selected(one, options)) {
                     out << fmt::format("not run, as it is long: {}; by its name, or with --full\n", full_name(one));

@@ -14,6 +14,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/provenance.hpp"
+#include "riprap/view/cross_table.hpp"
 #include "riprap/view/markdown.hpp"
 
 namespace riprap::view {
@@ -35,6 +36,8 @@ b { font-weight: 600; }
 b.reproduced { color: #1f8a5b; } b.close { color: #b07800; } b.not_reproduced { color: #c8410f; }
 table.overview { width: auto; }
 dl { display: grid; grid-template-columns: auto 1fr; gap: 2px 12px; font-size: 13px; } dd { margin: 0; }
+table.cross { width: auto; } td.cell.right { color: #1f8a5b; } td.cell.refused { color: #888; }
+td.cell.wrong { background: #c8410f; color: #fff; }
 h3 { margin: 28px 0 6px; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 12px; margin: 12px 0; }
 .plots svg { width: 100%; height: auto; background: #fff; border-radius: 4px; }
@@ -247,7 +250,8 @@ fs::path write_validation_report(const fs::path& folder, const std::string& resu
     page += overview(suites);
     for (const auto& [suite, cases] : suites) {
         page += fmt::format("<h2>{}</h2>\n", html(suite)) +
-                folded("sources, assumptions, and what is not reached", words / suite / "README.md");
+                folded("sources, assumptions, and what is not reached", words / suite / "README.md") +
+                (suite == "cross" ? cross_table(document.value("cells", Json::array())) : "");
         auto plots = plots_by_case(folder / suite, cases);
         for (const auto& [name, results] : cases) {
             page += section(suite, name, results, plots[name], words / suite / name / "README.md");
