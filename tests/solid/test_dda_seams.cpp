@@ -128,6 +128,38 @@ TEST_P(ImplicitSeams, AJointCatchesFromItsShareOfTheBlockOn) {
     EXPECT_LT(slide(GetParam(), two_slabs(1.7 * share, 0)).velocity.x, 0.97 * speed);
 }
 
+/// A block on a slope of 30 degrees that is cut into blocks, or is one; as wide as the block, so that their edges lie
+/// on each other and points of contact change their names.
+Scene slope(Dda method, int blocks, double friction_angle) {
+    constexpr double degree = std::numbers::pi / 180;
+    Scene scene;
+    for (int i = 0; i < blocks; ++i) {
+        scene.pieces.push_back({box(-1.17 + 4.0 / blocks * i, -1, 4.0 / blocks, 1)});
+    }
+    scene.stiffness = 3e7;
+    const double weight = 0.5 * 2500 * 9.81 * std::cos(30 * degree);
+    const double overlap = weight / scene.stiffness / (method == Dda::planar ? 2 : 4);
+    scene.pieces.push_back({box(-1, -overlap, 1, 0.5), false});  // at rest on its springs
+    scene.gravity = {9.81 * std::sin(30 * degree), -9.81 * std::cos(30 * degree)};
+    scene.friction = std::tan(friction_angle * degree);
+    scene.end = 0.6;
+    return scene;
+}
+
+TEST_P(DdaSeams, ABlockSlidesDownABenchCutByJointsAsCoulombSays) {
+    const double friction = std::tan(20 * std::numbers::pi / 180);
+    const double way = 0.5 * 9.81 * (0.5 - std::sqrt(0.75) * friction) * 0.36;
+    for (const int blocks : {1, 4}) {  // the shear springs are stretched first, so it is a little ahead
+        EXPECT_NEAR(slide(GetParam(), slope(GetParam(), blocks, 20)).moved.x, 1.02 * way, 0.03 * way) << blocks;
+    }
+}
+
+TEST_P(DdaSeams, ABlockHoldsOnASlopeBelowItsAngleOfFriction) {
+    for (const int blocks : {1, 4}) {
+        EXPECT_LT(slide(GetParam(), slope(GetParam(), blocks, 35)).moved.x, 1e-2) << blocks;
+    }
+}
+
 TEST_P(DdaSeams, ABlockSlidesOverFreeSlabsThatHaveDrifted) {
     Scene scene;
     scene.pieces.push_back({box(-1, -1.2, 4, 1)});

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
+#include "riprap/solid/affine/renamed_points.hpp"
 #include "riprap/solid/affine/seams.hpp"
 
 namespace riprap::solid::affine {
@@ -110,8 +112,10 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
         }
         found.push_back(contact);
     }
-    std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+    const auto own = std::span(found).subspan(first);
+    std::sort(own.begin(), own.end(),
               [](const BlockContact& p, const BlockContact& q) { return p.feature < q.feature; });
+    carry_renamed(history, begin, end, own);
 }
 
 }  // namespace
