@@ -99,6 +99,19 @@ TEST(ExplicitDda, the_twelve_unknown_form_turns_without_growing) {
     EXPECT_NEAR(norm(measure(run.system, run.state.blocks).angular_momentum - momentum) / norm(momentum), 0, 1e-10);
 }
 
+TEST(ExplicitDda, the_twelve_unknown_form_keeps_the_energy_of_a_tumbling_slab) {
+    Trial run;
+    run.settings.form = Form::twelve_unknowns;
+    run.rock(0);
+    add_box(run.system, run.state.blocks, {4, 2, 1}, {.spin = {0.1, 3, 0.05}});
+    run.dt = 5e-3;
+    const double before = measure(run.system, run.state.blocks).kinetic;
+    for (int turn = 0; turn < 20; ++turn) {
+        run.step(420);
+        EXPECT_NEAR(measure(run.system, run.state.blocks).kinetic / before, 1, 1e-3);
+    }
+}
+
 TEST(ExplicitDda, strain_modes_of_a_cube_have_the_frequency_of_the_formula) {
     const affine::Material rock{2500, 5e10, 0.25};
     const double mass = 2500 * 8;
