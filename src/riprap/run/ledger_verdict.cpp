@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "riprap/core/index.hpp"
@@ -57,9 +58,30 @@ double short_fall(const sim::Model& model, const sim::State& state) {
     return energy;
 }
 
-/// Energy that lifts all water by one spacing: when it is let go, its lattice settles by hundredths of that [J].
+/// Largest of the energies that the balance adds up: its round-off is a share of them [J].
+double energy_there(const sim::Ledger& ledger) {
+    const sim::FluidLedger& fluid = ledger.fluid;
+    double largest = ledger.turnover;
+    for (const double energy : {ledger.kinetic, ledger.potential, ledger.external, ledger.driven, ledger.gravity_change,
+                                ledger.released, fluid.kinetic, fluid.potential, fluid.internal, fluid.work_on_solids,
+                                fluid.work_external, fluid.transported}) {
+        largest = std::max(largest, std::abs(energy));
+    }
+    return largest;
+}
+
+/// Energy that lifts all water by one spacing, of particles or cells: when it is let go, its lattice settles by
+/// hundredths of that [J].
 double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
-    return ledger.fluid.mass * norm(model.gravity.value) * sim::grain(model);
+    const double width = std::visit(
+        [](const auto& settings) {
+            if constexpr (requires { settings.grid.mesh.smallest_width(); }) {
+                return settings.grid.mesh.smallest_width();
+            }
+            return 0.0;
+        },
+        model.fluid);
+    return ledger.fluid.mass * norm(model.gravity.value) * std::max(sim::grain(model), width);
 }
 
 /// Energy of one particle of water at the speed of the fastest body that is driven: a paddle has done hardly any work
@@ -75,13 +97,15 @@ double energy_of_driven_particle(const sim::Model& model, const sim::State& stat
     return water != nullptr ? 0.5 * water->settings().particle_mass * fastest : 0;
 }
 
-/// Energy that the artificial terms of the fluid made, all taken together; below zero where they took some [J].
-double made_by_artificial_terms(const sim::Ledger& ledger, const sim::Model& model) {
-    double lost = 0;
+/// Energy that the artificial terms made, all taken together, below zero where they took some; or that which came from
+/// nowhere by an account that is what its balance lacks [J].
+double made_from_nothing(const sim::Ledger& ledger, const sim::Model& model) {
+    double artificial = 0;
     for (const sim::LedgerLine& line : sim::ledger_lines()) {
-        lost += line.is_artificial && has_line(model, line) ? value_of(line, model, ledger) : 0;
+        artificial += line.is_artificial && has_line(model, line) ? value_of(line, model, ledger) : 0;
     }
-    return -lost;
+    const std::ptrdiff_t rest = rest_account(accounts_of(model));
+    return std::max(-artificial, rest < 0 ? 0 : -ledger.fluid.own[static_cast<std::size_t>(rest)]);
 }
 
 }  // namespace
@@ -101,12 +125,12 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
     const double tolerance = is_first && !sim::books_every_step(model) ? std::max(1.0, model.output.ledger_tolerance)
                                                                        : model.output.ledger_tolerance;
     const std::string unit = sim::unit_in("J", model.bodies.is_planar);
-    if (residual <= round_off * std::max(counted, std::abs(ledger.potential)) || residual <= tolerance * counted) {
-        const double made = made_by_artificial_terms(ledger, model);
+    if (residual <= round_off * energy_there(ledger) || residual <= tolerance * counted) {
+        const double made = made_from_nothing(ledger, model);
         return is_first || made <= most_artificial * counted
                    ? ""
                    : fmt::format(
-                         "artificial terms of the fluid made {:.3g} {} of {:.3g} {} that count as turned over at "
+                         "the numerics made {:.3g} {} of {:.3g} {} that count as turned over at "
                          "t = {:.6g} s, more than {:.3g} % of it{}",
                          made, unit, counted, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
     }

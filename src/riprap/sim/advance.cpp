@@ -204,6 +204,8 @@ Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cy
         for (FluidSpan& span : spans) {
             span.work_on_free = work_given / static_cast<double>(spans.size());
         }
+    } else if (const std::ptrdiff_t rest = rest_account(accounts_of(model)); rest >= 0 && !fluid.feedback().empty()) {
+        book_true_way(work_given, static_cast<std::size_t>(rest), spans);
     }
     book_fluid(spans, work_given, accounts_of(model), state.ledger, report.ledger);
     return outcome;

@@ -215,6 +215,19 @@ void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, 
     }
 }
 
+void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spans) {
+    double foreseen = 0;
+    for (const FluidSpan& span : spans) {
+        foreseen += span.work_on_free;
+    }
+    const double more = (work_given - foreseen) / static_cast<double>(spans.size());
+    for (FluidSpan& span : spans) {
+        span.work_on_free += more;
+        span.step.fluid.work_on_solids += more;
+        span.step.own[rest] -= more;
+    }
+}
+
 void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
                 Ledger& ledger) {
     double work_seen = 0;

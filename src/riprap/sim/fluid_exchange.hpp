@@ -64,6 +64,12 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
 void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,
                     State& state);
 
+/// Books the work on free bodies along the way that they went in place of that foreseen, for a fluid that has an
+/// account of what its balance lacks and feels the bodies: its energy is that of the room that they leave it, and
+/// follows their true way.
+/// @param rest  number of that account
+void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spans);
+
 /// Books the spans of the fluid.
 /// @param work_given  on free bodies over the step, as the bodies say [J]
 void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,

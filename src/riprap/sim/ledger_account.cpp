@@ -132,6 +132,12 @@ double widest_range(std::vector<double>& totals, const std::array<double, count>
 
 }  // namespace
 
+std::ptrdiff_t rest_account(const Accounts& accounts) {
+    const auto is_rest = [](const Account& account) { return account.name == rest_name; };
+    const auto found = std::find_if(accounts.fluid.begin(), accounts.fluid.end(), is_rest);
+    return found == accounts.fluid.end() ? -1 : found - accounts.fluid.begin();
+}
+
 void reset(const Accounts& accounts, LedgerState& state) {
     state.totals.assign(own_accounts + accounts.solid.size() + accounts.fluid.size(), 0.0);
 }
@@ -215,15 +221,23 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.work_on_solids = add_across(totals[fluid_on_solids], step.work_on_solids);
     fluid.work_external = add_across(totals[fluid_external], step.work_external);
     fluid.own = book(accounts.fluid, all.step.own, totals.data() + own_accounts + accounts.solid.size(), is_first, 0.5);
-    const OwnSums own = add_up(accounts.fluid, fluid.own);
+    OwnSums own = add_up(accounts.fluid, fluid.own);
     fluid.artificial = own.artificial;
     fluid.transported = totals[fluid_transported];
     fluid.coupling_gap = add_across(totals[fluid_gap], all.work_given - all.work_seen);
     put(totals, fluid_impulse, get(totals, fluid_impulse) + step.impulse);
     fluid.momentum = step.momentum;
     fluid.mass = step.mass;
-    const double sum = fluid.kinetic + fluid.potential + fluid.internal + own.closure() + fluid.work_on_solids -
-                       fluid.work_external - fluid.transported;
+    double sum = fluid.kinetic + fluid.potential + fluid.internal + own.closure() + fluid.work_on_solids -
+                 fluid.work_external - fluid.transported;
+    if (const std::ptrdiff_t rest = rest_account(accounts); rest >= 0 && !is_first) {
+        // Amounts of steps miss what the energy jumps by from the end of one to the beginning of the next, where bodies
+        // go on with other velocities than were foreseen.
+        const double missed = totals[fluid_reference_energy] - sum;
+        fluid.own[static_cast<std::size_t>(rest)] += missed;
+        own.lost += missed;
+        sum += missed;
+    }
     double &low = totals[fluid_kinetic_low], &high = totals[fluid_kinetic_high];
     if (is_first) {
         totals[fluid_is_started] = 1;

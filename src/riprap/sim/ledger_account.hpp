@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_report.hpp"
@@ -15,6 +17,12 @@ namespace riprap::sim {
 struct Accounts {
     std::span<const Account> solid, fluid;
 };
+
+/// Name that a fluid gives to the account of what its balance lacks: a loss, so below zero energy came from nowhere.
+/// Its value at a kick follows from all others, and the residual of the fluid is zero by construction.
+inline constexpr std::string_view rest_name = "dissipated";
+/// Returns the number of that account among those of the fluid; -1 without one.
+std::ptrdiff_t rest_account(const Accounts& accounts);
 
 /// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes in which next to nothing happens, or all there is begins from nothing: their ledgers close, and no run ends.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <variant>
+
+#include "riprap/run/ledger_verdict.hpp"
+#include "riprap/run/simulation.hpp"
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap::run {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::vector<std::string> in_space{"distance_potential_dem", "sphere_dem", "explicit_dda", "implicit_dda"};
+
+/// End of a run, with its worst ledger: the residual over what was turned over then, of all steps but the first ones,
+/// in which a method that books over several steps knows only a part.
+struct Quiet {
+    std::string reason;  ///< why a step was refused; empty where the end was reached
+    double worst{0};     ///< [-]
+    double miss{0};      ///< largest residual of these steps [J]
+    std::int64_t retries{0};
+    sim::State state{};
+};
+
+Quiet quiet(const std::string& text) {
+    Simulation simulation(scene::read_case_text(text, "case.toml", "."));
+    Quiet end;
+    while (simulation.steps_left() > 0) {
+        const StepOutcome outcome = simulation.step(sim::Measure::energy);
+        if (outcome.kind == StepOutcome::Kind::refused) {
+            end.reason = outcome.why.text;
+            break;
+        }
+        const sim::Ledger& ledger = simulation.report().ledger;
+        if (simulation.state().step > 10 && ledger.turnover > 0) {
+            end.miss = std::max(end.miss, std::abs(ledger.residual));
+            end.worst = std::max(end.worst, std::abs(ledger.residual) / ledger.turnover);
+        }
+    }
+    end.retries = simulation.summary().retries;
+    end.state = simulation.state();
+    return end;
+}
+
+std::string solids(const std::string& method, const std::string& more = {}) {
+    return "[solid]\nmethod = '" + method + "'\n" + more + "\n";
+}
+std::string rock(const std::string& more = {}) {
+    return "[material.rock]\ndensity = 2500\nnormal_stiffness = 1e8\nfriction_coefficient = 0.5\n" + more + "\n";
+}
+std::string body(const std::string& name, const std::string& shape, const std::string& more = {}) {
+    return "[[body]]\nname = '" + name + "'\nmaterial = 'rock'\nshape = { " + shape + " }\n" + more + "\n";
+}
+const std::string weightless = "gravity = [0, 0, 0]\n";
+
+TEST(QuietRun, ALoadThatGrowsFromNothingGivesItsImpulse) {
+    // At the first kicks a tenth of the work of such a load was booked at the wrong side of the kick.
+    for (const std::string& method : in_space) {
+        const Quiet end = quiet(weightless + "end = 1\n" + solids(method) + rock() +
+                                body("b", "cube = 1", "[[body.load]]\nforce = [2500, 0, 0]\nramp = 0.5"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_LT(end.worst, 1e-9) << method;
+        EXPECT_NEAR(end.state.bodies.velocity[0].x, 0.75, 1e-3) << method;
+    }
+}
+
+TEST(QuietRun, ACoupleThatGrowsFromNothingGivesItsTurn) {
+    for (const std::string& method : in_space) {
+        const Quiet end = quiet(weightless + "end = 0.5\n" + solids(method) + rock() +
+                                body("b", "box = [1, 0.6, 0.4]",
+                                     "load = [{ force = [-500, 0, 0], at = [0, 0.3, 0], ramp = 0.5 }, "
+                                     "{ force = [500, 0, 0], at = [0, -0.3, 0], ramp = 0.5 }]"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_LT(end.worst, method == "explicit_dda" ? 5e-3 : 1e-6) << method;      // its strain modes ring
+        EXPECT_NEAR(end.state.bodies.angular_momentum[0].z, 74.68, 0.01) << method;  // the arms turn by 11 degrees
+    }
+}
+
+TEST(QuietRun, ALoadThatGrowsIsBookedWithItsDamping) {
+    for (const std::string method : {"distance_potential_dem", "sphere_dem"}) {
+        for (const std::string damping : {"local_damping = 0.7", "mass_damping = 50.0"}) {
+            const Quiet end = quiet(weightless + "end = 0.2\n" + solids(method, damping) + rock() +
+                                    body("b", "cube = 1", "[[body.load]]\nforce = [300, 0, 0]\nramp = 0.1"));
+            EXPECT_THAT(end.reason, IsEmpty()) << method << ' ' << damping;
+            EXPECT_LT(end.worst, 1e-9) << method << ' ' << damping;
+        }
+    }
+    const Quiet blocks = quiet(weightless + "end = 0.05\n" + solids("explicit_dda", "mass_damping = 50.0") + rock() +
+                               body("b", "cube = 1", "[[body.load]]\nforce = [300, 0, 0]\nramp = 0.05"));
+    EXPECT_THAT(blocks.reason, IsEmpty());
+    EXPECT_LT(blocks.worst, 1e-9);
+}
+
+TEST(QuietRun, WindThatBeginsToPushAFloeInPlanViewMovesIt) {
+    for (const std::string method :
+         {"distance_potential_dem", "sphere_dem", "explicit_dda", "implicit_dda", "planar_dda"}) {
+        const Quiet end = quiet("dimension = 2\ngravity = [0, 0]\nend = 0.2\n" + solids(method) + rock() +
+                                body("floe", "box = [2, 1]", "[[body.load]]\nforce = [500, 300]\nramp = 0.1"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_LT(end.worst, 1e-9) << method;
+        EXPECT_NEAR(end.state.bodies.velocity[0].y, 300 * 0.15 / 5000, 1e-5) << method;
+    }
+}
+
+TEST(QuietRun, ASliderThatIsLockedButForOneWayGoesThatWay) {
+    for (const std::string method : {"distance_potential_dem", "sphere_dem"}) {
+        const Quiet end = quiet("gravity = [0, 0, -9.81]\nend = 0.5\n" + solids(method) + rock() +
+                                body("b", "cube = 1",
+                                     "locked = ['y', 'z', 'rotation_x', 'rotation_y', 'rotation_z']\n"
+                                     "[[body.load]]\nforce = [2500, 100, 50]\nramp = 0.5"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_LT(end.worst, 1e-9) << method;
+        EXPECT_NEAR(end.state.bodies.velocity[0].x, 0.25, 1e-3) << method;
+    }
+}
+
+TEST(QuietRun, ASlabThatTumblesIsNotEnded) {
+    const Quiet end = quiet(weightless + "end = 4\n" + solids("implicit_dda", "step = '20 ms'") + rock() +
+                            body("slab", "box = [4, 2, 1]", "angular_velocity = [0.1, 3, 0.05]"));
+    EXPECT_THAT(end.reason, IsEmpty());
+}
+
+TEST(QuietRun, ARodThatTurnsIntoACubeOfSpheresPushesItAway) {
+    // The step was that of bodies whose centres stand still: forty times too long for the end of the rod.
+    const Quiet end =
+        quiet(weightless + "end = 1\n" + solids("sphere_dem") + rock() +
+              body("rod", "box = [2, 0.1, 0.1]", "motion = { rotation = { center = [0, 0, 0], rate = 1 } }") +
+              body("cube", "cube = 0.4", "position = [0.7, 0.5, 0.03]"));
+    EXPECT_THAT(end.reason, IsEmpty());
+    EXPECT_EQ(end.retries, 0);
+    EXPECT_GT(end.state.bodies.velocity[1].y, 0.3);
+}
+
+/// A tank with still water and a body in it.
+std::string tank(const std::string& solid, const std::string& block, double density, double end) {
+    const std::string wall = "fixed = true\n";
+    return fmt::format(
+               "dimension = 2\ngravity = [0, -9.81]\nend = {}\n"
+               "[material.rock]\ndensity = {}\nnormal_stiffness = 1e7\nfriction_coefficient = 0.4\ndamping_ratio = "
+               "0.2\n",
+               end, density) +
+           "[solid]\nmethod = '" + solid +
+           "'\n[fluid]\nmethod = 'grid'\nspacing = 0.04\ndomain = { low = [-0.1, -0.1], high = [1.1, 0.8] }\n"
+           "[[fluid.region]]\nbox = { low = [0, 0], high = [1, 0.4] }\n" +
+           body("floor", "box = [1.2, 0.1]", wall + "position = [0.5, -0.05]") +
+           body("left", "box = [0.1, 1]", wall + "position = [-0.05, 0.5]") +
+           body("right", "box = [0.1, 1]", wall + "position = [1.05, 0.5]") + block;
+}
+
+TEST(QuietRun, ABlockRestsUnderWaterOnTheFloor) {
+    // The grid took the work that it did on a block that falls, as was foreseen, for that on a block which stands.
+    for (const std::string method : {"planar_dda", "implicit_dda", "explicit_dda", "distance_potential_dem"}) {
+        const Quiet end = quiet(tank(method, body("block", "box = [0.2, 0.16]", "position = [0.5, 0.08]"), 1900, 0.2));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_LT(end.miss, method == "planar_dda" || method == "implicit_dda" ? 1e-7 : 1e-4) << method;
+        EXPECT_EQ(end.retries, 0) << method;
+    }
+}
+
+TEST(QuietRun, ABlockAsHeavyAsWaterStaysWhereItIs) {
+    for (const std::string method : {"planar_dda", "distance_potential_dem"}) {
+        const Quiet end = quiet(tank(method, body("block", "box = [0.2, 0.16]", "position = [0.5, 0.2]"), 1000, 0.4));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_EQ(end.retries, 0) << method;
+        EXPECT_NEAR(end.state.bodies.position[3].y, 0.2, 1e-3) << method;
+    }
+}
+
+TEST(QuietRun, ABallAsHeavyAsWaterStaysWhereItIs) {
+    const Quiet end = quiet(
+        "gravity = [0, 0, -9.81]\nend = 0.3\n[material.rock]\ndensity = 1000\nnormal_stiffness = 1e6\n"
+        "[fluid]\nmethod = 'grid'\nspacing = 0.06\ndomain = { low = [0, 0, 0], high = [0.6, 0.6, 0.9] }\n"
+        "[[fluid.region]]\nbox = { low = [0, 0, 0], high = [0.6, 0.6, 0.6] }\n" +
+        body("ball", "sphere = 0.12", "position = [0.3, 0.3, 0.3]"));
+    EXPECT_THAT(end.reason, IsEmpty());
+    EXPECT_EQ(end.retries, 0);
+    EXPECT_NEAR(end.state.bodies.position[0].z, 0.3, 1e-5);
+}
+
+/// A ledger of still water on a grid, with a block on its floor.
+struct StillTank {
+    Simulation simulation{scene::read_case_text(
+        tank("planar_dda", body("block", "box = [0.2, 0.16]", "position = [0.5, 0.08]"), 1900, 0.05), "case.toml",
+        ".")};
+    sim::Ledger ledger;
+
+    StillTank() {
+        while (simulation.state().step < 20) {
+            simulation.step(sim::Measure::energy);
+        }
+        ledger = simulation.report().ledger;
+    }
+    /// Energy that lifts all water by one cell [J].
+    double lift() const {
+        const auto& settings = std::get<coupling::GridFluidSettings>(simulation.model().fluid);
+        return ledger.fluid.mass * 9.81 * settings.grid.mesh.smallest_width();
+    }
+    std::string problem(double residual, double dissipated) const {
+        sim::Ledger changed = ledger;
+        changed.residual = residual;
+        changed.fluid.own.front() = dissipated;
+        return ledger_problem(changed, simulation.model(), simulation.state(), simulation.state().step);
+    }
+};
+
+TEST(LedgerVerdict, EndsARunThatGainsEnergyHoweverQuietItIs) {
+    const StillTank tank;
+    const double lift = tank.lift();
+    ASSERT_LT(tank.ledger.turnover, 1e-2 * lift);
+    for (const double sign : {-1.0, 1.0}) {
+        EXPECT_THAT(tank.problem(sign * 0.049 * lift, 0), IsEmpty());
+        EXPECT_THAT(tank.problem(sign * 0.051 * lift, 0), HasSubstr("the energy ledger misses"));
+    }
+}
+
+TEST(LedgerVerdict, EndsARunInWhichTheBalanceOfAGridMakesEnergy) {
+    const StillTank tank;
+    const double lift = tank.lift();
+    EXPECT_THAT(tank.problem(0, 5 * lift), IsEmpty());  // lost
+    EXPECT_THAT(tank.problem(0, -0.099 * lift), IsEmpty());
+    EXPECT_THAT(tank.problem(0, -0.101 * lift), HasSubstr("the numerics made"));
+}
+
+TEST(LedgerVerdict, TakesRoundOffOfGreatEnergiesForNothing) {
+    StillTank tank;
+    tank.ledger.fluid.potential = 1e12;  // a tank on a mountain
+    EXPECT_THAT(tank.problem(900, 0), IsEmpty());
+    EXPECT_THAT(tank.problem(1100, 0), HasSubstr("the energy ledger misses"));
+}
+
+}  // namespace
+}  // namespace riprap::run
