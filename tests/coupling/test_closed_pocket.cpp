@@ -76,7 +76,7 @@ const Pose turned{{0.3, -0.2, 0.1}, from_rotation_vector({0, 0, 37 * 3.141592653
 TEST(ClosedPocket, ThatKeepsItsVolumeIsNone) {
     Tank tank;
     tank.add_walls({0, 0, 0}, {1, 0.5, 0});
-    tank.pour({0, 0, 0}, {1, 0.5, 0}, 1010);
+    tank.pour({0, 0, 0}, {1, 0.5, 0}, 1025);
     EXPECT_THAT(tank.look({0, -0.3, 0}), IsEmpty());
 }
 
