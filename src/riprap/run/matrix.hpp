@@ -17,7 +17,7 @@ struct MatrixOptions {
     std::vector<std::string> overrides;  ///< "key=value" each, of every combination
     std::string quantity;    ///< column to show; empty: of the first expected answer that is missed, else of the first
     bool has_scales{false};  ///< also with the step and the stiffness of the solid method times 1/4 and 4
-    double most_seconds{600};  ///< wall time after which a run is stopped, as wrong [s]
+    double most_seconds{600};  ///< processor time after which a run is stopped, as wrong [s]
 };
 
 /// Finding of one run. It is right where every expected answer is.
@@ -38,7 +38,7 @@ struct MatrixEntry {
     std::string quantity{};  ///< that is shown
     double value{0};         ///< of the quantity; reduced as the expected answer asks. NaN where there is none
     double ns{0};            ///< wall time of a step
-    double seconds{0};       ///< wall time of the run [s]
+    double seconds{0};       ///< processor time of the run [s]
     double residual{0};      ///< of the energy ledger over what was turned over [-]; NaN where it did not run
     std::string why{};       ///< missing physics, how the run ended, or by which band an answer was missed
 };

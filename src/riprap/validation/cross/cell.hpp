@@ -23,7 +23,7 @@ struct Cell {
     std::string why;       ///< missing physics, how the run ended, or what was missed
     std::string cause{};   ///< of a wrong cell, where it was found
     bool is_stale{false};  ///< right, and listed as wrong
-    double seconds{0};     ///< wall-clock time of the run
+    double seconds{0};     ///< processor time of the run [s]
 };
 
 /// The cell as a line of the results: a wrong one with a known cause is "close", as it is not news.
