@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "riprap/core/parallel.hpp"
@@ -217,6 +218,55 @@ TEST(SphereWalls, ASphereCrossesTheSeamOfTwoTrianglesAsIfThereWereNone) {
     const auto surface = cross_floor(true), plane = cross_floor(false);
     EXPECT_NEAR(norm(surface[0] - plane[0]), 0, 1e-6);
     EXPECT_NEAR(norm(surface[1] - plane[1]), 0, 1e-5);
+}
+
+/// A ball without friction slides along x over ten boxes of 0.2 m.
+std::array<Vec3, 2> slide_over_boxes(double gap, double step, double end = 0.5) {
+    SphereWorld world;
+    const MaterialId grain = world.add_material({.youngs_modulus = 1e7, .restitution = 0.3});
+    const ShapeId box = world.shapes.add_convex(geometry::cube(0.2));
+    for (int i = 0; i < 10; ++i) {
+        world.add_wall(grain, box, {{(0.2 + gap) * i, 0.03, -0.1 + (i % 2 == 1 ? step : 0)}, {}});
+    }
+    world.add_sphere(grain, 0.05, 1.3, {{{-0.05, 0, 0.05}, {}}, {3, 0, 0}, {}});
+    world.gravity = {0, 0, -9.81};
+    world.build();
+    const double dt = 0.5 * world.step_limit();
+    while (world.time < end) {
+        world.step(dt);
+    }
+    return {world.state.position.back(), world.state.velocity.back()};
+}
+
+TEST(SphereWalls, ASphereSlidesOverTheSeamsOfTenBoxesAsOverAPlane) {
+    EXPECT_NEAR(slide_over_boxes(0, 0)[1].x, 3, 1e-6);
+    EXPECT_NEAR(slide_over_boxes(1e-3, 0)[1].x, 3, 5e-3 * 3);
+    EXPECT_NEAR(slide_over_boxes(-2e-5, 2e-5)[1].x, 3, 5e-3 * 3);
+}
+
+/// Contacts of a ball of 0.05 m that is in by 0.2 mm at the joint of two boxes.
+std::int64_t contacts_at_joint(double gap, double step, double x) {
+    SphereWorld world;
+    const MaterialId grain = world.add_material({.youngs_modulus = 1e7, .restitution = 0.3});
+    const ShapeId box = world.shapes.add_convex(geometry::cube(0.2));
+    world.add_wall(grain, box, {{-0.1 - 0.5 * gap, 0.03, -0.1}, {}});
+    world.add_wall(grain, box, {{0.1 + 0.5 * gap, 0.03, -0.1 + step}, {}});
+    world.add_sphere(grain, 0.05, 1.3, {{{x, 0, 0.0498}, {}}, {}, {}});
+    world.build();
+    world.step(1e-7);
+    return world.report.contact_count;
+}
+
+TEST(SphereWalls, AnEdgeIsHiddenUpToAStepAndAJointOfTheRadius) {
+    EXPECT_EQ(contacts_at_joint(0, 0.7e-3 * 0.05, -1e-4), 1);
+    EXPECT_EQ(contacts_at_joint(0, 1.4e-3 * 0.05, -1e-4), 2);
+    EXPECT_EQ(contacts_at_joint(0.04 * 0.05, 0, 1e-5), 1);
+    EXPECT_EQ(contacts_at_joint(0.07 * 0.05, 0, 1e-5), 2);
+}
+
+TEST(SphereWalls, ASphereIsHeldUpByAStepAndByAGapOfItsRadius) {
+    EXPECT_LT(slide_over_boxes(0, 5e-3, 0.1)[1].x, 2.9);
+    EXPECT_LT(slide_over_boxes(0.05, 0, 0.2)[1].x, 2.9);
 }
 
 TEST(SphereWalls, ASphereInAValleyOfTrianglesTouchesBothSidesAndOnARidgeOne) {

@@ -61,12 +61,53 @@ bool counts(const SphereModel& model, const std::vector<Reached>& all, const Rea
     return true;
 }
 
+/// A step up to this share of the radius between two parts is none [-].
+constexpr double step_share = 1e-3;
+/// Cosine of the angle between contacts at two edges up to which they are one edge, 3 degrees.
+constexpr double same_edge = 0.99863;
+
+/// A part that a sphere touches.
+struct Touched {
+    WallContact contact;
+    bool is_on_face;
+};
+
+Touched touch(const SphereModel& model, const Placed& placed, const contact::PartPair pair) {
+    const geometry::ConvexView shape = model.shapes.view(model.bodies.parts[at(pair.b)].shape);
+    const contact::Frame& frame = placed.part_frame[at(pair.b)];
+    const contact::SphereTouch found =
+        contact::touch_convex(shape, frame, placed.center[at(pair.a)], placed.radius[at(pair.a)]);
+    const Vec3 outward = -transpose_times(frame.axes, found.normal);
+    bool is_on_face = false;
+    for (std::int32_t f = 0; f < shape.face_count; ++f) {
+        is_on_face = is_on_face || norm_squared(shape.normal(f) - outward) < 1e-18;
+    }
+    return {{pair.a, pair.b, found.normal, found.point, found.overlap, 1}, is_on_face};
+}
+
+/// Does another part hide an edge or corner? One does whose face the sphere stands on, where the edge does not rise
+/// above that face by more than a step: the next face continues it. Of the edges of two parts with a narrow joint
+/// between, the nearer one counts, so that the spring of the sphere has one overlap all the way.
+bool is_hidden(const Touched& edge, const Touched& other, double radius) {
+    const Vec3 up = -other.contact.normal;
+    if (dot(up, edge.contact.point - other.contact.point) > step_share * radius) {
+        return false;
+    }
+    if (other.is_on_face) {
+        return dot(other.contact.normal, edge.contact.normal) > 0;
+    }
+    const bool is_nearer = other.contact.overlap > edge.contact.overlap ||
+                           (other.contact.overlap == edge.contact.overlap && other.contact.wall < edge.contact.wall);
+    return is_nearer && dot(other.contact.normal, edge.contact.normal) > same_edge;
+}
+
 /// Contacts of the candidates [begin, end), all of one sphere.
 void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std::size_t begin, std::size_t end,
                     std::vector<Reached>& reached, std::vector<WallContact>& out) {
     const Placed& placed = scratch.placed;
     const std::int32_t parts = model.bodies.part_count();
     reached.clear();
+    std::vector<Touched> touched;
     for (std::size_t p = begin; p < end; ++p) {
         const contact::PartPair pair = scratch.wall_pairs[p];
         if (pair.b >= parts) {
@@ -76,11 +117,19 @@ void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std:
             }
             continue;
         }
-        const contact::SphereTouch touch =
-            contact::touch_convex(model.shapes.view(model.bodies.parts[at(pair.b)].shape),
-                                  placed.part_frame[at(pair.b)], placed.center[at(pair.a)], placed.radius[at(pair.a)]);
-        if (touch.overlap > 0) {
-            out.push_back({pair.a, pair.b, touch.normal, touch.point, touch.overlap, 1});
+        const Touched one = touch(model, placed, pair);
+        if (one.contact.overlap > 0) {
+            touched.push_back(one);
+        }
+    }
+    for (const Touched& one : touched) {
+        const bool has_cover =
+            !one.is_on_face && std::any_of(touched.begin(), touched.end(), [&](const Touched& other) {
+                return other.contact.wall != one.contact.wall &&
+                       is_hidden(one, other, placed.radius[at(one.contact.sphere)]);
+            });
+        if (!has_cover) {
+            out.push_back(one.contact);
         }
     }
     for (const Reached& one : reached) {
