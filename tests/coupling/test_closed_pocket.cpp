@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tank_scenes.hpp"
+#include "coupling/tank_scenes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <cmath>
 
+#include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
-#include "tank_scenes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <set>
+#include <vector>
 
+#include "riprap/core/fields.hpp"
+#include "riprap/core/parallel.hpp"
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::run {
@@ -68,6 +72,29 @@ TEST(SlidingWall, FeelsNoForceAlongItselfAndLeavesTheWaterAtRest) {
         EXPECT_NEAR(felt.along, 0, 0.01 * head) << speed;
         EXPECT_LT(felt.speed, 0.03) << speed;
     }
+}
+
+TEST(SlidingWall, GivesTheSameBitsWhereScratchIsDroppedAndAtAnyThreadCount) {
+    const int before = parallel::thread_count();
+    std::vector<std::uint64_t> hashes;
+    for (const int threads : {1, 4}) {
+        for (const bool drops : {false, true}) {
+            parallel::set_thread_count(threads);
+            scene::LoadedCase loaded = scene::read_case_text(scene_of("sph", -0.3, 1), "case.toml", ".");
+            sim::initialise(loaded.model, loaded.state);
+            sim::Scratch scratch;
+            for (int step = 0; step < 40; ++step) {
+                const double dt = sim::choose_time_step(loaded.model, loaded.state, scratch).dt;
+                ASSERT_TRUE(sim::advance(loaded.model, loaded.state, scratch, dt, sim::Measure::flow).status.ok());
+                if (drops && step % 7 == 3) {
+                    scratch.forget();
+                }
+            }
+            hashes.push_back(hash_fields(loaded.state));
+        }
+    }
+    parallel::set_thread_count(before);
+    EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 1U);
 }
 
 TEST(SlidingWall, RunsToTheEndWithEveryParticleScheme) {
