@@ -39,6 +39,7 @@ Basin dam_break(long cells) {
 
 TEST(MpsNeighbours, are_all_within_the_support_in_rising_order_with_their_weights) {
     MpsSettings settings = mps_settings(3, 0.1, 1);
+    settings.weight_law = MpsWeightLaw::reciprocal;
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> place(0, 1);
     std::vector<Vec3> points(600);

@@ -8,6 +8,7 @@
 
 #include "fluid/mps/basin.hpp"
 #include "riprap/fluid/mps/mps_scratch.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -45,12 +46,15 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
     load_walls(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
     ASSERT_EQ(basin.report.problem, "");
-    // of the lattice squeezed by 1.01: four neighbours at 1, four at sqrt(2), four at 2 of 2.1 spacings
-    double dense = 0;
-    for (const double r : {1.0, std::sqrt(2.0), 2.0}) {
-        dense += 4 * (2.1 * 1.01 / r - 1);
-    }
-    const double excess = dense / basin.settings.lattice().number_density - 1;
+    // Wendland's kernel over the lattice squeezed by 1.01, the particle itself among it: neighbours at 1, sqrt(2) and 2
+    const auto count = [](double reach) {
+        double sum = 1;
+        for (const double r : {1.0, std::sqrt(2.0), 2.0}) {
+            sum += 4 * std::pow(1 - r / reach, 4) * (1 + 4 * r / reach);
+        }
+        return sum;
+    };
+    const double excess = count(2.1 * 1.01) / count(2.1) - 1;
     ASSERT_GT(excess, 0.01);
     EXPECT_NEAR(basin.scratch.data().water.pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
 }
@@ -75,6 +79,38 @@ TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_pro
         square += c * c;
     }
     EXPECT_NEAR(mode / square, largest, 0.1 * largest);
+}
+
+TEST(MpsConstants,
+     water_that_draws_together_along_a_wall_has_the_pressure_of_all_of_its_divergence_in_the_row_beside_it) {
+    // Two rows: p = 0 in the upper one, so c p sum W = rho/dt eps in the lower one, W to the row above it.
+    Basin basin;
+    basin.settings = mps_settings(2, 0.02, 1);
+    basin.settings.kinematic_viscosity = 0;
+    basin.settings.relaxation = 1e-9;  // nothing of densities
+    constexpr double eps = 0.5, dt = 1e-4;
+    for (int i = -30; i <= 30; ++i) {
+        for (int j = -3; j < 2; ++j) {
+            const Vec3 x = 0.02 * Vec3{static_cast<double>(i), j + 0.5, 0};
+            if (j < 0) {
+                basin.add_wall_particle(x, true);
+            } else {
+                basin.add_particle(x, {-eps * x.x, 0, 0});
+            }
+        }
+    }
+    begin_forces(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
+    load_walls(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
+    ASSERT_EQ(basin.report.problem, "");
+    double middle = 0;
+    for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
+        const Vec3& x = basin.state.position[i];
+        middle = std::abs(x.x) < 1e-6 && x.y < 0.02 ? basin.scratch.data().water.pressure[i] : middle;
+    }
+    const auto weight = [](double r) { return r * r / (2.1 * 2.1) * std::pow(1 - r / 2.1, 3); };
+    const double above = weight(1) + 2 * weight(std::sqrt(2.0));
+    const double stiffness = basin.settings.lattice().second_order() * above + 1000 * 1e-8 / (dt * dt);
+    EXPECT_NEAR(middle, 1000 / dt * eps / stiffness, 0.03 * 1000 / dt * eps / stiffness);
 }
 
 TEST(MpsConstants, two_particles_that_meet_part_with_a_fifth_of_their_approach) {
@@ -162,15 +198,15 @@ bool is_surface(double squeezed, const std::vector<Vec3>& without, const Vec3& a
 }
 
 TEST(MpsConstants, a_face_of_water_is_its_surface_unless_it_is_squeezed) {
-    // n is 0.68 n_0 in the highest row and 1.2 n_0 where rows are 0.8 spacings apart
+    // n is 0.85 n_0 in the highest row and more than n_0 where rows are 0.8 spacings apart
     EXPECT_TRUE(is_surface(1, {}, {0, 0, 0}));
     EXPECT_FALSE(is_surface(0.8, {}, {0, 0, 0}));
 }
 
-TEST(MpsConstants, a_particle_beside_one_missing_at_a_corner_is_inside_and_beside_two_it_is_at_a_surface) {
-    // The weighted centre of its neighbours is 0.11 and 0.34 spacings away.
-    EXPECT_FALSE(is_surface(1, {{1, -5, 0}}, {0, -6, 0}));
+TEST(MpsConstants, a_particle_whose_neighbours_lean_by_a_third_of_a_spacing_is_at_a_surface_and_by_a_sixth_inside) {
+    // The weighted centre of its neighbours is 0.34 and 0.18 spacings away, n is 0.87 and 0.85 n_0.
     EXPECT_TRUE(is_surface(1, {{1, -6, 0}, {1, -5, 0}}, {0, -6, 0}));
+    EXPECT_FALSE(is_surface(1, {{1, -6, 0}, {-1, -5, 0}, {-1, -7, 0}}, {0, -6, 0}));
 }
 
 }  // namespace

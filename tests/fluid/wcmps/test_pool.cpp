@@ -20,7 +20,8 @@ Pool still_pool(int dimension, long cells_deep, double depth) {
     return pool;
 }
 
-// The cubic lattice gives way to another arrangement within half a second; the motion dies down after that.
+// The cubic lattice gives way to another arrangement within seconds; with the reciprocal weight it did so within half
+// a second, at a tenth of sqrt(g h).
 TEST(WcmpsPool, still_water_comes_to_rest_and_weighs_on_the_floor_what_it_weighs) {
     const double depth = 0.5, g = 9.81;
     Pool pool = still_pool(2, 12, depth);
@@ -37,7 +38,7 @@ TEST(WcmpsPool, still_water_comes_to_rest_and_weighs_on_the_floor_what_it_weighs
     }
     ASSERT_EQ(pool.report.problem, "");
     EXPECT_NEAR(floor_impulse, weight * 3, 0.01 * weight * 3);
-    EXPECT_LT(fastest_late, 0.5 * fastest);
+    EXPECT_LT(std::max(fastest, fastest_late), 0.03 * std::sqrt(g * depth));
     EXPECT_LT(pool.report.max_speed, 0.02 * std::sqrt(g * depth));
     EXPECT_NEAR(pool.report.potential, potential, 5e-3 * potential);  // about twice the share of volume
     double squares = 0;

@@ -122,7 +122,7 @@ Vec3 SideForces::correction_by(const fluid::SphSettings& settings, std::size_t w
     return walls_.volume[wall] * sum;
 }
 
-/// Moving particles: b D/n_0 (2 q_j + h.d) d W/r^2 (docs/theory/wcmps.md, 5).
+/// Moving particles: b D/n_0 (q_j + x_j p_w) d W/r^2, or (2 q_j + h.d) of mirrored walls (docs/theory/wcmps.md, 5).
 template <class Scheme>
 Vec3 SideForces::correction_by(const Scheme& settings, std::size_t wall) const {
     const fluid::PeriodicImages images(settings.domain);
@@ -144,12 +144,16 @@ Vec3 SideForces::correction_by(const Scheme& settings, std::size_t wall) const {
         }
     }
     const auto at = [&](int k) { return sums[static_cast<std::size_t>(k)]; };
-    constexpr int push = fluid::wcmps::MpsPressureOnWalls::at_push,
-                  moment = fluid::wcmps::MpsPressureOnWalls::at_moment;
-    const Vec3 head = settings.rest_density * pull;
-    const Vec3 felt =
-        2.0 * Vec3{at(push), at(push + 1), at(push + 2)} +
-        apply({at(moment), at(moment + 1), at(moment + 2), at(moment + 3), at(moment + 4), at(moment + 5)}, head);
+    using Sums = fluid::wcmps::MpsPressureOnWalls;
+    const Vec3 slope{at(Sums::at_slope), at(Sums::at_slope + 1), at(Sums::at_slope + 2)};
+    const Vec3 push{at(Sums::at_push), at(Sums::at_push + 1), at(Sums::at_push + 2)};
+    Vec3 felt = push + walls_.pressure[wall] * slope;
+    if (settings.wall_pressure == fluid::MpsWallPressure::mirrored) {
+        constexpr int moment = Sums::at_moment;
+        felt = 2.0 * push +
+               apply({at(moment), at(moment + 1), at(moment + 2), at(moment + 3), at(moment + 4), at(moment + 5)},
+                     settings.rest_density * pull);
+    }
     return -(settings.lattice().first_order() * walls_.volume[wall]) * felt;
 }
 

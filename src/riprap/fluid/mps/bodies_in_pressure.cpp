@@ -17,6 +17,9 @@ using SixBySix = std::array<double, 36>;  ///< by rows
 
 Six to_six(const Vec3& a, const Vec3& b) { return {a.x, a.y, a.z, b.x, b.y, b.z}; }
 
+/// What a force along d at an arm does, and how accelerations move that place along d.
+Six along(const Vec3& d, const Vec3& arm) { return to_six(d, cross(arm, d)); }
+
 Six times(const SixBySix& m, const Six& x) {
     Six y{};
     for (std::size_t i = 0; i < 6; ++i) {
@@ -65,7 +68,7 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
     for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
         const std::size_t w = s.around.walls.index(e);
         const std::int32_t body = w < bodies.of_wall.size() ? bodies.of_wall[w] : -1;
-        if (body < 0 || s.walls.mirrors[w] == 0) {
+        if (body < 0 || s.walls.follows[w] == 0) {
             continue;
         }
         const auto known = std::find_if(entries.begin() + static_cast<std::ptrdiff_t>(first), entries.end(),
@@ -74,14 +77,19 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
                                ? *known
                                : entries.emplace_back(BodyEntry{static_cast<std::int32_t>(i), body, {}, {}, {}});
         const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
-        const Six u = to_six(d, cross(bodies.arm[w], d));
+        const Six u = along(d, bodies.arm[w]);
         const double near = s.walls.share[w] * s.around.walls.weight(e);
         const double slope = weight.over_square(norm_squared(d), near);
+        const bool is_mirrored = s.walls.mirrors[w] != 0;
+        const double all = is_mirrored ? 0 : s.at_walls.load_weight[w];
+        const double mean = all > 0 ? near / all : 0;  // share of i in the pressure of w
+        const Six lean = is_mirrored ? u : along(s.at_walls.slope[w], bodies.arm[w]);
+        const Six carry = all > 0 ? along(s.at_walls.load_moment[w] / all, bodies.arm[w]) : u;
         for (std::size_t k = 0; k < 6; ++k) {
             entry.flux[k] += c * near * u[k];
-            entry.load[k] -= 2 * f * slope * u[k];
+            entry.load[k] += f * (mean * lean[k] - (1 + s.walls.mirrors[w]) * slope * u[k]);
             for (std::size_t l = 0; l < 6; ++l) {
-                entry.mass[6 * k + l] += f * settings.rest_density * slope * u[k] * u[l];
+                entry.mass[6 * k + l] += f * settings.rest_density * (is_mirrored ? slope : mean) * lean[k] * carry[l];
             }
         }
     }

@@ -17,13 +17,15 @@ struct MpsScratchData;
 namespace mps {
 
 /// Coupling of one particle with one body through the boundary particles w in its support, with d = x_i - x_w, r the
-/// arm of w, b its share of a lattice volume and u = (d, r x d):
+/// arm of w, b its share of a lattice volume and u(d) = (d, r x d):
 ///
-///     flux = c rho_0 sum b W u                what an acceleration (a, alpha) adds to the right-hand side of i
-///     load = -2 f sum b W/r^2 u               what a pressure of i adds to force and torque of the body
-///     mass = f rho_0 sum b W/r^2 u u^T        and what (a, alpha) takes from them at a given pressure
+///     flux = c rho_0 sum b W u(d)                what an acceleration (a, alpha) adds to the right-hand side of i
+///     load = f sum b (M_i u(S) - W/r^2 u(d))     what a pressure of i adds to force and torque of the body
+///     mass = f rho_0 sum b M_i u(S) u(B)^T       and what (a, alpha) takes from them at a given pressure
 ///
-/// c and f as in solve_pressure and find_pressure_forces; walls of given pressure take no part.
+/// M_i = W/sum_j W being the share of i in the pressure of w, S = sum_j W/r^2 (x_w - x_j) and B = sum_j M_j (x_w -
+/// x_j). Walls that mirror each particle have load = -2 f sum b W/r^2 u(d) and mass = f rho_0 sum b W/r^2 u(d) u(d)^T;
+/// those of given pressure take no part. c and f as in solve_pressure and find_pressure_forces.
 struct BodyEntry {
     std::int32_t particle, body;
     std::array<double, 6> flux, load;

@@ -35,6 +35,7 @@ using wcmps::MpsCollision;
 using wcmps::MpsPressureOnWalls;
 using wcmps::MpsViscosityOnWalls;
 using wcmps::MpsWallAverages;
+using wcmps::WallOpening;
 
 #define RIPRAP_INSTANTIATE_WITHIN(Pair)                                                                              \
     template void add_pair_sums_within<Pair>(const MpsSettings&, const Pair&, const SweepSide<Pair::target_fields>&, \
@@ -47,6 +48,8 @@ using wcmps::MpsWallAverages;
                                       SweepScratch&)
 RIPRAP_INSTANTIATE_WITHIN(Viscosity);
 RIPRAP_INSTANTIATE(ViscosityFromWalls);
+RIPRAP_INSTANTIATE(SlopeAtWalls);
+RIPRAP_INSTANTIATE(PressureAtWalls);
 RIPRAP_INSTANTIATE_WITHIN(Approach);
 RIPRAP_INSTANTIATE(Approach);
 RIPRAP_INSTANTIATE(CollisionWithWalls);
@@ -54,6 +57,7 @@ RIPRAP_INSTANTIATE_WITHIN(MpsCollision);
 RIPRAP_INSTANTIATE(MpsPressureOnWalls);
 RIPRAP_INSTANTIATE(MpsViscosityOnWalls);
 RIPRAP_INSTANTIATE(MpsWallAverages);
+RIPRAP_INSTANTIATE(WallOpening);
 #undef RIPRAP_INSTANTIATE
 #undef RIPRAP_INSTANTIATE_WITHIN
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/particle/mps_keys.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/fluid/mps/mps_settings.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
@@ -38,7 +39,7 @@ KeyList<S> pressure_keys() {
 MethodKeys<MpsSettings> MpsSettings::keys() {
     return {
         .help = "moving particle semi-implicit method",
-        .keys = particle_keys<S>() +
+        .keys = particle_keys<S>() + mps_keys<S>() +
                 KeyList<S>{
                     number(&S::smoothing_ratio, "smoothing_ratio", dimension::plain, between(1, 2),
                            "Half the support radius over spacing; 1.05 is the support of 2.1 spacings of the source."),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 
 namespace riprap::fluid::mps {
 

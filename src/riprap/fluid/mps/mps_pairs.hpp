@@ -7,6 +7,7 @@
 #include <array>
 
 #include "riprap/fluid/mps/mps_settings.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
 #include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
@@ -50,6 +51,48 @@ struct ViscosityFromWalls {
         const Real drag = Real(viscosity) * candidate[3] * weight.value(r2);
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] = sum[axis] + drag * (candidate[axis] - target[axis]);
+        }
+    }
+};
+
+/// Slope of the water about walls, sums[0..2] = sum d W/r^2.
+struct SlopeAtWalls {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 0;
+    static constexpr int sums = 3;
+    MpsWeight weight;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real*, const Real*, const Real* d, Real r2, Real, Real* sum) const {
+        const Real slope = weight.over_square(r2, weight.value(r2));
+        for (int axis = 0; axis < Dim; ++axis) {
+            sum[axis] = sum[axis] + slope * d[axis];
+        }
+    }
+};
+
+/// The water about walls and the parts of its loads on walls whose pressure is averaged, with d = x_w - x_j:
+///
+///     sums[0] = sum W,   sums[1] = sum p_j W,   sums[2..4] = sum d W,   sums[5..7] = sum d W/r^2,
+///     sums[8..10] = sum p_j d W/r^2
+struct PressureAtWalls {
+    static constexpr int target_fields = 0;
+    static constexpr int candidate_fields = 1;  ///< p
+    // Places of the sums.
+    static constexpr int at_weight = 0, at_pressure = 1, at_moment = 2, at_slope = 5, at_push = 8;
+    static constexpr int sums = 11;
+    MpsWeight weight;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real r2, Real, Real* sum) const {
+        const Real w = weight.value(r2), over_square = weight.over_square(r2, w);
+        sum[at_weight] = sum[at_weight] + w;
+        sum[at_pressure] = sum[at_pressure] + candidate[0] * w;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const Real slope = over_square * d[axis];
+            sum[at_moment + axis] = sum[at_moment + axis] + w * d[axis];
+            sum[at_slope + axis] = sum[at_slope + axis] + slope;
+            sum[at_push + axis] = sum[at_push + axis] + candidate[0] * slope;
         }
     }
 };

@@ -12,6 +12,8 @@
 #include "riprap/fluid/mps/bodies_in_pressure.hpp"
 #include "riprap/fluid/mps/mps_neighbours.hpp"
 #include "riprap/fluid/mps/mps_step.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/linear/block_csr.hpp"
@@ -31,21 +33,25 @@ struct MpsPrediction {
     std::size_t bytes() const { return bytes_of(start_velocity, viscous_force, approaching, share, collision); }
 };
 
-/// Walls as the water sees them: written by predict and collide, `head` and `start_velocity` by solve_pressure.
+/// Walls as the water sees them: written by predict and collide, `head`, `start_velocity` and `opening` by
+/// solve_pressure, `pressure` by load.
 struct MpsWalls {
     std::vector<double> share;            ///< b, volume over that of a lattice place [-]
     std::vector<double> grip_share;       ///< the same, 0 on slippery walls [-]
-    std::vector<double> mirrors;          ///< m: 1 = mirrors the pressure of the water, 0 = has one of its own [-]
+    std::vector<double> follows;          ///< 1 = has the pressure of the water, 0 = has one of its own [-]
+    std::vector<double> mirrors;          ///< m: 1 = that of each particle, mirrored, in forces and divergence [-]
     std::vector<double> given;            ///< P, of walls with a pressure of their own [Pa]
     std::vector<double> ones;             ///< a field of the sums, 1 everywhere
     std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
     std::vector<Vec3> viscous_force, collision_force;  ///< on the walls [N]
     std::vector<Vec3> head;                            ///< rho_0 (g - a_w) [Pa/m]
     std::vector<Vec3> start_velocity;                  ///< u_n + dt g [m/s]
+    std::vector<double> opening, around;  ///< sums of WallOpening, then g of NumberContinuityAtWalls for the first
+    std::vector<double> pressure;         ///< in forces where m = 0; P where it is given [Pa]
 
     std::size_t bytes() const {
-        return bytes_of(share, grip_share, mirrors, given, ones, mirrored_velocity, viscous_force, collision_force,
-                        head, start_velocity);
+        return bytes_of(share, grip_share, follows, mirrors, given, ones, mirrored_velocity, viscous_force,
+                        collision_force, head, start_velocity, opening, around, pressure);
     }
 };
 
@@ -55,9 +61,14 @@ struct MpsAtWalls {
     std::vector<Vec3> moment, velocity;
     std::vector<Vec3> slope, push;                              ///< of MpsPressureOnWalls, as is
     std::vector<std::array<double, symmetric_numbers>> spread;  ///< sum of W/r^2 d d^T
-    double cell_weight{0}, slope_factor{0};                     ///< from sums to WaterAtWalls
+    std::vector<double> load_weight, load_pressure;             ///< of PressureAtWalls
+    std::vector<Vec3> load_moment;
+    double cell_weight{0}, slope_factor{0};  ///< from sums to WaterAtWalls
 
-    std::size_t bytes() const { return bytes_of(weight, pressure, moment, velocity, slope, push, spread); }
+    std::size_t bytes() const {
+        return bytes_of(weight, pressure, moment, velocity, slope, push, spread, load_weight, load_pressure,
+                        load_moment);
+    }
 };
 
 /// Surroundings of the fluid particles at r**: written by set_up_pressure, read by all that follows.

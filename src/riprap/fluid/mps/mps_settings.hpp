@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_choices.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
@@ -15,6 +14,9 @@ struct MethodKeys;  // core/key.hpp
 }
 
 namespace riprap::fluid {
+
+class MpsWeight;    // particle/mps_weight.hpp
+struct MpsLattice;  // particle/mps_lattice.hpp
 
 /// Gradient of pressure that moves particles: pair by pair in balance, or exact for linear pressures [Amaro2021, eq.
 /// 18].
@@ -26,11 +28,7 @@ enum class MpsGradient : std::uint8_t { conservative, corrected };
 struct MpsSettings : ParticleSettings {
     static constexpr std::string_view method_name = "mps";
     static MethodKeys<MpsSettings> keys();
-    MpsSettings() {
-        smoothing_ratio = 1.05;
-        courant = 0.2;
-        state_equation = StateEquation::linear;
-    }
+    MpsSettings();
 
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double compressibility{1e-8};      ///< alpha_c [1/Pa], > 0
@@ -41,14 +39,18 @@ struct MpsSettings : ParticleSettings {
     double collision_distance{0.8};    ///< share of l_0 below which particles collide [-]; 0 = off
     double collision_ratio{0.2};       ///< speed of separation over that of approach [-]
     MpsGradient gradient{MpsGradient::conservative};
+    MpsWeightLaw weight_law{MpsWeightLaw::smooth};
+    MpsWallPressure wall_pressure{MpsWallPressure::averaged};
     double tolerance{1e-6};    ///< of the residual of the pressure equation [-]
     int max_iterations{1000};  ///< of its solver
     bool is_plain{false};      ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
+    bool takes_joints() const { return true; }
+
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     double expected_speed() const { return 0.1 * sound_speed; }   ///< [m/s]
-    MpsWeight weight() const { return {support_radius(), spacing}; }
-    MpsLattice lattice() const { return mps_lattice(support_ratio(), spacing, domain.dimension); }
+    MpsWeight weight() const;
+    MpsLattice lattice() const;
 };
 
 }  // namespace riprap::fluid

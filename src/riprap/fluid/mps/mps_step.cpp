@@ -36,24 +36,59 @@ Vec3 times(const std::array<double, symmetric_numbers>& t, const Vec3& a) {
             t[4] * a.x + t[5] * a.y + t[3] * a.z};
 }
 
-/// Reactions of the conservative pressure forces, of viscosity and of collisions on walls, and the pressure there.
-void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity, MpsScratchData& s) {
+std::array<FieldSink, 3> sinks_of(std::vector<Vec3>& v) {
+    return {sink_component(v, 0), sink_component(v, 1), sink_component(v, 2)};
+}
+
+/// Sums over the water for the loads of walls that have its mean pressure, and that pressure.
+void average_at_walls(const MpsSettings& settings, const BoundaryParticles& walls, const Vec3& gravity,
+                      MpsScratchData& s) {
     const auto count = walls.position.size();
-    s.lists.place({settings.support_radius(), settings.domain}, s.around.predicted, s.around.predicted_walls);
-    mps::clear(s.at_walls.slope, count);
-    mps::clear(s.at_walls.push, count);
-    mps::clear(s.at_walls.spread, count);
-    s.around.ones.assign(s.around.predicted.size(), 1.0);
-    const auto at = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
+    mps::clear(s.at_walls.load_weight, count);
+    mps::clear(s.at_walls.load_pressure, count);
+    mps::clear(s.at_walls.load_moment, count);
+    const auto m = sinks_of(s.at_walls.load_moment), t = sinks_of(s.at_walls.slope), p = sinks_of(s.at_walls.push);
+    mps::add_pair_sums(settings, mps::PressureAtWalls{settings.weight()}, {s.around.predicted_walls, {}},
+                       {s.around.predicted, {field(s.water.pressure)}},
+                       {sink(s.at_walls.load_weight), sink(s.at_walls.load_pressure), m[0], m[1], m[2], t[0], t[1],
+                        t[2], p[0], p[1], p[2]},
+                       s.lists.walls_fluid);
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const double weight = s.at_walls.load_weight[w];
+        const double head = settings.rest_density * dot(gravity - walls.acceleration[w], s.at_walls.load_moment[w]);
+        const double mean = weight > 0 ? (s.at_walls.load_pressure[w] + head) / weight : 0;
+        s.walls.pressure[w] = s.walls.follows[w] != 0 ? mean : s.walls.given[w];
+    });
+}
+
+/// The same for walls that mirror each particle.
+void mirror_at_walls(const MpsSettings& settings, std::size_t count, MpsScratchData& s) {
     const auto spread = [&](std::size_t k) {
         return FieldSink{count == 0 ? nullptr : s.at_walls.spread[0].data() + k, symmetric_numbers};
     };
-    mps::add_pair_sums(settings, wcmps::MpsPressureOnWalls{settings.weight()}, {s.around.predicted_walls, {}},
-                       {s.around.predicted, {field(s.around.ones), field(s.water.pressure)}},
-                       {at(s.at_walls.slope, 0), at(s.at_walls.slope, 1), at(s.at_walls.slope, 2),
-                        at(s.at_walls.push, 0), at(s.at_walls.push, 1), at(s.at_walls.push, 2), spread(0), spread(1),
-                        spread(2), spread(3), spread(4), spread(5)},
-                       s.lists.walls_fluid);
+    s.around.ones.assign(s.around.predicted.size(), 1.0);
+    const auto t = sinks_of(s.at_walls.slope), p = sinks_of(s.at_walls.push);
+    mps::add_pair_sums(
+        settings, wcmps::MpsPressureOnWalls{settings.weight()}, {s.around.predicted_walls, {}},
+        {s.around.predicted, {field(s.around.ones), field(s.water.pressure)}},
+        {t[0], t[1], t[2], p[0], p[1], p[2], spread(0), spread(1), spread(2), spread(3), spread(4), spread(5)},
+        s.lists.walls_fluid);
+    s.walls.pressure = s.walls.given;
+}
+
+/// Reactions of the conservative pressure forces, of viscosity and of collisions on walls, and the pressure there.
+void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity, MpsScratchData& s) {
+    const auto count = walls.position.size();
+    mps::clear(s.at_walls.slope, count);
+    mps::clear(s.at_walls.push, count);
+    mps::clear(s.at_walls.spread, count);
+    s.walls.pressure.resize(count);
+    if (settings.wall_pressure == MpsWallPressure::averaged) {
+        average_at_walls(settings, walls, gravity, s);
+    } else {
+        mirror_at_walls(settings, count, s);
+    }
     const MpsLattice lattice = settings.lattice();
     const double factor = lattice.first_order() * settings.particle_mass / settings.rest_density;
     walls.pressure.resize(count);
@@ -63,13 +98,12 @@ void load(const MpsSettings& settings, BoundaryParticles& walls, const Vec3& gra
         const auto w = static_cast<std::size_t>(entry);
         const double head = dot(gravity - walls.acceleration[w], s.at_walls.moment[w]);
         const double seen = s.at_walls.weight[w] > 0 ? (s.at_walls.pressure[w] + head) / s.at_walls.weight[w] : 0;
-        walls.pressure[w] = s.walls.mirrors[w] == 0 ? s.walls.given[w] : std::max(0.0, seen);
-        const Vec3 carried = (1 + s.walls.mirrors[w]) * s.at_walls.push[w] + s.walls.given[w] * s.at_walls.slope[w] +
-                             times(s.at_walls.spread[w], s.walls.head[w]);
+        walls.pressure[w] = s.walls.follows[w] == 0 ? s.walls.given[w] : std::max(0.0, seen);
+        const double m = s.walls.mirrors[w];
+        const Vec3 carried = (1 + m) * s.at_walls.push[w] + s.walls.pressure[w] * s.at_walls.slope[w] +
+                             m * times(s.at_walls.spread[w], s.walls.head[w]);
         walls.pressure_force[w] = factor * s.walls.share[w] * carried + s.walls.collision_force[w];
     });
-    s.at_walls.slope_factor = lattice.first_order();
-    s.at_walls.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
 }
 
 struct Sums {

@@ -71,7 +71,7 @@ void kick_fluid(const MpsSettings& settings, ParticleState& state, const Boundar
 void accelerate(const MpsSettings& settings, ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
                 double dt, double time, MpsScratch& scratch, MpsReport& report, const SparseVectors& extra_force = {});
 
-/// The water about the walls as begin_forces and load_walls found it, under this gravity.
+/// The water about the walls as begin_forces found it, with the pressure of the step before, under this gravity.
 void describe_water_at_walls(const Vec3& gravity, const MpsScratch& scratch, WaterAtWalls& water);
 
 /// Makes the scheme of these settings, which have to outlive it.

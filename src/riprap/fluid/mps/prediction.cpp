@@ -18,11 +18,13 @@ std::array<FieldSink, 3> sinks_of(std::vector<Vec3>& v) {
     return {sink_component(v, 0), sink_component(v, 1), sink_component(v, 2)};
 }
 
-/// b, m, P and the velocity of the fluid mirrored in walls [Adami2012, eq. 23].
+/// b, m, P, who follows the water, and the velocity of the fluid mirrored in walls [Adami2012, eq. 23]; the water about
+/// them, with the pressure of the last solve.
 void describe_walls(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     MpsScratchData& s) {
     const auto count = walls.position.size();
-    for (std::vector<double>* values : {&s.walls.share, &s.walls.mirrors, &s.walls.given, &s.walls.grip_share}) {
+    for (std::vector<double>* values :
+         {&s.walls.share, &s.walls.follows, &s.walls.mirrors, &s.walls.given, &s.walls.grip_share}) {
         values->resize(count);
     }
     s.walls.ones.assign(count, 1);
@@ -37,12 +39,20 @@ void describe_walls(const MpsSettings& settings, const ParticleState& state, con
                   {state.position, {v[0], v[1], v[2], field(s.water.pressure)}},
                   {sink(s.at_walls.weight), sink(s.at_walls.pressure), m[0], m[1], m[2], u[0], u[1], u[2]},
                   s.lists.walls_fluid);
+    clear(s.at_walls.slope, count);
+    add_pair_sums(settings, SlopeAtWalls{settings.weight()}, {walls.position, {}}, {state.position, {}},
+                  sinks_of(s.at_walls.slope), s.lists.walls_fluid);
+    const MpsLattice lattice = settings.lattice();
+    s.at_walls.slope_factor = lattice.first_order();
+    s.at_walls.cell_weight = settings.rest_density / (settings.particle_mass * lattice.number_density);
     const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
+    const bool is_mirrored = settings.wall_pressure == MpsWallPressure::mirrored;
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
         s.walls.share[w] = walls.volume[w] * per_volume;
-        s.walls.mirrors[w] = is_given ? 0 : 1;
+        s.walls.follows[w] = is_given ? 0 : 1;
+        s.walls.mirrors[w] = is_mirrored ? s.walls.follows[w] : 0;
         s.walls.given[w] = is_given ? walls.given_pressure[w] : 0;
         s.walls.grip_share[w] = walls.is_slippery[w] != 0 ? 0 : s.walls.share[w];
         s.walls.mirrored_velocity[w] = s.at_walls.weight[w] > 0

@@ -6,28 +6,68 @@
 
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/mps/mps_pairs.hpp"
 #include "riprap/fluid/mps/separation.hpp"
+#include "riprap/fluid/wcmps/pair_sums.hpp"
 
 namespace riprap::fluid::mps {
 namespace {
 
+/// What pairs count in the number density. With the smooth weight that is Wendland's kernel (1 - q)^4 (1 + 4 q), whose
+/// slope over distance is -20 W/r^2 but for its size: forces along d W/r^2 then follow from the density as from a
+/// potential, and a particle counts itself. W itself falls where particles come nearer than 0.4 r_e, which lets them
+/// pair and stirs water at rest. The reciprocal weight counts as it is.
+class Crowding {
+ public:
+    explicit Crowding(const MpsSettings& settings)
+        : reach_(settings.support_radius()), is_smooth_(settings.weight_law == MpsWeightLaw::smooth) {
+        const double ratio = settings.support_ratio();
+        const int reach = static_cast<int>(std::ceil(ratio)), reach_z = settings.domain.dimension == 3 ? reach : 0;
+        full_ = is_smooth_ ? own() : settings.lattice().number_density;
+        for (int z = -reach_z; is_smooth_ && z <= reach_z; ++z) {
+            for (int y = -reach; y <= reach; ++y) {
+                for (int x = -reach; x <= reach; ++x) {
+                    const double r = settings.spacing * std::sqrt(x * x + y * y + z * z);
+                    full_ += r > 0 ? of_pair(r * r, 0) : 0;
+                }
+            }
+        }
+    }
+    /// @param weight  W of the pair [-]
+    double of_pair(double r2, double weight) const {
+        if (!is_smooth_) {
+            return weight;
+        }
+        const double q = std::sqrt(r2) / reach_, rest = std::max(0.0, 1 - q);
+        return rest * rest * rest * rest * (1 + 4 * q);
+    }
+    double own() const { return is_smooth_ ? 1 : 0; }  ///< of a particle itself
+    double full() const { return full_; }              ///< n_0 of this count
+
+ private:
+    double reach_, full_{0};
+    bool is_smooth_;
+};
+
 /// n**/n_0 and whether p = 0: too few neighbours, and those to one side.
-void look_around(const MpsSettings& settings, const MpsLattice& lattice, std::size_t i, MpsScratchData& s) {
+void look_around(const MpsSettings& settings, const Crowding& crowding, std::size_t i, MpsScratchData& s) {
     const Separation separation(settings.domain);
     double sum = 0;
     Vec3 moment{};
+    const auto add = [&](const Vec3& d, double share, double weight) {
+        const double part = share * crowding.of_pair(norm_squared(d), weight);
+        sum += part;
+        moment += part * d;
+    };
     for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
-        sum += s.around.fluid.weight(e);
-        moment +=
-            s.around.fluid.weight(e) * separation(s.around.predicted[i], s.around.predicted[s.around.fluid.index(e)]);
+        add(separation(s.around.predicted[i], s.around.predicted[s.around.fluid.index(e)]), 1,
+            s.around.fluid.weight(e));
     }
     for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
         const std::size_t w = s.around.walls.index(e);
-        const double weight = s.walls.share[w] * s.around.walls.weight(e);
-        sum += weight;
-        moment += weight * separation(s.around.predicted[i], s.around.predicted_walls[w]);
+        add(separation(s.around.predicted[i], s.around.predicted_walls[w]), s.walls.share[w], s.around.walls.weight(e));
     }
-    s.around.density[i] = sum / lattice.number_density;
+    s.around.density[i] = (sum + crowding.own()) / crowding.full();
     const bool is_bare = s.around.density[i] < settings.surface_density;
     s.around.surface[i] = is_bare && norm(moment) >= settings.surface_offset * settings.spacing * sum ? 1 : 0;
 }
@@ -98,7 +138,7 @@ void fill_matrix(const MpsSettings& settings, const MpsLattice& lattice, double 
         }
         for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
             const std::size_t w = s.around.walls.index(e);
-            diagonal += (1 - s.walls.mirrors[w]) * c * s.walls.share[w] * s.around.walls.weight(e);
+            diagonal += (1 - s.walls.follows[w]) * c * s.walls.share[w] * s.around.walls.weight(e);
         }
         std::int64_t entry = s.equation.matrix.pattern().first(row);
         for_couplings(s, i, [&](std::int32_t column, double weight) {
@@ -107,7 +147,7 @@ void fill_matrix(const MpsSettings& settings, const MpsLattice& lattice, double 
     });
 }
 
-/// Force on i by pairs in balance, (P_i + P_j) for fluid and 2 P_i - h.d for walls.
+/// Force on i by pairs in balance, P_i + P_j; walls have a pressure, or 2 P_i - h.d stands for both.
 Vec3 conservative_force(const MpsSettings& settings, const Separation& separation, std::size_t i,
                         const MpsScratchData& s) {
     const MpsWeight weight = settings.weight();
@@ -121,7 +161,8 @@ Vec3 conservative_force(const MpsSettings& settings, const Separation& separatio
     for (std::int64_t e = s.around.walls.first(i); e < s.around.walls.end(i); ++e) {
         const std::size_t w = s.around.walls.index(e);
         const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
-        const double push = (1 + s.walls.mirrors[w]) * s.water.pressure[i] + s.walls.given[w] - dot(s.walls.head[w], d);
+        const double m = s.walls.mirrors[w];
+        const double push = (1 + m) * s.water.pressure[i] + s.walls.pressure[w] - m * dot(s.walls.head[w], d);
         force += push * s.walls.share[w] * weight.over_square(norm_squared(d), s.around.walls.weight(e)) * d;
     }
     return force;
@@ -132,7 +173,7 @@ Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, con
                      std::size_t i, const MpsScratchData& s) {
     const MpsWeight weight = settings.weight();
     const auto wall_pressure = [&](std::size_t w, const Vec3& d) {
-        return std::max(0.0, s.walls.mirrors[w] * s.water.pressure[i] + s.walls.given[w] - dot(s.walls.head[w], d));
+        return std::max(0.0, s.walls.follows[w] * s.water.pressure[i] + s.walls.given[w] - dot(s.walls.head[w], d));
     };
     double least = s.water.pressure[i];
     for (std::int64_t e = s.around.fluid.first(i); e < s.around.fluid.end(i); ++e) {
@@ -163,8 +204,9 @@ Vec3 corrected_force(const MpsSettings& settings, const MpsLattice& lattice, con
     return is_regular ? even * (inverse(moment) * sum) : sum;
 }
 
-/// div u** = D/n_0 sum v.d W/r^2, walls moving as mirror images. Walls have u** too, u_n + dt g: what they accelerate
-/// otherwise is in the pressure that they mirror, and gravity would count twice if it closed the gap to them here.
+/// div u** = D/n_0 sum v.d W/r^2, with walls as in wcmps::NumberContinuityAtWalls. Walls have u** too, u_n + dt g: what
+/// they accelerate otherwise is in the pressure that they mirror, and gravity would count twice if it closed the gap to
+/// them here.
 double divergence(const MpsSettings& settings, const ParticleState& state, const MpsScratchData& s,
                   const Separation& separation, std::size_t i) {
     const MpsWeight weight = settings.weight();
@@ -179,9 +221,31 @@ double divergence(const MpsSettings& settings, const ParticleState& state, const
         const std::size_t w = s.around.walls.index(e);
         const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
         sum += (1 + s.walls.mirrors[w]) * s.walls.share[w] * dot(state.velocity[i] - s.walls.start_velocity[w], d) *
-               weight.over_square(norm_squared(d), s.around.walls.weight(e));
+                   weight.over_square(norm_squared(d), s.around.walls.weight(e)) +
+               s.walls.share[w] * s.walls.opening[w] * s.around.walls.weight(e);
     }
     return sum;
+}
+
+/// Finds g of walls at r**, of the water's u**: zero where they mirror each particle or have a pressure of their own.
+void share_openings(const MpsSettings& settings, const ParticleState& state, MpsScratchData& s) {
+    const auto count = s.around.predicted_walls.size();
+    clear(s.walls.opening, count);
+    if (settings.wall_pressure == MpsWallPressure::mirrored) {
+        return;
+    }
+    clear(s.walls.around, count);
+    s.around.ones.assign(s.around.predicted.size(), 1.0);
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const auto u = [&](int axis) { return component(s.walls.start_velocity, axis); };
+    add_pair_sums(settings, wcmps::WallOpening{settings.weight()}, {s.around.predicted_walls, {u(0), u(1), u(2)}},
+                  {s.around.predicted, {v(0), v(1), v(2), field(s.around.ones)}},
+                  {sink(s.walls.opening), sink(s.walls.around)}, s.lists.walls_fluid);
+    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const bool is_shared = s.walls.follows[w] != 0 && s.walls.around[w] > 0;
+        s.walls.opening[w] = is_shared ? s.walls.opening[w] / s.walls.around[w] : 0;
+    });
 }
 
 }  // namespace
@@ -201,11 +265,13 @@ void set_up_pressure(const MpsSettings& settings, const ParticleState& state, co
         const auto k = static_cast<std::size_t>(i);
         s.around.predicted_walls[k] = walls.position[k] + 0.5 * dt * walls.velocity[k];
     });
+    s.lists.place({settings.support_radius(), settings.domain}, s.around.predicted, s.around.predicted_walls);
     s.around.fluid.find(settings, s.around.predicted, s.around.predicted, true);
     s.around.walls.find(settings, s.around.predicted, s.around.predicted_walls, false);
     const MpsLattice lattice = settings.lattice();
+    const Crowding crowding(settings);
     parallel::for_each_uneven(state.size(), 256,
-                              [&](std::int64_t i) { look_around(settings, lattice, static_cast<std::size_t>(i), s); });
+                              [&](std::int64_t i) { look_around(settings, crowding, static_cast<std::size_t>(i), s); });
     number_unknowns(s);
     s.equation.matrix.set_pattern(pattern_of(s));
     fill_matrix(settings, lattice, dt, s);
@@ -223,10 +289,13 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
     s.walls.start_velocity.resize(walls.position.size());
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
-        s.walls.head[w] = s.walls.mirrors[w] * settings.rest_density * (gravity - walls.acceleration[w]);
+        s.walls.head[w] = s.walls.follows[w] * settings.rest_density * (gravity - walls.acceleration[w]);
         s.walls.start_velocity[w] =
-            walls.velocity[w] + s.walls.mirrors[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
+            walls.velocity[w] + s.walls.follows[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
     });
+    if (flow > 0) {
+        share_openings(settings, state, s);
+    }
     s.equation.right.resize(s.equation.particle.size());
     s.equation.solution.resize(s.equation.particle.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(s.equation.particle.size()), 256, [&](std::int64_t entry) {

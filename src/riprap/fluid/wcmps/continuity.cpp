@@ -10,6 +10,26 @@
 namespace riprap::fluid::wcmps {
 namespace {
 
+/// Finds g of walls: zero where they mirror each particle or have a pressure of their own.
+void share_openings(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                    WcmpsScratchData& s) {
+    clear(s.walls.opening, walls.position.size());
+    if (settings.wall_pressure == MpsWallPressure::mirrored) {
+        return;
+    }
+    clear(s.walls.around, walls.position.size());
+    const auto v = [&](int axis) { return component(state.velocity, axis); };
+    const auto v_w = [&](int axis) { return component(walls.velocity, axis); };
+    add_pair_sums(settings, WallOpening{settings.weight()}, {walls.position, {v_w(0), v_w(1), v_w(2)}},
+                  {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
+                  {sink(s.walls.opening), sink(s.walls.around)}, s.lists.walls_fluid);
+    parallel::for_each(walls.size(), [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const bool is_shared = s.walls.is_given[w] == 0 && s.walls.around[w] > 0;
+        s.walls.opening[w] = is_shared ? s.walls.opening[w] / s.walls.around[w] : 0;
+    });
+}
+
 /// The sums of NumberContinuity and NumberContinuityAtWalls.
 void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     const Vec3& gravity, WcmpsScratchData& s) {
@@ -27,11 +47,13 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
                          {sink(s.continuity.rate), sink(s.continuity.diffusion), sink(s.continuity.crowding),
                           sink(s.continuity.neighbours), n(0), n(1), n(2), sink(s.continuity.stir)},
                          s.lists.fluid_fluid);
+    const auto v_w = [&](int axis) { return component(walls.velocity, axis); };
+    share_openings(settings, state, walls, s);
     add_pair_sums(
-        settings, NumberContinuityAtWalls{settings.weight()}, {state.position, {v(0), v(1), v(2)}},
+        settings, NumberContinuityAtWalls{settings.weight()},
+        {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
         {walls.position,
-         {component(walls.velocity, 0), component(walls.velocity, 1), component(walls.velocity, 2),
-          field(s.walls.share), field(s.walls.mirrors)}},
+         {v_w(0), v_w(1), v_w(2), field(s.walls.share), field(s.walls.mirrors), field(s.walls.opening)}},
         {sink(s.continuity.rate), sink(s.continuity.crowding), sink(s.continuity.neighbours), n(0), n(1), n(2)},
         s.lists.fluid_walls);
 }
@@ -55,7 +77,7 @@ double surface_slope(const WcmpsSettings& settings) {
         for (int x = -reach; x <= reach; ++x) {
             for (int z = -reach_z; z <= reach_z; ++z) {
                 const double r = std::sqrt(up * up + x * x + z * z);
-                const double weight = std::max(0.0, settings.support_ratio() / r - 1);
+                const double weight = lattice_weight(settings.weight_law, settings.support_ratio(), r);
                 lacking += weight;
                 outward += weight * up / r;
             }
@@ -96,15 +118,16 @@ void find_pressure(const WcmpsSettings& settings, const ParticleState& state, Wc
 
 void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsWalls& seen) {
     seen.share.resize(walls.position.size());
+    seen.is_given.resize(walls.position.size());
     seen.mirrors.resize(walls.position.size());
-    seen.given.resize(walls.position.size());
     const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
+    const bool is_mirrored = settings.wall_pressure == MpsWallPressure::mirrored;
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
         seen.share[w] = walls.volume[w] * per_volume;
-        seen.mirrors[w] = is_given ? 0 : 1;
-        seen.given[w] = is_given ? walls.given_pressure[w] : 0;
+        seen.is_given[w] = is_given ? 1 : 0;
+        seen.mirrors[w] = is_mirrored && !is_given ? 1 : 0;
     });
 }
 

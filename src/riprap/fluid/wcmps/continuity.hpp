@@ -18,7 +18,7 @@ inline constexpr double volume_return = 1;
 /// Finds x, p and q of every particle from its density.
 void find_pressure(const WcmpsSettings& settings, const ParticleState& state, WcmpsWater& water);
 
-/// Finds b, m and P of wall particles.
+/// Finds b and m of wall particles, and which have a pressure of their own.
 void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsWalls& seen);
 
 /// Changes the density by continuity, diffusion and tearing; leaves C, numbers of neighbours and normals in scratch.

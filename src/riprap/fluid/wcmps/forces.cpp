@@ -69,10 +69,13 @@ void average_at_walls(const WcmpsSettings& settings, const ParticleState& state,
 }
 
 /// Pressure of the fluid at walls, never below zero, for gauges, and velocity of the fluid mirrored in them [Adami2012,
-/// eqs. 22, 23, 27]; h of walls.
+/// eqs. 22, 23, 27]; A, H and h of walls.
 void extrapolate_to_walls(const WcmpsSettings& settings, BoundaryParticles& walls, const Vec3& gravity,
                           WcmpsScratchData& s) {
     const auto count = walls.position.size();
+    for (std::vector<double>* values : {&s.walls.averaged, &s.walls.held}) {
+        values->resize(count);
+    }
     s.walls.head.resize(count);
     s.walls.mirrored_velocity.resize(count);
     s.walls.grip.resize(count);
@@ -83,9 +86,12 @@ void extrapolate_to_walls(const WcmpsSettings& settings, BoundaryParticles& wall
         const bool is_wet = weight > 0;
         const Vec3 apparent = gravity - walls.acceleration[w];
         const double head = dot(apparent, s.at_walls.moment[w]);
+        const bool is_given = s.walls.is_given[w] != 0, is_averaged = is_wet && s.walls.mirrors[w] == 0 && !is_given;
         s.walls.head[w] = s.walls.mirrors[w] * settings.rest_density * apparent;
+        s.walls.averaged[w] = is_averaged ? s.at_walls.pressure[w] / weight : 0;
+        s.walls.held[w] = is_averaged ? head / weight : is_given ? walls.given_pressure[w] : 0;
         walls.pressure[w] = is_wet ? std::max(0.0, (s.at_walls.pressure[w] + head) / weight) : 0;
-        walls.pressure[w] = s.walls.mirrors[w] == 0 ? s.walls.given[w] : walls.pressure[w];
+        walls.pressure[w] = is_given ? walls.given_pressure[w] : walls.pressure[w];
         s.walls.mirrored_velocity[w] =
             is_wet ? 2.0 * walls.velocity[w] - s.at_walls.velocity[w] / weight : walls.velocity[w];
         s.walls.grip[w] = walls.is_slippery[w] != 0 ? 0 : 1;
@@ -139,7 +145,8 @@ void load_walls(const WcmpsSettings& settings, const ParticleState& state, Bound
         if (takes_area) {
             walls.pressure_force[w] = -walls.pressure[w] * walls.outward_area[w];
         } else {
-            Vec3 carried = (1 + s.walls.mirrors[w]) * s.at_walls.push[w] + s.walls.given[w] * s.at_walls.slope[w];
+            Vec3 carried = (1 + s.walls.mirrors[w]) * s.at_walls.push[w] +
+                           (s.walls.held[w] + s.walls.averaged[w]) * s.at_walls.slope[w];
             carried += times(s.at_walls.spread[w], s.walls.head[w]);
             walls.pressure_force[w] = scale * carried;
         }
@@ -158,7 +165,7 @@ void add_walls(const WcmpsSettings& settings, const ParticleState& state, const 
                   fluid_side(state, s),
                   {walls.position,
                    {u(0), u(1), u(2), v(0), v(1), v(2), field(s.walls.share), field(s.walls.grip),
-                    field(s.walls.mirrors), field(s.walls.given), h(0), h(1), h(2)}},
+                    field(s.walls.mirrors), field(s.walls.held), field(s.walls.averaged), h(0), h(1), h(2)}},
                   {at(f, 0), at(f, 1), at(f, 2), sink(s.forces.wall_heat), at(c, 0), at(c, 1), at(c, 2),
                    sink(s.forces.in_front), at(hold, 0), at(hold, 1), at(hold, 2), sink(s.forces.wall_hold_power)},
                   s.lists.fluid_walls);

@@ -40,6 +40,7 @@ void add_pair_sums_within(const WcmpsSettings& settings, const Pair& pair,
                                       const std::array<FieldSink, static_cast<std::size_t>(Pair::sums)>&,       \
                                       SweepScratch&)
 RIPRAP_INSTANTIATE_WITHIN(NumberContinuity);
+RIPRAP_INSTANTIATE(WallOpening);
 RIPRAP_INSTANTIATE(NumberContinuityAtWalls);
 RIPRAP_INSTANTIATE_WITHIN(MpsMomentum);
 RIPRAP_INSTANTIATE(MpsMomentumFromWalls);

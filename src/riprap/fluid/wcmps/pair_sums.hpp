@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "riprap/fluid/particle/mps_lattice.hpp"
 #include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
@@ -75,11 +76,40 @@ struct NumberContinuity {
     }
 };
 
-/// The same of walls; no diffusion into them: sums[0..5] are sums 0, 2, 3 and 4 to 6 above, times b, the first also
-/// times 1 + m: where m = 1, a wall particle moves as the mirror image of the neighbouring fluid particle.
+/// How the water about a wall particle opens, d = x_w - x_j and v = v_w - v_j:
+///
+///     sums[0] = sum x_j v.d W/r^2,    sums[1] = sum W
+struct WallOpening {
+    static constexpr int target_fields = 3;     ///< v_w
+    static constexpr int candidate_fields = 4;  ///< v, x
+    // Places of the sums.
+    static constexpr int at_opening = 0, at_weight = 1;
+    static constexpr int sums = 2;
+    MpsWeight weight;
+
+    template <int Dim, class Real>
+    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real,
+                              Real* sum) const {
+        const Real w = weight.value(r2);
+        Real opening(0);
+        for (int axis = 0; axis < Dim; ++axis) {
+            opening = opening + (target[axis] - candidate[axis]) * d[axis];
+        }
+        sum[at_opening] = sum[at_opening] + candidate[3] * opening * weight.over_square(r2, w);
+        sum[at_weight] = sum[at_weight] + w;
+    }
+};
+
+/// The same of walls; no diffusion into them: sums[1..5] are sums 2, 3 and 4 to 6 above, times b, and
+///
+///     sums[0] = sum b ((1 + m) v.d W/r^2 + x_i g W)
+///
+/// Where m = 1, a wall particle moves as the mirror image of the neighbouring fluid particle. Where it has the mean
+/// pressure of the water about it, m = 0, and g is the opening of that water over its sum of W: its particles share
+/// that as they share in the mean.
 struct NumberContinuityAtWalls {
-    static constexpr int target_fields = 3;     ///< v
-    static constexpr int candidate_fields = 5;  ///< v, b, m
+    static constexpr int target_fields = 4;     ///< v, x
+    static constexpr int candidate_fields = 6;  ///< v, b, m, g
     // Places of the sums.
     static constexpr int at_rate = 0, at_weight = 1, at_count = 2, at_outward = 3;
     static constexpr int sums = 6;
@@ -93,7 +123,8 @@ struct NumberContinuityAtWalls {
         for (int axis = 0; axis < Dim; ++axis) {
             opening = opening + (target[axis] - candidate[axis]) * d[axis];
         }
-        sum[at_rate] = sum[at_rate] + (Real(1) + candidate[4]) * opening * over_square;
+        sum[at_rate] = sum[at_rate] + (Real(1) + candidate[4]) * opening * over_square +
+                       candidate[3] * candidate[5] * target[3] * w;
         sum[at_weight] = sum[at_weight] + candidate[3] * w;
         sum[at_count] = sum[at_count] + candidate[3] * select(Real(0) < w, Real(1), Real(0));
         const Real over_r = over_square * r;
@@ -167,16 +198,17 @@ struct MpsMomentum {
     }
 };
 
-/// The same from walls of velocity v_w and, mirrored in them, u_w. Their pressure is that of the particle, carried on
-/// as in still water, or a given one (docs/theory/wcmps.md, 5): with h = m rho_0 (g - a_w) and P = (1 - m) p_given,
+/// The same from walls of velocity v_w and, mirrored in them, u_w (docs/theory/wcmps.md, 5). Their pressure is A + H: A
+/// the mean of the water about them, H what carries it on to the wall as in still water, or a given one. Or it is that
+/// of the particle, m = 1 and A = H = 0, carried on by h = rho_0 (g - a_w). With F = x_i H - h.d,
 ///
-///     sums[0..2] = sum b ((1 + m) q_i + P x_i - h.d) d W/r^2 + viscous force
+///     sums[0..2] = sum b (x_i A + F + (1 + m) q_i) d W/r^2 + viscous force
 ///     sums[3]    = -sum (viscous force).(v_i - v_w)                  heat, which counts once
 ///     sums[4..7] as above
-///     sums[8..10] = -sum b (P x_i - h.d) d W/r^2,   sums[11] = the same . v_w     for the wall exchange
+///     sums[8..10] = -sum b F d W/r^2,   sums[11] = the same . v_w    for the wall exchange
 struct MpsMomentumFromWalls {
     static constexpr int target_fields = 9;      ///< v, x, q, C, n
-    static constexpr int candidate_fields = 13;  ///< u_w, v_w, b, grip (0 on slippery walls, else 1), m, P, h
+    static constexpr int candidate_fields = 14;  ///< u_w, v_w, b, grip (0 on slippery walls, else 1), m, H, A, h
     // Places of the sums.
     static constexpr int at_force = 0, at_heat = 3, at_crowd = 4, at_front = 7, at_hold = 8, at_hold_power = 11;
     static constexpr int sums = 12;
@@ -190,9 +222,10 @@ struct MpsMomentumFromWalls {
         const Real w = weight.value(r2), over_square = candidate[6] * weight.over_square(r2, w);
         Real given = candidate[9] * target[3];
         for (int axis = 0; axis < Dim; ++axis) {
-            given = given - candidate[10 + axis] * d[axis];
+            given = given - candidate[11 + axis] * d[axis];
         }
-        const Real held = given * over_square, push = held + (Real(1) + candidate[8]) * target[4] * over_square;
+        const Real own = candidate[10] * target[3] + (Real(1) + candidate[8]) * target[4];
+        const Real held = given * over_square, push = held + own * over_square;
         const Real crowd = (target[5] + Real(1)) * over_square;
         const Real drag = Real(viscosity) * candidate[7] * candidate[6] * w;
         for (int axis = 0; axis < Dim; ++axis) {
@@ -236,7 +269,7 @@ struct MpsWallAverages {
 ///
 ///     sums[0..2] = sum x_j d W/r^2,    sums[3..5] = sum q_j d W/r^2,    sums[6..11] = sum d d^T W/r^2,
 ///
-/// b ((1 + m) sums[3..5] + P sums[0..2] + sums[6..11] h) being the reaction to MpsMomentumFromWalls.
+/// b ((1 + m) sums[3..5] + (A + H) sums[0..2] + sums[6..11] h) being the reaction to MpsMomentumFromWalls.
 struct MpsPressureOnWalls {
     static constexpr int target_fields = 0;
     static constexpr int candidate_fields = 2;  ///< x, q

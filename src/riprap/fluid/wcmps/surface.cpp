@@ -109,7 +109,7 @@ Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& 
     if (settings.shifting == 0) {
         return {};
     }
-    const double bound = 0.5 / settings.lattice().zigzag_stiffness;
+    const double bound = 0.5 / settings.lattice().wave_stiffness;
     state.shift.resize(state.position.size());
     const double longest = 0.1 * settings.spacing;
     const auto shift_one = [&](std::int64_t entry) {

@@ -24,10 +24,10 @@ struct Shifting {
 ///
 ///     delta x = -F grad C,   F = 2 l_0 dt u,   at most a tenth of l_0,
 ///
-/// and F at most 0.5/MpsLattice::zigzag_stiffness, which halves a zigzag of lattice planes in a step and ends one of
-/// pairs at 0.8 l_0, which are twice as stiff: more would turn it over. u is how fast neighbours pass each other, where
-/// the source takes the fastest particle of all, see docs/theory/wcmps.md, 6. The first half is made at once, the
-/// second after the next update of density. Class B and F along the surface only, E not.
+/// and F at most 0.5/MpsLattice::wave_stiffness, which halves the stiffest wave of lattice planes in a step and ends
+/// one of pairs at 0.8 l_0, which are twice as stiff: more would turn it over. u is how fast neighbours pass each
+/// other, where the source takes the fastest particle of all, see docs/theory/wcmps.md, 6. The first half is made at
+/// once, the second after the next update of density. Class B and F along the surface only, E not.
 Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                const WcmpsScratchData& scratch);
 

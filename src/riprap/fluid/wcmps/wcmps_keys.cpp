@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/core/key.hpp"
+#include "riprap/fluid/particle/mps_keys.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
 
@@ -12,7 +13,7 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
     return {
         .help = "weakly compressible moving particle semi-implicit method",
         .keys =
-            particle_keys<S>() +
+            particle_keys<S>() + mps_keys<S>() +
             KeyList<S>{
                 number(&S::smoothing_ratio, "smoothing_ratio", dimension::plain, between(1, 2),
                        "Half the support radius over spacing; 1.55 is the support of 3.1 spacings of the source."),

@@ -5,10 +5,13 @@
 // made anew in every step; only the lists of neighbours are kept for speed.
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
 #include "riprap/fluid/wcmps/wcmps_step.hpp"
@@ -67,16 +70,21 @@ struct WcmpsCollisions {
     std::size_t bytes() const { return bytes_of(share, change); }
 };
 
-/// Fields of wall particles that sums read.
+/// Fields of wall particles that sums read: those of NumberContinuityAtWalls and MpsMomentumFromWalls.
 struct WcmpsWalls {
     std::vector<double> share;            ///< b = V/l_0^D
-    std::vector<double> mirrors;          ///< m: 0 where a pressure is given, else 1
-    std::vector<double> given;            ///< P: that pressure, else 0 [Pa]
-    std::vector<Vec3> head;               ///< h = m rho_0 (g - a_w) [Pa/m]
+    std::vector<std::uint8_t> is_given;   ///< has a pressure of its own
+    std::vector<double> mirrors;          ///< m
+    std::vector<double> opening, around;  ///< sums of WallOpening, then g in place of the first
+    std::vector<double> averaged;         ///< A [Pa]
+    std::vector<double> held;             ///< H [Pa]
+    std::vector<Vec3> head;               ///< h [Pa/m]
     std::vector<Vec3> mirrored_velocity;  ///< u_w [m/s]
     std::vector<double> grip;             ///< 0 on slippery walls, else 1
 
-    std::size_t bytes() const { return bytes_of(share, mirrors, given, head, mirrored_velocity, grip); }
+    std::size_t bytes() const {
+        return bytes_of(share, is_given, mirrors, opening, around, averaged, held, head, mirrored_velocity, grip);
+    }
 };
 
 /// Sums over the water at wall particles, which do not depend on how the walls move.

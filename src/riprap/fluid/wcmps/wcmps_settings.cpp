@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/particle/mps_weight.hpp"
+
 namespace riprap::fluid {
 namespace {
 
@@ -17,6 +20,17 @@ double power(double x, double exponent) {
 }
 
 }  // namespace
+
+WcmpsSettings::WcmpsSettings() {
+    smoothing_ratio = 1.55;
+    courant = 0.5;
+}
+
+MpsWeight WcmpsSettings::weight() const { return {support_radius(), spacing, weight_law}; }
+
+MpsLattice WcmpsSettings::lattice() const {
+    return mps_lattice(weight_law, support_ratio(), spacing, domain.dimension);
+}
 
 double pressure_of(const WcmpsSettings& s, double concentration) {
     const double stiffness = s.rest_density * s.sound_speed * s.sound_speed / s.tait_exponent;

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/particle/mps_choices.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap {
@@ -15,6 +14,9 @@ struct MethodKeys;  // core/key.hpp
 
 namespace riprap::fluid {
 
+class MpsWeight;    // particle/mps_weight.hpp
+struct MpsLattice;  // particle/mps_lattice.hpp
+
 /// Loads on solids: the exact reaction to what their particles do to the fluid, or pressure times area of the surface
 /// particles along their normal [Mellado2021, eq. 5.40], which loses momentum.
 enum class WallLoads : std::uint8_t { pair_sum, pressure_area };
@@ -23,18 +25,17 @@ enum class WallLoads : std::uint8_t { pair_sum, pressure_area };
 struct WcmpsSettings : ParticleSettings {
     static constexpr std::string_view method_name = "wcmps";
     static MethodKeys<WcmpsSettings> keys();
-    WcmpsSettings() {
-        smoothing_ratio = 1.55;
-        courant = 0.5;
-    }
+    WcmpsSettings();
 
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double density_diffusion{0.35};    ///< delta [-], 0 to 1
     bool diffuses_hydrostatic{false};  ///< diffusion of all of n as in the source, not only of what gravity does not
                                        ///< explain; still water then creeps
-    double shifting{1};                ///< multiple of the shift, see wcmps::shift [-]; 0 = off
-    double collision_distance{0.9};    ///< share of l_0 below which surface particles collide [-]; 0 = off
-    double collision_ratio{0.5};       ///< speed of separation over that of approach [-]
+    MpsWeightLaw weight_law{MpsWeightLaw::smooth};
+    MpsWallPressure wall_pressure{MpsWallPressure::averaged};
+    double shifting{1};              ///< multiple of the shift, see wcmps::shift [-]; 0 = off
+    double collision_distance{0.9};  ///< share of l_0 below which surface particles collide [-]; 0 = off
+    double collision_ratio{0.5};     ///< speed of separation over that of approach [-]
     WallLoads wall_loads{WallLoads::pair_sum};
     bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
@@ -42,8 +43,8 @@ struct WcmpsSettings : ParticleSettings {
     bool takes_outward_area() const { return wall_loads == WallLoads::pressure_area; }
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
-    MpsWeight weight() const { return {support_radius(), spacing}; }
-    MpsLattice lattice() const { return mps_lattice(support_ratio(), spacing, domain.dimension); }
+    MpsWeight weight() const;
+    MpsLattice lattice() const;
 };
 
 // The state equation in the concentration x = n/n_0 = rho/rho_0 [Mellado2021, eq. 5.17]:

@@ -20,8 +20,12 @@ double filled(double depth, double spacing) {
     return depth == 0 ? 0 : spacing * std::max(1.0, std::round(depth / spacing));
 }
 
-/// Smoothing ratio of a method: both MPS take the support of the article's three dimensions.
-std::string support_of(std::string_view fluid) { return fluid == "sph" ? "" : "fluid.smoothing_ratio=1.05"; }
+/// Support and weight of a method: both MPS take those of the article, with walls that go with them.
+std::vector<std::string> sums_of(std::string_view fluid) {
+    return fluid == "sph" ? std::vector<std::string>{}
+                          : std::vector<std::string>{"fluid.smoothing_ratio=1.05", "fluid.weight=\"reciprocal\"",
+                                                     "fluid.wall_pressure=\"mirrored\""};
+}
 
 std::vector<std::string> overrides_of(const FloeRun& run, double spacing) {
     const double gate = std::max(2 * spacing, 0.005);
@@ -37,9 +41,8 @@ std::vector<std::string> overrides_of(const FloeRun& run, double spacing) {
     all.push_back(fmt::format("fluid.region.1.box.low=[{},0,0]", is_dry ? 0.075 : length_up + gate));
     all.push_back(is_dry ? "fluid.region.1.box.high=[0.15,0.15,0.15]"
                          : fmt::format("fluid.region.1.box.high=[0.7,0.15,{}]", filled(run.depth, spacing)));
-    if (const std::string support = support_of(run.fluid); !support.empty()) {
-        all.push_back(support);
-    }
+    const std::vector<std::string> sums = sums_of(run.fluid);
+    all.insert(all.end(), sums.begin(), sums.end());
     all.insert(all.end(), run.more.begin(), run.more.end());
     return all;
 }

@@ -25,8 +25,9 @@ CaseSetting scene_of(const CaseSetting& setting, const std::string& name) {
 }
 
 std::vector<std::string> methods(double spacing, double end) {
-    return {"fluid.method=\"wcmps\"", "fluid.smoothing_ratio=1.05", "solid.method=\"sphere_dem\"",
-            fmt::format("fluid.spacing={}", spacing), fmt::format("end={}", end)};
+    return {"fluid.method=\"wcmps\"",           "fluid.smoothing_ratio=1.05",  "fluid.weight=\"reciprocal\"",
+            "fluid.wall_pressure=\"mirrored\"", "solid.method=\"sphere_dem\"", fmt::format("fluid.spacing={}", spacing),
+            fmt::format("end={}", end)};
 }
 
 }  // namespace

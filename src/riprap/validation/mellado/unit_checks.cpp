@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/wcmps/pair_sums.hpp"
 #include "riprap/fluid/wcmps/wcmps_step.hpp"
 #include "riprap/solid/sphere_dem/sphere_world.hpp"
@@ -21,6 +22,8 @@ namespace {
 using solid::sphere_dem::SphereWorld;
 using water::WaterTrial;
 
+constexpr fluid::MpsWeightLaw published = fluid::MpsWeightLaw::reciprocal;
+
 /// A lattice of spacing 1 m and its constants, by summing over it apart from the program.
 struct Lattice {
     int dimension;
@@ -34,7 +37,7 @@ constexpr std::array lattices{Lattice{2, 2.1, 6.539697, 1.388351, 12}, Lattice{2
 /// Calls visit(d, W) for every neighbour of the particle at the origin of a lattice of spacing 1 m.
 template <class Visit>
 void for_neighbours(const Lattice& lattice, const Visit& visit) {
-    const fluid::MpsWeight weight(lattice.support, 1.0);
+    const fluid::MpsWeight weight(lattice.support, 1.0, published);
     const int reach = static_cast<int>(lattice.support), depth = lattice.dimension == 3 ? reach : 0;
     for (int k = -depth; k <= depth; ++k) {
         for (int j = -reach; j <= reach; ++j) {
@@ -52,7 +55,7 @@ void for_neighbours(const Lattice& lattice, const Visit& visit) {
 void judge_lattices(CaseReport& report) {
     double density = 0, lambda = 0, count = 0, slope = 0, curvature = 0;
     for (const Lattice& expected : lattices) {
-        const fluid::MpsLattice ours = fluid::mps_lattice(expected.support, 1.0, expected.dimension);
+        const fluid::MpsLattice ours = fluid::mps_lattice(published, expected.support, 1.0, expected.dimension);
         density = std::max(density, std::abs(ours.number_density / expected.number_density - 1));
         lambda = std::max(lambda, std::abs(ours.lambda / expected.lambda - 1));
         count = std::max(count, std::abs(ours.neighbours - expected.neighbours));
@@ -78,6 +81,8 @@ fluid::WcmpsSettings settings_of(int dimension) {
     fluid::WcmpsSettings settings;
     settings.spacing = 0.02;
     settings.sound_speed = 20;
+    settings.weight_law = published;
+    settings.wall_pressure = fluid::MpsWallPressure::mirrored;
     settings.particle_mass = settings.rest_density * std::pow(settings.spacing, dimension);
     settings.domain = {{0, 0, 0}, {0.2, 0.2, 0.2}, {true, true, dimension == 3}, dimension};
     return settings;
@@ -148,7 +153,8 @@ void judge_column(const CaseSetting& setting, CaseReport& report) {
     constexpr double depth = 0.5, width = 0.5, end = 5, gravity = 9.81;
     CaseSetting scene = setting;
     scene.folder = setting.folder.parent_path().parent_path() / "water" / "still_tank";
-    WaterTrial trial(scene, std::vector<std::string>{"fluid.method=\"wcmps\"", "fluid.spacing=0.025", "end=5",
+    WaterTrial trial(scene, std::vector<std::string>{"fluid.method=\"wcmps\"", "fluid.weight=\"reciprocal\"",
+                                                     "fluid.wall_pressure=\"mirrored\"", "fluid.spacing=0.025", "end=5",
                                                      "fluid.region.0.box.high=[0.5,0.5]",
                                                      "body.right.shape.half_space.offset=-0.5"});
     trial.record("surface", [](const WaterTrial& now) {

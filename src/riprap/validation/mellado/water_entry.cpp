@@ -109,17 +109,26 @@ std::string name_of(const BlockRun& run) {
                        run.solid == "sphere_dem" ? "spheres" : "polyhedron");
 }
 
+/// Sums of the source, as those of the floes.
+const std::vector<std::string> published{"fluid.weight=\"reciprocal\"", "fluid.wall_pressure=\"mirrored\""};
+
 std::vector<std::string> overrides_of(const BlockRun& run, double spacing) {
-    return {fmt::format("body.block.density={}", run.entry.density), fmt::format("fluid.method=\"{}\"", run.fluid),
-            fmt::format("solid.method=\"{}\"", run.solid), fmt::format("fluid.spacing={}", spacing),
-            fmt::format("end={}", run.end)};
+    std::vector<std::string> all{fmt::format("body.block.density={}", run.entry.density),
+                                 fmt::format("fluid.method=\"{}\"", run.fluid),
+                                 fmt::format("solid.method=\"{}\"", run.solid),
+                                 fmt::format("fluid.spacing={}", spacing), fmt::format("end={}", run.end)};
+    if (run.fluid != "sph") {
+        all.insert(all.end(), published.begin(), published.end());
+    }
+    return all;
 }
 
 /// Mean lift of the block held 0.25 m under the surface over the weight of its water [-].
 double held_lift(const CaseSetting& setting, double spacing, const std::string& loads) {
-    const std::vector<std::string> held{"body.block.fixed=true", "body.block.position=[0.25,0.25]", "end=1.0",
-                                        fmt::format("fluid.spacing={}", spacing),
-                                        fmt::format("fluid.wall_loads=\"{}\"", loads)};
+    std::vector<std::string> held{"body.block.fixed=true", "body.block.position=[0.25,0.25]", "end=1.0",
+                                  fmt::format("fluid.spacing={}", spacing),
+                                  fmt::format("fluid.wall_loads=\"{}\"", loads)};
+    held.insert(held.end(), published.begin(), published.end());
     WaterTrial trial(setting, held);
     trial.run();
     return mean_of(trial, "block.fluid_force.y", 0.5, 1) / (0.01 * 1000 * gravity);
