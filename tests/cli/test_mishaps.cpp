@@ -58,6 +58,26 @@ TEST_F(Mishaps, ATableThatIsRemovedDuringARunIsNoSuccess) {
     }
 }
 
+TEST_F(Mishaps, ATableThatIsCutOrAddedToDuringARunIsNoSuccess) {
+    // A row of zero bytes stood where the file had been cut, and the run ended with 0.
+    for (const char* name : {"probes.csv", "ledger.csv"}) {
+        for (const bool is_cut : {true, false}) {
+            const Program program(folder.path(),
+                                  {"run", case_file(), "--out", out("a"), "--force", "--set", "end=10000"});
+            wait_for_steps("a");
+            if (is_cut) {
+                std::filesystem::resize_file(in("a", name), 10);
+            } else {
+                std::ofstream(in("a", name), std::ios::app) << "1,2,3\n";
+            }
+            const Ending ending = program.wait();
+            EXPECT_EQ(ending.code, 5) << name;
+            EXPECT_THAT(ending.err, AllOf(HasSubstr(name), HasSubstr("another program changed it")));
+            std::filesystem::remove_all(out("a"));
+        }
+    }
+}
+
 TEST_F(Mishaps, ALatestCheckpointThatCannotBeReadIsPassedOverForThePrevious) {
     const Whole whole = whole_run("1");
     ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=20"}).code, 0);

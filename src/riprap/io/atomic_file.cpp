@@ -9,6 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include "riprap/io/own_file.hpp"
+
 namespace riprap::io {
 
 namespace {
@@ -120,17 +122,12 @@ void flush_file_system(const std::filesystem::path& folder) {
 }
 
 AtomicFile::AtomicFile(std::filesystem::path target)
-    : target_(std::move(target)),
-      partial_(partial_name(target_)),
-      file_(::open(partial_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
-    if (!file_.is_open()) {
-        throw file_error("write", target_, errno);
-    }
+    : target_(std::move(target)), partial_(partial_name(target_)), file_(create_own(partial_, target_)) {
     buffer_.reserve(buffer_bytes);
 }
 
 AtomicFile::~AtomicFile() {
-    if (file_.is_open()) {
+    if (file_.is_open() && is_in_place(file_, partial_)) {
         ::unlink(partial_.c_str());
     }
 }
@@ -161,6 +158,10 @@ void AtomicFile::commit(Durability durability) {
         flush();
     } else {
         write_buffer();
+    }
+    if (!is_in_place(file_, partial_)) {
+        throw FileError("cannot write '" + target_.string() + "': '" + partial_.string() +
+                        "' was removed or replaced while it was written; two programs write the same file");
     }
     if (::rename(partial_.c_str(), target_.c_str()) != 0) {
         throw file_error("write", target_, errno);

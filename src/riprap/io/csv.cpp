@@ -10,6 +10,8 @@
 #include <cmath>
 #include <utility>
 
+#include "riprap/io/own_file.hpp"
+
 namespace riprap::io {
 
 namespace {
@@ -59,18 +61,15 @@ std::string csv_row(std::span<const double> values) {
 }
 
 GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns)
-    : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
-    if (!file_.is_open()) {
-        throw file_error("write", path_, errno);
-    }
+    : path_(std::move(path)), file_(create_own(path_)) {
     buffer_ = heading_line(columns);
     flush(false);
 }
 
 GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns, std::uint64_t bytes)
-    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDWR | O_CLOEXEC)), written_(bytes) {
+    : path_(std::move(path)), file_(open_own(path_, O_RDWR)), written_(bytes) {
     struct stat status {};
-    if (!file_.is_open() || ::fstat(file_.number(), &status) != 0) {
+    if (::fstat(file_.number(), &status) != 0) {
         throw file_error("continue", path_, errno);
     }
     const std::string heading = heading_line(columns);
@@ -100,15 +99,19 @@ void GrowingCsv::add_row(std::span<const double> values) {
 }
 
 void GrowingCsv::require_in_place() const {
-    struct stat open {
-    }, named{};
-    if (::fstat(file_.number(), &open) != 0) {
+    struct stat status {};
+    if (::fstat(file_.number(), &status) != 0) {
         throw file_error("write", path_, errno);
     }
-    if (::stat(path_.c_str(), &named) != 0 || open.st_dev != named.st_dev || open.st_ino != named.st_ino) {
+    if (!is_in_place(file_, path_)) {
         throw FileError("cannot write '" + path_.string() +
                         "' any more: it was removed or replaced while the run wrote it; put it back and continue with "
                         "`riprap resume`, or start again with --force");
+    }
+    if (static_cast<std::uint64_t>(status.st_size) != written_) {
+        throw FileError("cannot write '" + path_.string() + "' any more: another program changed it, it has " +
+                        std::to_string(status.st_size) + " bytes where the run wrote " + std::to_string(written_) +
+                        "; put its rows back and continue with `riprap resume`, or start again with --force");
     }
 }
 
@@ -121,6 +124,7 @@ void GrowingCsv::flush(bool to_disk) {
     }
     if (to_disk) {
         flush_to_disk(file_, path_);
+        require_in_place();  // the last look of a run
     }
 }
 

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
+#include "riprap/io/own_file.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/scene/keys/limits.hpp"
 
@@ -73,11 +74,7 @@ void refuse_names_in_the_way(const RunFolder& folder) {
 
 }  // namespace
 
-FolderLock::FolderLock(const RunFolder& folder)
-    : file_(::open(folder.lock().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    if (!file_.is_open()) {
-        throw io::file_error("write", folder.lock(), errno);
-    }
+FolderLock::FolderLock(const RunFolder& folder) : file_(io::open_plain(folder.lock(), O_RDWR | O_CREAT)) {
     if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
         if (errno == EWOULDBLOCK) {
             throw FileError("another riprap is writing to '" + folder.root.string() +
@@ -85,6 +82,30 @@ FolderLock::FolderLock(const RunFolder& folder)
         }
         throw io::file_error("lock", folder.lock(), errno);
     }
+    for (const fs::path& inside : {folder.case_folder(), folder.frames(), folder.checkpoint_latest().parent_path()}) {
+        io::refuse_linked_folder(inside);
+    }
+}
+
+bool is_held(const RunFolder& folder) {
+    const io::FileDescriptor file(::open(folder.lock().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    return file.is_open() && ::flock(file.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
+std::string status_of(const RunFolder& folder) {
+    std::error_code error;
+    if (!fs::exists(folder.summary(), error)) {
+        return folder.has_run() ? "interrupted" : "not run";
+    }
+    try {
+        const auto summary = nlohmann::json::parse(io::read_file(folder.summary(), ticket_limit), nullptr, false);
+        if (summary.is_object() && summary.contains("status") && summary["status"].is_string()) {
+            return summary["status"].get<std::string>();
+        }
+    } catch (const FileError&) {
+        // told by its status
+    }
+    return "unreadable";
 }
 
 bool RunFolder::is_ours() const {

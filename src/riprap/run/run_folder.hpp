@@ -48,12 +48,19 @@ struct RunFolder {
 /// Holds a run folder for this process; goes with it, however it ends.
 class FolderLock {
  public:
-    /// @throws FileError when another process holds the folder
+    /// @throws FileError when another process holds the folder, or one of its own folders is a link
     explicit FolderLock(const RunFolder& folder);
 
  private:
     io::FileDescriptor file_;
 };
+
+/// Tells whether another process holds a run folder now. Touches nothing.
+bool is_held(const RunFolder& folder);
+
+/// Status that summary.json tells: "finished", "interrupted" or "failed". "not run" where no run was started,
+/// "interrupted" where one was killed before it could tell, "unreadable" where the file is damaged.
+std::string status_of(const RunFolder& folder);
 
 /// Contents that a run folder may hold already.
 enum class Existing {

@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "riprap/io/own_file.hpp"
 
 namespace riprap::run {
 
@@ -18,11 +19,7 @@ namespace {
 constexpr std::string_view warning_kind = "warning";
 
 io::FileDescriptor open_to_append(const std::filesystem::path& path) {
-    io::FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
-    if (!file.is_open()) {
-        throw io::file_error("write", path, errno);
-    }
-    return file;
+    return io::open_own(path, O_WRONLY | O_CREAT | O_APPEND);
 }
 
 }  // namespace

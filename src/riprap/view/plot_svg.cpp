@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
-#include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
 
 namespace riprap::view {
 
@@ -259,14 +258,10 @@ std::string to_svg(const Plot& plot) {
 }
 
 void write_svg(const std::filesystem::path& path, const Plot& plot) {
-    std::error_code problem;
-    std::filesystem::create_directories(path.parent_path(), problem);
-    std::ofstream file(path);
-    file << to_svg(plot);
-    file.flush();
-    if (!file) {
-        throw FileError(fmt::format("cannot write the plot {}; give another folder for the results", path.string()));
+    if (path.has_parent_path()) {
+        io::make_folder(path.parent_path());
     }
+    io::write_file(path, to_svg(plot));
 }
 
 }  // namespace riprap::view

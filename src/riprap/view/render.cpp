@@ -15,6 +15,7 @@
 #include <cstring>
 #include <utility>
 
+#include "riprap/io/own_file.hpp"
 #include "riprap/view/browser.hpp"
 #include "riprap/view/page.hpp"
 
@@ -213,6 +214,9 @@ std::string render_movie(Stage& stage, const RenderOptions& options, const run::
     if (!ffmpeg) {
         const fs::path folder =
             options.out.empty() ? options.folder / "movie" : fs::path(options.out).replace_extension();
+        if (options.out.empty()) {
+            io::refuse_linked_folder(folder);
+        }
         io::make_folder(folder);
         draw_movie(stage, frames, stop, [&](std::size_t k, const std::string& png) {
             io::write_file(folder / fmt::format("{:06}.png", k), png, io::Durability::later);
@@ -222,6 +226,7 @@ std::string render_movie(Stage& stage, const RenderOptions& options, const run::
     }
     const fs::path out = options.out.empty() ? options.folder / "movie.mp4" : options.out;
     const fs::path partial = out.string() + ".partial";
+    io::create_own(partial, out);  // ffmpeg would write through a link that stands there
     Encoder encoder(*ffmpeg, partial, options.frames_per_second);
     draw_movie(stage, frames, stop, [&](std::size_t, const std::string& png) { encoder.add(png); });
     if (!encoder.finish()) {
