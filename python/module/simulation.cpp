@@ -96,8 +96,10 @@ std::int64_t Simulation::step(std::int64_t count, bool with_energy, double until
     while (taken < count && simulation.steps_left() > 0 && !has_reached(simulation, until)) {
         const double dt = simulation.next_dt();
         const bool ends = taken + 1 == count || has_reached(simulation, until - dt);
-        const bool is_whole = is_due() || simulation.next_is_last() || (with_energy && ends);
-        const run::StepOutcome outcome = simulation.step(is_whole ? sim::Measure::energy : sim::Measure::flow);
+        const bool is_record = is_due();
+        const bool is_whole = is_record || simulation.next_is_last() || (with_energy && ends);
+        const run::StepOutcome outcome = simulation.step(is_whole ? sim::Measure::energy : sim::Measure::flow,
+                                                         is_record ? run::Use::record : run::Use::look);
         if (outcome.kind == run::StepOutcome::Kind::refused) {
             throw NumericalError(outcome.why.with_remedy());
         }

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <limits>
 #include <span>
@@ -26,7 +27,7 @@
 
 namespace riprap::io {
 
-inline constexpr std::uint32_t checkpoint_version = 1;
+inline constexpr std::uint32_t checkpoint_version = 2;  ///< 2: with what verdicts remember
 
 /// Header of a checkpoint.
 struct CheckpointHeader {
@@ -103,21 +104,35 @@ void append_sections(const State& state, std::vector<Section>& sections) {
     });
 }
 
+/// The same under names that begin with `prefix`, for a second State in one file. `names` holds these names: it must
+/// outlive the sections, and keep its entries where they are.
+template <class State>
+void append_sections(const State& state, std::string_view prefix, std::deque<std::string>& names,
+                     std::vector<Section>& sections) {
+    const std::size_t first = sections.size();
+    append_sections(state, sections);
+    for (std::size_t i = first; i < sections.size(); ++i) {
+        sections[i].name = names.emplace_back(std::string(prefix) + std::string(sections[i].name));
+    }
+}
+
 /// The section of that name, which must have this type. @throws CheckpointError
 const Section& require_section(const Checkpoint& checkpoint, std::string_view name, FieldType type, int components);
 [[noreturn]] void refuse_count(const Checkpoint& checkpoint, const Section& section, std::uint64_t expected);
 
 /// Fills every field of a State from its section. Where the State at hand already has a field of known length (one
 /// entry per body) that length is required: `fixed_length(name)` says so.
+/// @param prefix  with which the names of the sections begin; `fixed_length` is asked without it
 /// @throws CheckpointError when a section is missing or has another type or length
 template <class State, class FixedLength>
-void restore(const Checkpoint& checkpoint, State& state, FixedLength&& fixed_length) {
+void restore(const Checkpoint& checkpoint, State& state, FixedLength&& fixed_length, std::string_view prefix = {}) {
     State::visit_fields(state, [&](std::string_view name, auto& field) {
+        const std::string full = std::string(prefix) + std::string(name);
         using Field = std::remove_cvref_t<decltype(field)>;
         if constexpr (is_field_array<Field>) {
             using Entry = typename Field::value_type;
             using Traits = FieldTraits<Entry>;
-            const Section& section = require_section(checkpoint, name, Traits::type, Traits::components);
+            const Section& section = require_section(checkpoint, full, Traits::type, Traits::components);
             if (fixed_length(name) && section.count != field.size()) {
                 refuse_count(checkpoint, section, field.size());
             }
@@ -127,7 +142,7 @@ void restore(const Checkpoint& checkpoint, State& state, FixedLength&& fixed_len
             }
         } else {
             using Traits = FieldTraits<Field>;
-            const Section& section = require_section(checkpoint, name, Traits::type, Traits::components);
+            const Section& section = require_section(checkpoint, full, Traits::type, Traits::components);
             if (section.count != 1) {
                 refuse_count(checkpoint, section, 1);
             }

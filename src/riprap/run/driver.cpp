@@ -73,6 +73,7 @@ void Driver::start() {
     outputs_->note(record_);
     simulation_.note(record_);
     save_checkpoint(folder_, model(), state(), record_);
+    record_.good = {};  // a whole State, which the next one brings along
 }
 
 void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_steps) {
@@ -99,6 +100,7 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     record_.max_steps = max_steps.value_or(record_.max_steps);
     record_.resumes += 1;
     simulation_.restore(std::move(restart.state), record_);
+    step_watch_.restore(record_.told_excess);
     earlier_seconds_ = record_.wall_seconds;
     announce(fmt::format("resume at step {}", state().step));
     if (simulation_.steps_left() > 0) {
@@ -149,8 +151,9 @@ std::string Driver::water_text() const {
 StepOutcome Driver::take_step(Due& due) {
     const double dt = simulation_.next_dt();
     due = outputs_->due_at(state().time + dt, dt);
-    return simulation_.step(due.row || due.frame || simulation_.next_is_last() ? sim::Measure::energy
-                                                                               : sim::Measure::flow);
+    const bool is_record = due.row || due.frame;
+    return simulation_.step(is_record || simulation_.next_is_last() ? sim::Measure::energy : sim::Measure::flow,
+                            is_record ? Use::record : Use::look);
 }
 
 int Driver::run(const Watch& watch) {
@@ -243,6 +246,7 @@ void Driver::tell_prediction(const Progress& progress) {
 
 void Driver::note(const Progress& progress) {
     simulation_.note(record_);
+    record_.told_excess = step_watch_.told_excess();
     record_.wall_seconds = earlier_seconds_ + progress.seconds();
 }
 
@@ -250,6 +254,7 @@ void Driver::checkpoint(const Progress& progress) {
     outputs_->note(record_);
     note(progress);
     save_checkpoint(folder_, model(), state(), record_);
+    record_.good = {};  // a whole State, which the next one brings along
     last_checkpoint_ = progress.seconds();
     log_->add("checkpoint", fmt::format("step {}, t = {:.6g} s", state().step, state().time),
               {{"step", static_cast<double>(state().step)},
@@ -272,6 +277,7 @@ int Driver::finish(const Progress& progress) {
     summarise(progress, is_whole ? "finished" : "interrupted", is_whole ? "" : "stopped by max_steps", results);
     note(progress);
     save_checkpoint(folder_, model(), state(), record_);
+    record_.good = {};  // a whole State, which the next one brings along
     if (!is_whole && simulation_.has_stepped()) {
         tell_prediction(progress);
     }

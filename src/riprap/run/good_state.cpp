@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/run/good_state.hpp"
 
-#include "riprap/run/step_choice.hpp"
-
 namespace riprap::run {
 
-sim::State GoodState::at(const sim::Model& model, std::int64_t step) const {
-    sim::State state = standing_->state;
+void GoodState::keep(Standing standing) {
+    standing_ = std::make_shared<const Standing>(std::move(standing));
+    steps_.clear();
+}
+
+sim::State GoodState::now(const sim::Model& model) const {
+    sim::State state = last().state;
     sim::Scratch scratch;
-    while (state.step < step) {
-        advance(model, state, scratch, choose_step(model, state, scratch).dt, sim::Measure::flow);
+    for (const double dt : steps_) {
+        advance(model, state, scratch, dt, sim::Measure::flow);
     }
     return state;
 }

@@ -96,9 +96,9 @@ Outputs::Outputs(const RunFolder& folder, const sim::Model& model, const sim::St
       probes_(open_table(folder.probes(), probe_columns_, is_continued ? &record : nullptr, 0)),
       ledger_(open_table(folder.ledger(), ledger_columns_, is_continued ? &record : nullptr, 1)),
       frame_times_(record.frame_times) {
-    for (const char* name : {"bodies_end.vtp", "contacts_end.vtp", "water_end.vtp",
-                             "surface_end.vtp"}) {  // of an end that is no longer the end
-        std::error_code ignored;
+    std::error_code ignored;
+    std::filesystem::remove(folder.bodies(), ignored);  // these are of an end that is no longer the end
+    for (const char* name : {"bodies_end.vtp", "contacts_end.vtp", "water_end.vtp", "surface_end.vtp"}) {
         std::filesystem::remove(folder.frames() / name, ignored);
     }
 }

@@ -97,6 +97,10 @@ std::string crossing_shapes(const sim::Model& model, const sim::State& state) {
 
 }  // namespace
 
+std::string PassageWatch::look_now(const sim::Model& model, const sim::State& state) {
+    return sim::meets_by_shapes(model) ? crossing_shapes(model, state) : "";
+}
+
 std::string PassageWatch::look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
                                const sim::StepReport& report, bool is_last) {
     if (std::string problem = sim::tells_depth(model) ? crossing_rows(model, state, scratch, report) : "";

@@ -35,12 +35,19 @@ class PassageWatch {
     /// there on their contact would push them on (solid::most_overlap). Empty where none are.
     std::string look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
                      const sim::StepReport& report, bool is_last);
+    /// Looks at the shapes as they are, for a run that stops here and goes on later: what is remembered stays.
+    static std::string look_now(const sim::Model& model, const sim::State& state);
     /// To be called where the State is put back.
     void reset() { approached_ = infinite; }
 
- private:
+    /// By how much two bodies have approached each other since the last look, at most [m]. When the next look comes
+    /// follows from it: part of a checkpoint.
+    double approached() const { return approached_; }
+    void restore(double approached) { approached_ = approached; }
     static constexpr double infinite = 1e300;
-    double approached_{infinite};  ///< by two bodies since the last look, at most [m]
+
+ private:
+    double approached_{infinite};
 };
 
 }  // namespace riprap::run

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -87,6 +88,13 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
     if (!(record.frame_interval > 0) || !(record.row_interval > 0) || record.next_frame < 0 || record.next_row < 0) {
         refuse(checkpoint, "an interval between outputs is not positive, or the next output is before time 0");
     }
+    if (!(record.approached >= 0) || !(record.told_excess >= 0)) {
+        refuse(checkpoint, "what the verdicts remember is below zero or not a number");
+    }
+    const auto is_length = [](double dt) { return dt > 0 && std::isfinite(dt); };
+    if (!std::all_of(record.good.steps().begin(), record.good.steps().end(), is_length)) {
+        refuse(checkpoint, "a step since the last judgement has no length");
+    }
     if (record.csv_bytes.size() != 2) {
         refuse(checkpoint, "the lengths of the tables are missing");
     }
@@ -120,6 +128,44 @@ void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFl
     }
 }
 
+/// The sections of the last State that was judged begin with this.
+constexpr std::string_view good_prefix = "judged.";
+
+/// A State from the sections whose names begin with `prefix`. @throws CheckpointError
+sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial,
+                         std::string_view prefix) {
+    sim::State state = initial;
+    const coupling::ParticleFluid* const water = model.particles();
+    const bool is_open = water != nullptr;  // what splashes out of the domain is let go
+    const auto has_fixed_length = [is_open](std::string_view name) {
+        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
+               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
+               name == "open.layers" || name == "open.entered" || name == "open.left";
+    };
+    io::restore(checkpoint, state, has_fixed_length, prefix);
+    const NonFinite wrong = find_non_finite(state);
+    if (!wrong.name.empty()) {
+        refuse(checkpoint, fmt::format("{}{}[{}] is not a finite number", prefix, wrong.name, wrong.entry));
+    }
+    if (state.step < 0 || state.time < 0) {
+        refuse(checkpoint, "time or step is negative");
+    }
+    const sim::StepControl& stepping = state.stepping;
+    if (stepping.halvings < 0 || stepping.halvings > sim::max_halvings || stepping.accepted < 0) {
+        refuse(checkpoint, fmt::format("the time step is halved {} times, {} steps ago; allowed: 0 to {} times",
+                                       stepping.halvings, stepping.accepted, sim::max_halvings));
+    }
+    check_near_samples(checkpoint, model, state.coupling);
+    if (is_open) {
+        check_openings(checkpoint, *water, state,
+                       water->open.empty() ? initial.fluid.size() : water->open.most_particles);
+    }
+    check_contacts(checkpoint, model, state.contacts);
+    check_solid_fields(checkpoint, model, state);
+    check_orientations(checkpoint, state);
+    return state;
+}
+
 /// One checkpoint file, or the reason why it cannot be used.
 struct Attempt {
     std::optional<Restart> restart;
@@ -150,44 +196,32 @@ Attempt try_checkpoint(const fs::path& path, const sim::Model& model, const sim:
 void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& state,
                      const RunRecord& record) {
     std::vector<io::Section> sections;
+    std::deque<std::string> names;
     append_sections(state, sections);
     append_sections(record, sections);
+    if (!record.good.steps().empty()) {
+        append_sections(record.good.last().state, good_prefix, names, sections);
+        append_sections(record.good.last(), good_prefix, names, sections);
+    }
     io::write_sections(folder.checkpoint_latest(), {model.case_hash, state.step, state.time}, sections,
                        folder.checkpoint_previous());
 }
 
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
-    Restart restart{initial, {}, {}};
-    const coupling::ParticleFluid* const water = model.particles();
-    const bool is_open = water != nullptr;  // what splashes out of the domain is let go
-    const auto has_fixed_length = [is_open](std::string_view name) {
-        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
-               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
-               name == "open.layers" || name == "open.entered" || name == "open.left";
-    };
-    io::restore(checkpoint, restart.state, has_fixed_length);
-    io::restore(checkpoint, restart.record, [](std::string_view) { return false; });
-    const NonFinite wrong = find_non_finite(restart.state);
-    if (!wrong.name.empty()) {
-        refuse(checkpoint, fmt::format("{}[{}] is not a finite number", wrong.name, wrong.entry));
-    }
-    if (restart.state.step < 0 || restart.state.time < 0) {
-        refuse(checkpoint, "time or step is negative");
-    }
-    const sim::StepControl& stepping = restart.state.stepping;
-    if (stepping.halvings < 0 || stepping.halvings > sim::max_halvings || stepping.accepted < 0) {
-        refuse(checkpoint, fmt::format("the time step is halved {} times, {} steps ago; allowed: 0 to {} times",
-                                       stepping.halvings, stepping.accepted, sim::max_halvings));
-    }
-    check_near_samples(checkpoint, model, restart.state.coupling);
-    if (is_open) {
-        check_openings(checkpoint, *water, restart.state,
-                       water->open.empty() ? initial.fluid.size() : water->open.most_particles);
-    }
-    check_contacts(checkpoint, model, restart.state.contacts);
-    check_solid_fields(checkpoint, model, restart.state);
-    check_orientations(checkpoint, restart.state);
+    Restart restart{restore_state(checkpoint, model, initial, {}), {}, {}};
+    const auto any_length = [](std::string_view) { return false; };
+    io::restore(checkpoint, restart.record, any_length);
     check_record(checkpoint, restart.record);
+    const std::vector<double>& steps = restart.record.good.steps();
+    if (!steps.empty()) {
+        Standing good{restore_state(checkpoint, model, initial, good_prefix), {}, {}};
+        io::restore(checkpoint, good, any_length, good_prefix);
+        if (good.state.step + static_cast<std::int64_t>(steps.size()) != restart.state.step) {
+            refuse(checkpoint, fmt::format("{} steps lie between step {}, which was judged, and step {}", steps.size(),
+                                           good.state.step, restart.state.step));
+        }
+        restart.record.good.put_back(std::move(good));
+    }
     return restart;
 }
 

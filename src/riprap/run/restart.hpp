@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "riprap/io/checkpoint.hpp"
+#include "riprap/run/good_state.hpp"
+#include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/step_watch.hpp"
 #include "riprap/sim/model.hpp"
@@ -28,9 +30,12 @@ struct RunRecord {
     StepCounts steps;
     double wall_seconds{0};  ///< of all processes so far [s]
     std::int64_t resumes{0};
-    std::vector<std::uint64_t> csv_bytes;  ///< length of probes.csv and ledger.csv
-    std::vector<double> frame_times;       ///< times of the frames written [s]
-    std::vector<double> expects;           ///< running figures of the expected answers
+    std::vector<std::uint64_t> csv_bytes;       ///< length of probes.csv and ledger.csv
+    std::vector<double> frame_times;            ///< times of the frames written [s]
+    std::vector<double> expects;                ///< running figures of the expected answers
+    double approached{PassageWatch::infinite};  ///< since bodies were last looked at, PassageWatch::approached [m]
+    double told_excess{0};                      ///< StepWatch::told_excess [-]
+    GoodState good;                             ///< where a run goes back to; no steps: to the State of the checkpoint
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
@@ -47,6 +52,9 @@ struct RunRecord {
         visit("run.csv_bytes", self.csv_bytes);
         visit("run.frame_times", self.frame_times);
         visit("run.expects", self.expects);
+        visit("run.approached", self.approached);
+        visit("run.told_excess", self.told_excess);
+        GoodState::visit_fields(self.good, visit);
     }
 };
 

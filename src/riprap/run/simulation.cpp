@@ -34,7 +34,6 @@ void Simulation::set_end(double end, std::int64_t max_steps) {
     loaded_.model.time.end = end;
     loaded_.model.time.max_steps = max_steps;
     forget_scratch();  // the length of a step may depend on the end
-    good_.forget();    // states kept to go back to have steps chosen for the old end
     next_ = choose_step(model(), state_, scratch_);
 }
 
@@ -49,25 +48,29 @@ std::int64_t Simulation::steps_left() const {
                             : next_.steps_left;
 }
 
-bool Simulation::next_is_last() const { return steps_left() <= 1 || state_.time + next_.dt + 1e-6 * next_.dt >= end(); }
+bool Simulation::next_ends() const {
+    return next_.steps_left <= 1 || state_.time + next_.dt + 1e-6 * next_.dt >= end();
+}
 
-StepOutcome Simulation::step(sim::Measure measure) {
+bool Simulation::next_is_last() const { return next_ends() || steps_left() <= 1; }
+
+StepOutcome Simulation::step(sim::Measure measure, Use use) {
     if (!good_.is_there()) {
         keep_standing();
     }
     if (std::string problem = step_problem(model(), state_, next_.dt); !problem.empty()) {
         return {StepOutcome::Kind::refused, {std::move(problem), {}}};
     }
-    const bool is_last = next_is_last();
-    const bool is_judged =
-        is_last || measure == sim::Measure::energy || state_.step < first_steps || good_.is_due_after(state_.step + 1);
-    sim::StepReport report =
-        advance(model(), state_, scratch_, next_.dt, is_judged ? sim::Measure::energy : sim::Measure::flow);
+    const bool is_end = next_ends(), is_stop = next_is_last(), is_measured = measure == sim::Measure::energy;
+    const bool is_judged = is_end || (is_measured && use == Use::record) || state_.step < first_steps ||
+                           good_.is_due_after(state_.step + 1);
+    sim::StepReport report = advance(model(), state_, scratch_, next_.dt,
+                                     is_judged || is_measured ? sim::Measure::energy : sim::Measure::flow);
     if (report.status.ok()) {
-        report.status.text = passages_.look(model(), state_, scratch_, report, is_last);
+        report.status.text = passages_.look(model(), state_, scratch_, report, is_end);
     }
     if (!report.status.ok()) {
-        sim::State before = good_.at(model(), state_.step - 1);
+        sim::State before = good_.now(model());
         return take_back(std::move(before), report.status);
     }
     sim::StepStatus problem{is_judged ? judge_step(report) : "", {}};
@@ -78,9 +81,12 @@ StepOutcome Simulation::step(sim::Measure measure) {
     if (!problem.ok()) {  // the fault may have begun at any step since the last one judged
         watch_.load(good_.last().expects);
         counts_ = good_.last().counts;
+        good_.go_back();
         return take_back(good_.last().state, problem);
     }
-    report.ledger.has_energy = measure == sim::Measure::energy || state_.step == 1;
+    stop_problem_ = is_stop && !is_judged ? problem_at_stop(report) : "";
+    good_.add_step(next_.dt);
+    report.ledger.has_energy = is_measured || state_.step == 1;
     report_ = std::move(report);
     has_stepped_ = true;
     next_ = choose_step(model(), state_, scratch_);
@@ -95,6 +101,11 @@ StepOutcome Simulation::step(sim::Measure measure) {
 std::string Simulation::judge_step(const sim::StepReport& report) const {
     std::string problem = ledger_problem(report.ledger, model(), state_, state_.step);
     return problem.empty() ? water_passage(model(), state_) : problem;
+}
+
+std::string Simulation::problem_at_stop(const sim::StepReport& report) const {
+    const std::string problem = report.ledger.has_energy ? judge_step(report) : "";
+    return problem.empty() ? PassageWatch::look_now(model(), state_) : problem;
 }
 
 void Simulation::keep_standing() { good_.keep({state_, watch_.save(), counts_}); }
@@ -117,6 +128,8 @@ void Simulation::note(RunRecord& record) const {
     record.retries = retries_;
     record.steps = counts_;
     record.expects = watch_.save();
+    record.approached = passages_.approached();
+    record.good = good_;
 }
 
 void Simulation::restore(sim::State state, const RunRecord& record) {
@@ -125,6 +138,11 @@ void Simulation::restore(sim::State state, const RunRecord& record) {
     retries_ = record.retries;
     counts_ = record.steps;
     set_end(record.end, record.max_steps);
+    passages_.restore(record.approached);
+    good_ = record.good;
+    if (good_.steps().empty()) {
+        keep_standing();
+    }
 }
 
 std::vector<std::string> Simulation::totals() const {
@@ -134,6 +152,11 @@ std::vector<std::string> Simulation::totals() const {
     }
     if (std::string text = splash_text(model(), state_); !text.empty()) {
         texts.push_back(std::move(text));
+    }
+    if (!stop_problem_.empty()) {
+        texts.push_back(fmt::format(
+            "max_steps stopped the run where it would not have been accepted: {}; it is judged when it goes on",
+            stop_problem_));
     }
     return texts;
 }

@@ -27,9 +27,15 @@ struct StepOutcome {
     bool is_accepted() const { return kind == Kind::accepted; }
 };
 
+/// Use of the energies that a step measures beyond its turn.
+enum class Use {
+    record,  ///< a row or a frame of the case: the step is judged first, or what is written might be taken back
+    look,    ///< whoever asked looks at them: where the run is judged does not move
+};
+
 /// Model and State of a case with all that a step needs to be chosen, taken, judged and, where it was refused, taken
-/// back. Touches no file. The bits of the State depend on the case and the number of steps alone, not on who asks for
-/// them, in what portions, with what Measure or with how many threads.
+/// back. Touches no file. The bits of the State depend on the case, its rows and frames and the number of steps alone,
+/// not on who asks for them, in what portions, where max_steps or a signal stopped the run or with how many threads.
 class Simulation {
  public:
     /// At time 0. @throws CaseError
@@ -70,10 +76,12 @@ class Simulation {
     std::int64_t steps_to_end() const { return next_.steps_left; }
     const StepCounts& counts() const { return counts_; }
     double next_dt() const { return next_.dt; }  ///< of the step that comes next [s]
-    bool next_is_last() const;
+    bool next_is_last() const;                   ///< of this process: the end, or where max_steps stops it
 
-    /// Takes one step; only where steps_left() > 0.
-    StepOutcome step(sim::Measure measure);
+    /// Takes one step; only where steps_left() > 0. Steps are judged in the first ten, with every record, at the end in
+    /// time and every GoodState::most_steps. Where max_steps stops the run its State is looked at, and totals() tells
+    /// what is wrong with it; it is judged when the run goes on.
+    StepOutcome step(sim::Measure measure, Use use = Use::record);
 
     std::vector<ExpectResult> judge() const { return judge(is_at_end()); }
     std::vector<ExpectResult> judge(bool at_end) const { return watch_.judge(at_end); }
@@ -91,6 +99,9 @@ class Simulation {
     void forget_scratch();
     /// Returns the fault of the scene after a step whose energy was measured; empty where there is none.
     std::string judge_step(const sim::StepReport& report) const;
+    bool next_ends() const;  ///< in time
+    /// Returns what a run that max_steps stops in a step that is not judged would have been judged by.
+    std::string problem_at_stop(const sim::StepReport& report) const;
     void keep_standing();
     /// Goes back to a State and on from there with half the step, where that is left to try.
     StepOutcome take_back(sim::State to, const sim::StepStatus& why);
@@ -107,6 +118,7 @@ class Simulation {
     ExpectWatch watch_;
     GoodState good_;
     PassageWatch passages_;
+    std::string stop_problem_;  ///< of the last step, problem_at_stop
 };
 
 }  // namespace riprap::run

@@ -59,10 +59,14 @@ class StepWatch {
     /// The counts in words, for the end of the run; empty where there is nothing to tell.
     static std::vector<std::string> totals(const StepCounts& counts, std::int64_t steps);
 
+    /// Largest step over its bound that was told [-]: part of a checkpoint, or it would be told again.
+    double told_excess() const { return told_excess_; }
+    void restore(double told_excess) { told_excess_ = told_excess; }
+
  private:
     void look_at_length(const sim::StepReport& report, const std::string& when, std::vector<Notice>& notices);
 
-    double told_excess_{0};  ///< largest step over its bound that was told [-]
+    double told_excess_{0};
 };
 
 }  // namespace riprap::run
