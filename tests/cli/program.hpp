@@ -57,6 +57,7 @@ class Program {
         }
     }
     void send(int signal) const { kill(child_, signal); }
+    pid_t number() const { return child_; }
     Ending wait() const {
         int status = 0;
         waitpid(child_, &status, 0);

@@ -156,6 +156,25 @@ TEST_F(Runs, ASecondSignalEndsAtOnceAndTheCheckpointStaysGood) {
     EXPECT_EQ(run({"resume", out("a"), "--max-steps", "1"}).code, 0);  // reads it and has nothing left to do
 }
 
+TEST_F(Runs, ASignalThatTheParentPassesOnIsNoSecondOne) {
+    // A queue signals all processes of a job, and the study that started this run passes it on: it ended at once,
+    // without a checkpoint.
+    const Program program(folder.path(), {"run", case_file(), "--out", out("a"), "--set", "end=10000"});
+    wait_for_steps("a");
+    program.send(SIGSTOP);
+    const pid_t stranger = fork();
+    if (stranger == 0) {
+        program.send(SIGTERM);
+        _exit(0);
+    }
+    waitpid(stranger, nullptr, 0);
+    program.send(SIGINT);
+    program.send(SIGCONT);
+    const int code = program.wait().code;
+    EXPECT_TRUE(code == 128 + SIGINT || code == 128 + SIGTERM) << code;
+    EXPECT_EQ(summary_of("a").at("status"), "interrupted");
+}
+
 TEST_F(Runs, AnAbsurdStateEndsTheRunWithinOneStepAndTheLastGoodOneIsKept) {
     const Ending ending = run({"run", case_file(), "--out", out("a"), "--set", "solid.max_speed=1.2"});
     EXPECT_EQ(ending.code, 4);

@@ -46,5 +46,24 @@ TEST(SweepTables, ADamagedSummaryIsOneRunThatCannotBeRead) {
     }
 }
 
+TEST(SweepTables, WhatIsMissingIsNeitherTheLeastNorTheLargestValueOfAColumn) {
+    // The least value of a column that began empty was empty.
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "run_001");
+    run::SweepOptions options;
+    options.points = run::grid_of({{"end", {"1"}}});
+    options.out = folder.path();
+    const auto figures = [&](const std::string& rows) {
+        std::ofstream(folder / "run_001/probes.csv") << "time [s],force [N]\n" << rows;
+        const std::string csv = run::sweep_csv(run::sweep_json(options));
+        const std::string row = csv.substr(csv.find('\n') + 1);
+        return row.substr(row.find(",1,") + 3, row.rfind(',') - row.find(",1,") - 3);  // last, min, max
+    };
+    EXPECT_EQ(figures("0,\n1,5\n2,3\n3,4\n"), "4,3,5");
+    EXPECT_EQ(figures("0,5\n1,\n2,3\n3,4\n"), "4,3,5");
+    EXPECT_EQ(figures("0,-5\n1,-3\n2,\n"), ",-5,-3");
+    EXPECT_EQ(figures("0,\n1,\n"), ",,");
+}
+
 }  // namespace
 }  // namespace riprap

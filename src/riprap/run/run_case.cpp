@@ -36,7 +36,7 @@ bool was_stopped_by_max_steps(const RunFolder& folder) {
         return false;
     }
     const auto summary = nlohmann::json::parse(io::read_file(folder.summary(), most), nullptr, false);
-    return summary.is_object() && summary.value("reason", "") == "stopped by max_steps";
+    return summary.is_object() && summary.contains("reason") && summary["reason"] == "stopped by max_steps";
 }
 
 /// The first number of OMP_NUM_THREADS, which queues of clusters set; 0 where it holds none.

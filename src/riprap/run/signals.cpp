@@ -13,10 +13,16 @@ namespace {
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 // Global because a signal handler has no other way to speak.
 volatile sig_atomic_t received = 0;
+volatile sig_atomic_t is_from_parent = 0;
 std::array<struct sigaction, stop_signals.size()> previous;
 
-extern "C" void on_stop_signal(int number) {
-    if (received != 0) {
+/// Ctrl-C and queues of clusters signal a whole group of processes, and the one that started this run passes it on:
+/// that second one is the same wish, not an impatient one.
+extern "C" void on_stop_signal(int number, siginfo_t* info, void* /*context*/) {
+    const bool is_passed_on = info->si_code == SI_USER && info->si_pid == getppid() && is_from_parent == 0;
+    if (is_passed_on) {
+        is_from_parent = 1;
+    } else if (received != 0) {
         _exit(128 + number);
     }
     received = number;
@@ -26,10 +32,11 @@ extern "C" void on_stop_signal(int number) {
 
 StopRequest::StopRequest() {
     received = 0;
+    is_from_parent = 0;
     struct sigaction action {};
-    action.sa_handler = on_stop_signal;
+    action.sa_sigaction = on_stop_signal;
     sigemptyset(&action.sa_mask);
-    action.sa_flags = SA_RESTART;
+    action.sa_flags = SA_RESTART | SA_SIGINFO;
     for (std::size_t i = 0; i < stop_signals.size(); ++i) {
         sigaction(stop_signals[i], nullptr, &previous[i]);
         if (previous[i].sa_handler != SIG_IGN) {  // nohup, or a shell's background, asked to let it pass

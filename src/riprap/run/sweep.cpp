@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -19,6 +20,8 @@ namespace riprap::run {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* unreadable = "unreadable";
 
 [[noreturn]] void refuse(const SourcePlace& place, std::string message, std::string allowed) {
     Diagnostic problem;
@@ -58,50 +61,89 @@ std::vector<std::string> values_of(const std::string& text) {
 
 std::string name_of(std::size_t number) { return fmt::format("run_{:03}", number + 1); }
 
-/// Last, least and largest value of every column of a table; the time is left out.
-Json columns_of(const std::filesystem::path& file) {
+/// Last, least and largest value of a column, those that are missing left out of the last two.
+Json figures_of(const io::CsvColumn& column, const std::vector<double>& values) {
+    double low = std::numeric_limits<double>::quiet_NaN(), high = low;
+    for (const double value : values) {
+        low = std::fmin(low, value);  // of a number and none: the number
+        high = std::fmax(high, value);
+    }
+    return {{"unit", column.unit}, {"last", values.back()}, {"min", low}, {"max", high}};
+}
+
+/// The figures of every column of a table but the time. @throws FileError where it has lost rows
+Json columns_of(const std::filesystem::path& file, bool is_finished) {
     Json columns = Json::object();
     if (!std::filesystem::exists(file)) {
         return columns;
     }
     const io::CsvTable table = io::read_csv(file);
+    if (is_finished && table.is_cut) {
+        throw FileError(fmt::format("'{}' is damaged: rows of it are cut off or lost", file.string()));
+    }
     for (std::size_t c = 1; c < table.columns.size() && table.row_count() > 0; ++c) {
-        const std::vector<double>& values = table.values[c];
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        columns[table.columns[c].name] = {
-            {"unit", table.columns[c].unit}, {"last", values.back()}, {"min", *low}, {"max", *high}};
+        columns[table.columns[c].name] = figures_of(table.columns[c], table.values[c]);
     }
     return columns;
 }
 
+bool has_text(const Json& object, const char* key) { return object.contains(key) && object[key].is_string(); }
+
+bool is_answer(const Json& answer) {
+    return answer.is_object() && has_text(answer, "name") && has_text(answer, "unit") && has_text(answer, "verdict") &&
+           answer.contains("value");
+}
+
+/// Tells whether a summary has what a table of runs reads of it.
+bool is_whole(const Json& summary) {
+    return summary.is_object() && has_text(summary, "status") && has_text(summary, "reason") &&
+           summary.contains("wall_seconds") && summary["wall_seconds"].is_number() && summary.contains("expects") &&
+           summary["expects"].is_array() &&
+           std::all_of(summary["expects"].begin(), summary["expects"].end(), is_answer);
+}
+
 Json summary_of(const RunFolder& folder) {
     constexpr std::size_t most = std::size_t{16} << 20U;
-    if (!std::filesystem::exists(folder.summary())) {
-        return {{"status", folder.has_run() ? "interrupted" : "not run"}};
+    const std::string status = status_of(folder);
+    const Json none{{"status", status}, {"reason", ""}, {"wall_seconds", 0.0}, {"expects", Json::array()}};
+    if (status == "not run" || !std::filesystem::exists(folder.summary())) {
+        return none;
     }
-    const Json summary = Json::parse(io::read_file(folder.summary(), most), nullptr, false);
-    return summary.is_object() ? summary : Json::object({{"status", "unreadable"}});
+    try {
+        Json summary = Json::parse(io::read_file(folder.summary(), most), nullptr, false);
+        if (is_whole(summary)) {
+            return summary;
+        }
+    } catch (const FileError&) {
+        // told below
+    }
+    Json damaged = none;
+    damaged["status"] = unreadable;
+    damaged["reason"] = fmt::format("'{}' is damaged", folder.summary().string());
+    return damaged;
 }
 
 Json run_of(const SweepOptions& options, const SweepPoint& point) {
     const RunFolder folder{options.out / point.name};
-    const Json summary = summary_of(folder);
+    Json summary = summary_of(folder), columns = Json::object();
+    try {
+        columns = columns_of(folder.probes(), summary["status"] == "finished");
+    } catch (const FileError& error) {
+        summary["status"] = unreadable;
+        summary["reason"] = error.what();
+    }
     Json set = Json::object();
     for (const std::string& text : point.overrides) {
         const std::size_t equals = text.find('=');
         set[text.substr(0, equals)] = text.substr(equals + 1);
     }
-    Json answers = Json::array();
-    if (summary.contains("expects")) {
-        answers = summary["expects"];
-    }
     return {{"name", point.name},
             {"set", set},
-            {"status", summary.value("status", "unreadable")},
-            {"reason", summary.value("reason", "")},
-            {"wall_seconds", summary.value("wall_seconds", 0.0)},
-            {"answers", answers},
-            {"columns", columns_of(folder.probes())}};
+            {"status", summary["status"]},
+            {"reason", summary["reason"]},
+            {"wall_seconds", summary["wall_seconds"]},
+            {"answers", summary["expects"]},
+            {"columns", columns}};
 }
 
 std::string quoted(const std::string& text) {
@@ -251,6 +293,18 @@ std::string sweep_json(const SweepOptions& options) {
     }
     const Json json{{"case", options.case_path}, {"set", options.overrides}, {"runs", runs}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::vector<std::string> unreadable_runs(const std::string& json) {
+    std::vector<std::string> runs;
+    const Json sweep = Json::parse(json);
+    for (const Json& run : sweep["runs"]) {
+        if (run["status"] == unreadable) {
+            runs.push_back(
+                fmt::format("{} cannot be read: {}", run["name"].get<std::string>(), run["reason"].get<std::string>()));
+        }
+    }
+    return runs;
 }
 
 std::string sweep_csv(const std::string& json) {

@@ -52,6 +52,8 @@ int run_sweep(const SweepOptions& options);
 /// @returns the text of sweep.json: {"case", "keys", "runs": [{"name", "set", "status", "wall_seconds", "answers",
 /// "columns"}]}, of each probe column its last, least and largest value
 std::string sweep_json(const SweepOptions& options);
+/// Names the runs of a sweep.json whose files cannot be read, each with the reason.
+std::vector<std::string> unreadable_runs(const std::string& json);
 /// Returns sweep.json as a table, a row per run.
 std::string sweep_csv(const std::string& json);
 

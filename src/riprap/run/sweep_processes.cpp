@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The runs of a study as processes.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
 #include "riprap/core/error.hpp"
-#include "riprap/io/atomic_file.hpp"
+#include "riprap/core/printable.hpp"
+#include "riprap/io/own_file.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/sweep.hpp"
@@ -77,16 +79,11 @@ void claim_folder(const SweepOptions& options) {
 }
 
 bool is_finished(const SweepOptions& options, const SweepPoint& point) {
-    constexpr std::size_t most = std::size_t{16} << 20U;
-    const RunFolder folder{options.out / point.name};
-    if (!std::filesystem::exists(folder.summary())) {
-        return false;
-    }
-    return Json::parse(io::read_file(folder.summary(), most), nullptr, false).value("status", "") == "finished";
+    return status_of(RunFolder{options.out / point.name}) == "finished";
 }
 
-/// Starts `riprap run` on one point, its words going into a file beside the folder of the run.
-pid_t start(const SweepOptions& options, const SweepPoint& point) {
+/// The words of the command that runs one point.
+std::vector<std::string> command_of(const SweepOptions& options, const SweepPoint& point) {
     std::vector<std::string> words{"riprap",
                                    "run",
                                    options.case_path,
@@ -101,21 +98,71 @@ pid_t start(const SweepOptions& options, const SweepPoint& point) {
             words.push_back(text);
         }
     }
+    return words;
+}
+
+/// Holds the signals that stop a run back for its lifetime: between fork and exec one would meet the handler of the
+/// sweep, and be forgotten.
+class HeldSignals {
+ public:
+    HeldSignals() {
+        sigset_t stops;
+        sigemptyset(&stops);
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            sigaddset(&stops, number);
+        }
+        ::pthread_sigmask(SIG_BLOCK, &stops, &before_);
+    }
+    HeldSignals(const HeldSignals&) = delete;
+    HeldSignals& operator=(const HeldSignals&) = delete;
+    ~HeldSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    /// In the new process: those that came end it, those that are ignored stay so.
+    void let_end() const {
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+            struct sigaction action {};
+            ::sigaction(number, nullptr, &action);
+            if (action.sa_handler != SIG_IGN) {
+                ::signal(number, SIG_DFL);
+            }
+        }
+        ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+
+ private:
+    sigset_t before_{};
+};
+
+/// In the new process: becomes `riprap run` in a group of its own, so that Ctrl-C reaches it through the sweep alone;
+/// when the sweep dies, whatever ends it, the run is asked to stop.
+[[noreturn]] void become_run(char* const* arguments, int log, pid_t sweep, const HeldSignals& held) {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (::getppid() != sweep) {
+        ::_exit(static_cast<int>(ExitCode::signal_base) + SIGTERM);  // it died before that was asked for
+    }
+    held.let_end();
+    ::dup2(log, STDOUT_FILENO);
+    ::dup2(log, STDERR_FILENO);
+    ::execv("/proc/self/exe", arguments);
+    ::_exit(static_cast<int>(ExitCode::internal));
+}
+
+/// Starts `riprap run` on one point, its words going into a file beside the folder of the run.
+pid_t start(const SweepOptions& options, const SweepPoint& point) {
+    std::vector<std::string> words = command_of(options, point);
     std::vector<char*> arguments;
     for (std::string& word : words) {
         arguments.push_back(word.data());
     }
     arguments.push_back(nullptr);
-    const std::string log = (options.out / (point.name + ".log")).string();
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t process = -1;
-    const int error = posix_spawn(&process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) {
-        throw io::file_error("start a run in", options.out / point.name, error);
+    const io::FileDescriptor log = io::create_own(options.out / (point.name + ".log"));
+    const HeldSignals held;
+    const pid_t sweep = ::getpid(), process = ::fork();
+    if (process == 0) {
+        become_run(arguments.data(), log.number(), sweep, held);
+    }
+    if (process < 0) {
+        throw io::file_error("start a run in", options.out / point.name, errno);
     }
     return process;
 }
@@ -124,59 +171,106 @@ int exit_code_of(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(ExitCode::signal_base) + WTERMSIG(status);
 }
 
-void tell(const SweepOptions& options, const SweepPoint& point, std::size_t done, const std::string& words) {
-    if (!options.quiet) {
-        fmt::print("{:>{}}/{}  {}  {}  {}\n", done, std::to_string(options.points.size()).size(), options.points.size(),
-                   point.name, fmt::join(point.overrides, " "), words);
-        std::fflush(stdout);
+/// All runs of a study that are not finished, several at a time.
+class Crowd {
+ public:
+    Crowd(const SweepOptions& options, int jobs) : options_(options), jobs_(jobs) {
+        for (const SweepPoint& point : options.points) {
+            waiting_.push_back(&point);
+        }
     }
-}
+    Crowd(const Crowd&) = delete;
+    Crowd& operator=(const Crowd&) = delete;
+    /// Leaves no run behind, however the sweep ends.
+    ~Crowd() {
+        for (const auto& [process, point] : running_) {
+            ::kill(process, SIGKILL);
+            ::waitpid(process, nullptr, 0);
+        }
+    }
 
-/// All runs that are not finished; the exit code of the study.
-int run_all(const SweepOptions& options, int jobs) {
-    const StopRequest stop;
-    std::map<pid_t, const SweepPoint*> running;
-    std::size_t next = 0, done = 0;
-    int result = 0;
-    bool has_told = false;
-    while (next < options.points.size() || !running.empty()) {
-        while (next < options.points.size() && static_cast<int>(running.size()) < jobs && stop.signal() == 0) {
-            const SweepPoint& point = options.points[next++];
-            if (is_finished(options, point)) {
-                tell(options, point, ++done, "finished before");
-            } else {
-                running.emplace(start(options, point), &point);
+    /// @returns the exit code of the study
+    int run() {
+        // A wait for children would not end with a signal, and they are to have it at once.
+        constexpr std::chrono::milliseconds pause{20};
+        int told = 0;
+        while (!waiting_.empty() || !running_.empty()) {
+            if (const int signal = stop_.signal(); signal != told) {
+                told = signal;
+                waiting_.clear();
+                for (const auto& [process, point] : running_) {
+                    ::kill(process, signal);  // they write checkpoints and end
+                }
             }
+            start_more();
+            gather();
+            std::this_thread::sleep_for(pause);
         }
-        if (stop.signal() != 0) {
-            for (const auto& [process, point] : has_told ? std::map<pid_t, const SweepPoint*>{} : running) {
-                kill(process, stop.signal());  // they write checkpoints and end
-            }
-            has_told = true;
-            next = options.points.size();
-        }
-        if (running.empty()) {
-            continue;
-        }
-        int status = 0;
-        const pid_t ended = waitpid(-1, &status, 0);
-        const auto found = running.find(ended);
-        if (ended < 0 && errno != EINTR) {
-            break;
-        }
-        if (found == running.end()) {
-            continue;
-        }
-        const int code = exit_code_of(status);
-        tell(options, *found->second, ++done,
-             code == 0   ? "finished"
-             : code == 1 ? "finished, an expected answer was missed"
-                         : fmt::format("exit code {}, see {}.log", code, found->second->name));
-        result = result == 0 ? code : result;
-        running.erase(found);
+        return told != 0 ? static_cast<int>(ExitCode::signal_base) + told : result_;
     }
-    return stop.signal() != 0 ? static_cast<int>(ExitCode::signal_base) + stop.signal() : result;
-}
+
+ private:
+    /// Starts runs as long as there is room. Those that another process holds are left for later: a run that outlived
+    /// its sweep is about to end.
+    void start_more() {
+        for (auto next = waiting_.begin(); next != waiting_.end() && std::ssize(running_) < jobs_;) {
+            const SweepPoint& point = **next;
+            if (is_held(RunFolder{options_.out / point.name})) {
+                if (std::find(held_.begin(), held_.end(), &point) == held_.end()) {
+                    held_.push_back(&point);
+                    tell(point, "waits: another riprap writes there");
+                }
+                ++next;
+                continue;
+            }
+            next = waiting_.erase(next);
+            if (is_finished(options_, point)) {
+                ++done_;
+                tell(point, "finished before");
+            } else {
+                running_.emplace(start(options_, point), &point);
+            }
+        }
+    }
+
+    void gather() {
+        for (auto one = running_.begin(); one != running_.end();) {
+            int status = 0;
+            const pid_t ended = ::waitpid(one->first, &status, WNOHANG);
+            if (ended == 0 || (ended < 0 && errno == EINTR)) {
+                ++one;
+                continue;
+            }
+            finish(*one->second, ended < 0 ? static_cast<int>(ExitCode::internal) : exit_code_of(status));
+            one = running_.erase(one);
+        }
+    }
+
+    void finish(const SweepPoint& point, int code) {
+        ++done_;
+        tell(point, code == 0   ? "finished"
+                    : code == 1 ? "finished, an expected answer was missed"
+                                : fmt::format("exit code {}, see {}.log", code, point.name));
+        result_ = result_ == 0 ? code : result_;
+    }
+
+    void tell(const SweepPoint& point, const std::string& words) const {
+        if (!options_.quiet) {
+            fmt::print("{:>{}}/{}  {}  {}  {}\n", done_, std::to_string(options_.points.size()).size(),
+                       options_.points.size(), point.name, fmt::join(point.overrides, " "), words);
+            std::fflush(stdout);
+        }
+    }
+
+    const SweepOptions& options_;
+    const int jobs_;
+    const StopRequest stop_;
+    std::list<const SweepPoint*> waiting_;
+    std::vector<const SweepPoint*> held_;  ///< of which it was told
+    std::map<pid_t, const SweepPoint*> running_;
+    std::size_t done_{0};
+    int result_{0};
+};
 
 }  // namespace
 
@@ -184,10 +278,14 @@ int run_sweep(const SweepOptions& options) {
     claim_folder(options);
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / std::max(1, options.threads));
-    const int code = run_all(options, jobs);
+    int code = Crowd(options, jobs).run();
     const std::string json = sweep_json(options);
     io::write_file(options.out / "sweep.json", json);
     io::write_file(options.out / "sweep.csv", sweep_csv(json));
+    for (const std::string& text : unreadable_runs(json)) {
+        fmt::print(stderr, "riprap: {}; remove the folder to run it again\n", printable(text));
+        code = code == 0 ? static_cast<int>(ExitCode::file_system) : code;
+    }
     return code;
 }
 

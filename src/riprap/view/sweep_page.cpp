@@ -118,7 +118,12 @@ Json curves_of(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file)) {
         return curves;
     }
-    const io::CsvTable table = io::read_csv(file);
+    io::CsvTable table;
+    try {
+        table = io::read_csv(file);
+    } catch (const FileError&) {
+        return curves;  // the status of the run says so
+    }
     const std::size_t rows = table.row_count(), step = std::max<std::size_t>(1, (rows + most_points - 1) / most_points);
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         Json values = Json::array();
@@ -135,9 +140,11 @@ std::string title_of(const std::filesystem::path& folder, const Json& study) {
     constexpr std::size_t most = std::size_t{64} << 20U;
     for (const Json& run : study["runs"]) {
         const std::filesystem::path file = folder / run["name"].get<std::string>() / "summary.json";
-        if (std::filesystem::exists(file)) {
+        if (run["status"] != "unreadable" && std::filesystem::exists(file)) {
             const Json summary = Json::parse(io::read_file(file, most), nullptr, false);
-            return summary.is_object() ? summary.value("title", "") : "";
+            if (summary.is_object() && summary.contains("title") && summary["title"].is_string()) {
+                return summary["title"].get<std::string>();
+            }
         }
     }
     return "";
