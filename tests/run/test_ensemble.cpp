@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -110,22 +111,121 @@ TEST(Ensemble, a_case_without_spread_and_a_key_that_there_is_not_are_refused) {
     EXPECT_THROW(run_ensemble(options), CaseError);
 }
 
-TEST(Ensemble, a_member_that_draws_what_may_not_be_is_told_before_any_runs) {
+/// The case with another number that is not known exactly.
+std::string with_spread(const std::string& spread) {
+    const std::string text = falling;
+    return text.substr(0, text.find("key = ")) + spread;
+}
+
+/// Exit codes of the members, from ensemble.csv.
+std::vector<int> codes_of(const EnsembleOptions& options) {
+    std::istringstream table(io::read_file(options.run.out / "ensemble.csv", 1U << 16U));
+    std::vector<int> codes;
+    std::string line;
+    for (std::getline(table, line); std::getline(table, line);) {
+        const std::size_t second = line.find(',', line.find(',') + 1);
+        codes.push_back(std::stoi(line.substr(second + 1)));
+    }
+    return codes;
+}
+
+TEST(Ensemble, a_member_that_draws_what_may_not_be_is_named_before_any_runs_and_the_others_go_on) {
     const TemporaryFolder place;
     EnsembleOptions options = options_in(place.path(), 6);
-    std::string text = falling;
-    const std::string spread = text.substr(text.find("key = "));
-    text.replace(text.find(spread), spread.size(),
-                 "key = \"material.rock.friction_coefficient\"\nmean = 0.1\ndeviation = 1.0\n");
-    io::write_file(place.path() / "case.toml", text);
-    try {
-        run_ensemble(options);
-        FAIL() << "accepted";
-    } catch (const CaseError& error) {
-        const std::string told = to_string(error.problems().front());
-        EXPECT_NE(told.find("of 6: friction_coefficient of [material.NAME] = -"), std::string::npos) << told;
+    options.run.silent = false;
+    io::write_file(place.path() / "case.toml",
+                   with_spread("key = \"material.rock.friction_coefficient\"\nmean = 0.1\ndeviation = 1.0\n"));
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_ensemble(options), 3);
+    const std::string told = testing::internal::GetCapturedStderr();
+    EXPECT_NE(told.find("of 6 is refused: "), std::string::npos) << told;
+    EXPECT_NE(told.find("friction_coefficient of [material.NAME] = -"), std::string::npos) << told;
+    EXPECT_NE(told.find("a narrower [[spread]]"), std::string::npos) << told;
+    const std::vector<int> codes = codes_of(options);
+    ASSERT_EQ(codes.size(), 6U);
+    int refused = 0;
+    for (int k = 0; k < 6; ++k) {
+        const double drawn = draw({"material.rock.friction_coefficient", 0, 0, true, 0.1, 1.0}, 7, k + 1);
+        EXPECT_EQ(codes[static_cast<std::size_t>(k)], drawn < 0 ? 3 : 0) << drawn;
+        EXPECT_EQ(std::filesystem::exists(options.run.out / ("member-" + std::to_string(k + 1))), drawn >= 0);
+        refused += drawn < 0 ? 1 : 0;
     }
+    EXPECT_TRUE(refused > 0 && refused < 6) << refused;
+    EXPECT_GT(gather_bands({options.run.out / "member-1", options.run.out / "member-2", options.run.out / "member-3",
+                            options.run.out / "member-4"})
+                  .time.size(),
+              1U);
+}
+
+TEST(Ensemble, where_all_members_draw_what_may_not_be_nothing_is_written) {
+    const TemporaryFolder place;
+    const EnsembleOptions options = options_in(place.path(), 3);
+    io::write_file(place.path() / "case.toml",
+                   with_spread("key = \"material.rock.friction_coefficient\"\nmean = -9.0\ndeviation = 0.1\n"));
+    EXPECT_THROW(run_ensemble(options), CaseError);
     EXPECT_FALSE(std::filesystem::exists(options.run.out));
+}
+
+TEST(Ensemble, a_member_that_cannot_begin_is_named_and_the_others_go_on) {
+    // Its step is above what the stiffness that it drew allows: seen when the run is put together, not from its keys.
+    const TemporaryFolder place;
+    EnsembleOptions options = options_in(place.path(), 5);
+    options.run.silent = false;
+    options.run.overrides = {"time_step=1e-3"};
+    io::write_file(place.path() / "case.toml",
+                   with_spread("key = \"material.rock.normal_stiffness\"\nlow = 1.0e5\nhigh = 1.0e8\n"));
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_ensemble(options), 3);
+    const std::string told = testing::internal::GetCapturedStderr();
+    EXPECT_NE(told.find("of 5 is refused: "), std::string::npos) << told;
+    EXPECT_NE(told.find("time_step = 0.001 s is above"), std::string::npos) << told;
+    const std::vector<int> codes = codes_of(options);
+    EXPECT_EQ(codes.size(), 5U);
+    EXPECT_GT(std::count(codes.begin(), codes.end(), 0), 0);
+    EXPECT_GT(std::count(codes.begin(), codes.end(), 3), 0);
+}
+
+TEST(Ensemble, a_table_of_a_member_that_is_damaged_or_of_another_run_is_told_and_left_out) {
+    const TemporaryFolder place;
+    EnsembleOptions options = options_in(place.path(), 3);
+    ASSERT_EQ(run_ensemble(options), 0);
+    io::write_file(options.run.out / "member-2" / "probes.csv", "no table");
+    options.run.silent = false;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_ensemble(options), 5);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("member-2 is left out of the bands"), std::string::npos);
+    const double least =
+        std::min(draw({"body.stone.velocity.0", 1, 2}, 7, 1), draw({"body.stone.velocity.0", 1, 2}, 7, 3));
+    EXPECT_NEAR(io::read_csv(options.run.out / "bands.csv").values[1].back(), 0.02 * least, 1e-9);
+}
+
+TEST(Ensemble, files_of_the_user_are_not_written_over) {
+    for (const char* name : {"ensemble.csv", "ensemble.json", "bands.csv", "bands.svg", "index.html"}) {
+        const TemporaryFolder place;
+        EnsembleOptions options = options_in(place.path(), 2);
+        std::filesystem::create_directories(options.run.out);
+        io::write_file(options.run.out / "notes.txt", "mine");
+        io::write_file(options.run.out / name, "years of work");
+        for (const bool force : {false, true}) {
+            options.run.force = force;
+            EXPECT_THROW(run_ensemble(options), FileError) << name;
+            EXPECT_EQ(io::read_file(options.run.out / name, 100), "years of work");
+        }
+        std::filesystem::rename(options.run.out / name, place.path() / "away");  // the remedy of the message
+        EXPECT_EQ(run_ensemble(options), 0) << name;
+        EXPECT_EQ(io::read_file(options.run.out / "notes.txt", 100), "mine");
+    }
+}
+
+TEST(Ensemble, another_ensemble_is_replaced_by_force_alone) {
+    const TemporaryFolder place;
+    EnsembleOptions options = options_in(place.path(), 2);
+    ASSERT_EQ(run_ensemble(options), 0);
+    options.run.overrides = {"end=0.03"};
+    EXPECT_THROW(run_ensemble(options), FileError);
+    options.run.force = true;
+    EXPECT_EQ(run_ensemble(options), 0);
+    EXPECT_NEAR(io::read_csv(options.run.out / "bands.csv").values[0].back(), 0.03, 1e-9);
 }
 
 }  // namespace

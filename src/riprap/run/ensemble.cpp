@@ -8,8 +8,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
+#include <utility>
 
+#include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/run/run_folder.hpp"
@@ -121,13 +125,21 @@ double draw(const Spread& spread, std::uint64_t seed, std::int64_t member) {
 
 Bands gather_bands(const std::vector<std::filesystem::path>& members) {
     std::vector<io::CsvTable> tables;
+    Bands bands;
     for (const std::filesystem::path& member : members) {
-        io::CsvTable table = io::read_csv(RunFolder{member}.probes());
-        if (table.row_count() > 0) {
-            tables.push_back(std::move(table));
+        if (!std::filesystem::exists(RunFolder{member}.probes())) {
+            continue;
+        }
+        try {
+            io::CsvTable table = io::read_csv(RunFolder{member}.probes());
+            if (table.row_count() > 0) {
+                tables.push_back(std::move(table));
+            }
+        } catch (const FileError& error) {
+            bands.left_out.push_back(
+                fmt::format("{} is left out of the bands: {}", member.filename().string(), error.what()));
         }
     }
-    Bands bands;
     if (tables.empty()) {
         return bands;
     }
@@ -160,23 +172,136 @@ namespace {
 
 std::string assignment(const Spread& spread, double value) { return fmt::format("{}={}", spread.key, value); }
 
-/// Refuses members that draw what a key does not allow, before the first one runs.
-void try_members(const EnsembleOptions& options, const scene::LoadedCase& loaded, const std::vector<Spread>& spreads,
-                 std::uint64_t seed) {
-    for (std::int64_t k = 1; k <= options.members; ++k) {
-        std::vector<std::string> overrides = options.run.overrides;
-        for (const Spread& spread : spreads) {
-            overrides.push_back(assignment(spread, draw(spread, seed, k)));
+/// The case of a member as overrides.
+std::vector<std::string> overrides_of(const std::vector<Spread>& spreads, const std::vector<double>& values) {
+    std::vector<std::string> overrides;
+    for (std::size_t i = 0; i < spreads.size(); ++i) {
+        overrides.push_back(assignment(spreads[i], values[i]));
+    }
+    return overrides;
+}
+
+/// Why the values that a member draws are not allowed by their keys; nothing where they are.
+std::optional<Diagnostic> refusal_of(const EnsembleOptions& options, const scene::LoadedCase& loaded,
+                                     const std::vector<std::string>& drawn) {
+    std::vector<std::string> overrides = options.run.overrides;
+    overrides.insert(overrides.end(), drawn.begin(), drawn.end());
+    std::vector<Diagnostic> problems = scene::problems_of_keys(loaded.source_text, options.run.case_path, overrides);
+    if (problems.empty()) {
+        return std::nullopt;
+    }
+    problems.front().allowed += "; a narrower [[spread]]";
+    return std::move(problems.front());
+}
+
+/// Text of what an ensemble asks for, but for the number of members; the same text means that it may be continued.
+std::string plan_of(const EnsembleOptions& options, std::uint64_t seed, const std::vector<Spread>& spreads) {
+    Json rows = Json::array();
+    for (const Spread& spread : spreads) {
+        rows.push_back({{"key", spread.key},
+                        {"of", spread.is_normal ? Json{{"mean", spread.mean}, {"deviation", spread.deviation}}
+                                                : Json{{"low", spread.low}, {"high", spread.high}}}});
+    }
+    const Json plan{{"case", std::filesystem::absolute(options.run.case_path).lexically_normal().string()},
+                    {"set", options.run.overrides},
+                    {"seed", seed},
+                    {"spread", rows}};
+    return plan.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// Takes the folder of an ensemble. Without a plan in it every file under the name of one of ours is the user's.
+void claim_ensemble(const EnsembleOptions& options, const std::string& plan) {
+    namespace fs = std::filesystem;
+    constexpr std::size_t most = std::size_t{16} << 20U;
+    const fs::path& out = options.run.out;
+    const fs::path file = out / "ensemble_plan.json";
+    std::error_code error;
+    if (fs::exists(file, error)) {
+        if (io::read_file(file, most) == plan) {
+            return;
         }
-        std::vector<Diagnostic> problems =
-            scene::problems_of_keys(loaded.source_text, options.run.case_path, overrides);
-        if (!problems.empty()) {
-            Diagnostic problem = problems.front();
-            problem.message = fmt::format("member {} of {}: {}", k, options.members, problem.message);
-            problem.allowed += "; a narrower [[spread]]";
-            throw CaseError(std::move(problem));
+        if (!options.run.force) {
+            throw FileError(
+                fmt::format("'{}' holds another ensemble; --force replaces it, --out writes elsewhere", out.string()));
+        }
+    } else {
+        for (const char* name : {"ensemble.csv", "ensemble.json", "bands.csv", "bands.svg", "index.html"}) {
+            if (fs::exists(fs::symlink_status(out / name, error))) {
+                throw FileError(
+                    fmt::format("'{}' is in the way, and no ensemble wrote it: the folder has no "
+                                "ensemble_plan.json; move it away, or choose another folder with --out",
+                                (out / name).string()));
+            }
         }
     }
+    io::make_folder(out);
+    io::write_file(file, plan);
+}
+
+/// Tells why a member is not run, on the line where it would have been announced.
+void tell_refusal(const EnsembleOptions& options, std::int64_t member, const std::string& text) {
+    if (!options.run.silent) {
+        fmt::print(stderr, "riprap: member {} of {} is refused: {}\n", member, options.members, printable(text));
+    }
+}
+
+/// Runs one member. A refusal is told and becomes its exit code.
+int run_member(const EnsembleOptions& options, std::int64_t member, const RunOptions& run) {
+    try {
+        return run_case(run);
+    } catch (const CaseError& error) {
+        for (const Diagnostic& problem : error.problems()) {
+            tell_refusal(options, member, to_string(problem));
+        }
+        return static_cast<int>(ExitCode::bad_case);
+    } catch (const CheckpointError& error) {
+        tell_refusal(options, member, error.what());
+        return static_cast<int>(ExitCode::bad_checkpoint);
+    } catch (const FileError& error) {
+        tell_refusal(options, member, error.what());
+        return static_cast<int>(ExitCode::file_system);
+    }
+}
+
+/// The members with what they draw, none run yet. Those whose keys do not allow it are told before the first one runs.
+/// @throws CaseError where that are all of them
+std::vector<Member> draw_members(const EnsembleOptions& options, const scene::LoadedCase& loaded,
+                                 const std::vector<Spread>& spreads, std::uint64_t seed) {
+    std::vector<Member> members(static_cast<std::size_t>(options.members));
+    std::vector<std::pair<std::int64_t, Diagnostic>> refused;
+    for (std::int64_t k = 1; k <= options.members; ++k) {
+        Member& member = members[at(k - 1)];
+        for (const Spread& spread : spreads) {
+            member.values.push_back(draw(spread, seed, k));
+        }
+        if (std::optional<Diagnostic> problem = refusal_of(options, loaded, overrides_of(spreads, member.values))) {
+            member.code = static_cast<int>(ExitCode::bad_case);
+            refused.emplace_back(k, std::move(*problem));
+        }
+    }
+    if (std::ssize(refused) == options.members) {
+        Diagnostic problem = refused.front().second;
+        problem.message =
+            fmt::format("all {} members are refused, the first for: {}", options.members, problem.message);
+        throw CaseError(std::move(problem));
+    }
+    for (const auto& [k, problem] : refused) {
+        tell_refusal(options, k, to_string(problem));
+    }
+    return members;
+}
+
+/// Writes the bands of all members that ran, and tells of the others.
+int finish_ensemble(const EnsembleOptions& options, const std::vector<std::filesystem::path>& folders, int worst) {
+    const Bands bands = gather_bands(folders);
+    write_bands(options.run.out / "bands.csv", bands);
+    for (const std::string& text : bands.left_out) {
+        if (!options.run.silent) {
+            fmt::print(stderr, "riprap: {}\n", printable(text));
+        }
+        worst = worst == 0 ? static_cast<int>(ExitCode::file_system) : worst;
+    }
+    return worst;
 }
 
 }  // namespace
@@ -192,42 +317,35 @@ int run_ensemble(const EnsembleOptions& options) {
         throw CaseError(std::move(problem));
     }
     const std::uint64_t seed = seed_of_case(first);
-    try_members(options, first, spreads, seed);
-    std::filesystem::create_directories(options.run.out);
+    std::vector<Member> members = draw_members(options, first, spreads, seed);
+    claim_ensemble(options, plan_of(options, seed, spreads));
     std::vector<std::filesystem::path> folders;
-    std::vector<Member> members;
-    SweepOptions study;
-    study.case_path = options.run.case_path;
-    study.overrides = options.run.overrides;
-    study.out = options.run.out;
+    SweepOptions study{options.run.case_path, {}, options.run.overrides, options.run.out};
     int worst = 0;
-    for (std::int64_t k = 1; k <= options.members; ++k) {
-        Member member;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const auto number = static_cast<std::int64_t>(k) + 1;
+        const SweepPoint& point = study.points.emplace_back(
+            SweepPoint{fmt::format("member-{}", number), overrides_of(spreads, members[k].values)});
         RunOptions run = options.run;
-        SweepPoint& point = study.points.emplace_back(SweepPoint{fmt::format("member-{}", k), {}});
-        for (const Spread& spread : spreads) {
-            member.values.push_back(draw(spread, seed, k));
-            point.overrides.push_back(assignment(spread, member.values.back()));
-        }
         run.overrides.insert(run.overrides.end(), point.overrides.begin(), point.overrides.end());
         run.out = options.run.out / point.name;
         run.resume = !run.force;
         run.quiet = true;
-        if (!options.run.quiet || !first.model.expects.empty()) {  // above its verdicts
-            fmt::print("member {} of {}: {}\n", k, options.members, run.out.string());
+        if (members[k].code == 0) {
+            if (!options.run.quiet || !first.model.expects.empty()) {  // above its verdicts
+                fmt::print("member {} of {}: {}\n", number, options.members, run.out.string());
+            }
+            members[k].code = run_member(options, number, run);
+            folders.push_back(run.out);
         }
-        member.code = run_case(run);
-        members.push_back(member);
-        folders.push_back(run.out);
-        write_members(options.run.out / "ensemble.csv", seed, spreads, members);
+        write_members(options.run.out / "ensemble.csv", seed, spreads, {members.begin(), members.begin() + number});
         io::write_file(options.run.out / "ensemble.json", sweep_json(study));
-        worst = worst == 0 ? member.code : worst;
-        if (member.code > static_cast<int>(ExitCode::signal_base)) {
-            return member.code;
+        worst = worst == 0 ? members[k].code : worst;
+        if (members[k].code > static_cast<int>(ExitCode::signal_base)) {
+            return members[k].code;
         }
     }
-    write_bands(options.run.out / "bands.csv", gather_bands(folders));
-    return worst;
+    return finish_ensemble(options, folders, worst);
 }
 
 }  // namespace riprap::run
