@@ -128,28 +128,41 @@ std::vector<Piece> split(std::span<const PlanarJoint> joints, double snap, Point
 
 /// Removes pieces with a free end until none is left. @returns their number
 std::int32_t remove_dead_ends(std::vector<Piece>& pieces, std::size_t point_count) {
-    std::vector<std::int32_t> degree(point_count, 0);
-    for (const Piece& piece : pieces) {
-        ++degree[at(piece.a)];
-        ++degree[at(piece.b)];
+    std::vector<std::vector<std::int32_t>> around(point_count);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        around[at(pieces[k].a)].push_back(static_cast<std::int32_t>(k));
+        around[at(pieces[k].b)].push_back(static_cast<std::int32_t>(k));
     }
-    const std::size_t before = pieces.size();
-    bool has_changed = true;
-    while (has_changed) {
-        has_changed = false;
-        for (std::size_t k = 0; k < pieces.size();) {
-            const Piece piece = pieces[k];
-            if (degree[at(piece.a)] == 1 || degree[at(piece.b)] == 1) {
-                --degree[at(piece.a)];
-                --degree[at(piece.b)];
-                pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));
-                has_changed = true;
-            } else {
-                ++k;
+    std::vector<std::int32_t> degree(point_count, 0), free_ends;
+    for (std::size_t p = 0; p < point_count; ++p) {
+        degree[p] = static_cast<std::int32_t>(around[p].size());
+        if (degree[p] == 1) {
+            free_ends.push_back(static_cast<std::int32_t>(p));
+        }
+    }
+    std::vector<std::uint8_t> is_removed(pieces.size(), 0);
+    while (!free_ends.empty()) {
+        const std::int32_t end = free_ends.back();
+        free_ends.pop_back();
+        for (const std::int32_t k : around[at(end)]) {
+            if (is_removed[at(k)] == 0) {
+                is_removed[at(k)] = 1;
+                const std::int32_t other = pieces[at(k)].a == end ? pieces[at(k)].b : pieces[at(k)].a;
+                if (--degree[at(other)] == 1) {
+                    free_ends.push_back(other);
+                }
             }
         }
     }
-    return static_cast<std::int32_t>(before - pieces.size());
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (is_removed[k] == 0) {
+            pieces[kept++] = pieces[k];
+        }
+    }
+    const auto removed = static_cast<std::int32_t>(pieces.size() - kept);
+    pieces.resize(kept);
+    return removed;
 }
 
 /// Directed pieces: 2 k runs from a to b of piece k, 2 k + 1 back; `next` goes on round the region to the left.
@@ -209,17 +222,24 @@ std::vector<std::int32_t> nets_of(const std::vector<Piece>& pieces, std::size_t 
 
 /// Removes the blocks of nets inside a block of another net. @returns the number of such nets
 std::int32_t remove_loose_loops(std::vector<Face>& faces, const std::vector<Vec2>& points) {
-    std::vector<std::int32_t> loose;
+    std::vector<std::int32_t> nets;
     for (const Face& face : faces) {
-        const bool is_inner = std::any_of(faces.begin(), faces.end(), [&](const Face& other) {
-            return other.net != face.net && is_inside(other.corners, points[at(face.net)]);
+        nets.push_back(face.net);
+    }
+    std::sort(nets.begin(), nets.end());
+    nets.erase(std::unique(nets.begin(), nets.end()), nets.end());
+    if (nets.size() < 2) {
+        return 0;
+    }
+    std::vector<std::int32_t> loose;
+    for (const std::int32_t net : nets) {
+        const bool is_inner = std::any_of(faces.begin(), faces.end(), [&](const Face& face) {
+            return face.net != net && is_inside(face.corners, points[at(net)]);
         });
-        if (is_inner && (loose.empty() || loose.back() != face.net)) {
-            loose.push_back(face.net);
+        if (is_inner) {
+            loose.push_back(net);
         }
     }
-    std::sort(loose.begin(), loose.end());
-    loose.erase(std::unique(loose.begin(), loose.end()), loose.end());
     std::erase_if(faces,
                   [&loose](const Face& face) { return std::binary_search(loose.begin(), loose.end(), face.net); });
     return static_cast<std::int32_t>(loose.size());

@@ -53,6 +53,7 @@ struct CaseCheck {
     double substep{0};            ///< that those are of, or less [s]
     std::string substeps_reason;  ///< what they follow from
     std::int64_t frames{0};
+    bool is_tried{true};       ///< the first step was computed; else what is at time 0 is not known
     std::int64_t contacts{0};  ///< at time 0
     double max_overlap{0};     ///< at time 0 [m]
     double max_potential{0};   ///< at time 0, of the inscribed radius [-]
@@ -67,6 +68,10 @@ struct CaseCheck {
     /// Steps, as a number that need not be countable.
     double estimated_steps() const;
 };
+
+/// Bodies above which `check` computes no step of a method that solves equations for all of them: that takes minutes
+/// and gigabytes.
+inline constexpr std::int64_t most_solved_by_check = 10'000;
 
 /// Sides of the domain that absorb waves, with the range in which they do.
 std::vector<std::string> sides_of(const sim::Model& model);

@@ -62,6 +62,14 @@ std::string tipping_text(const CaseCheck::EarlyTipping& tipping) {
         who, tipping.elastic, tipping.rigid - tipping.elastic, tipping.rigid, tipping.stiffness);
 }
 
+/// What was found at time 0.
+std::string start_text(const CaseCheck& check) {
+    return check.is_tried ? fmt::format("{} contact{}, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)",
+                                        check.contacts, check.contacts == 1 ? "" : "s", check.max_overlap,
+                                        100 * check.max_potential)
+                          : "not tried";
+}
+
 }  // namespace
 
 bool CaseCheck::has_countable_steps() const { return steps <= plausible_steps; }
@@ -86,15 +94,14 @@ std::string check_text(const CaseCheck& check, bool is_coloured) {
     std::string text = fmt::format(
         "{}\n  bodies        {} ({} free, {:.6g} {}), {} convex parts, {} shapes\n"
         "  time step     {:.6g} s, at most {:.6g} s ({})\n  steps         {} to t = {:.6g} s\n"
-        "  at time 0     {} contact{}, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)\n"
+        "  at time 0     {}\n"
         "  memory        {}\n  output        {} in {} frames and the tables\n",
         check.title.empty() ? "(untitled)" : check.title, check.bodies, check.free_bodies, check.mass, mass_unit,
         check.parts, check.shapes, check.time_step, check.time_step_limit, check.limited_by,
         check.has_countable_steps() ? fmt::format("{}", check.steps)
                                     : fmt::format("about {:.2g}", check.estimated_steps()),
-        check.end, check.contacts, check.contacts == 1 ? "" : "s", check.max_overlap, 100 * check.max_potential,
-        size_text(static_cast<double>(check.memory_bytes)), size_text(static_cast<double>(check.output_bytes)),
-        check.frames);
+        check.end, start_text(check), size_text(static_cast<double>(check.memory_bytes)),
+        size_text(static_cast<double>(check.output_bytes)), check.frames);
     if (check.particles > 0) {
         text += fmt::format(
             "  water         {} particles, {:.6g} {}, {} boundary particles{}\n"

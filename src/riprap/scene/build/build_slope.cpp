@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "riprap/scene/build/random_stream.hpp"
 #include "riprap/scene/build/recipe_blocks.hpp"
@@ -95,10 +97,54 @@ struct Spot {
     Quat orientation;
 };
 
+/// Farthest that a ball of the unit reaches from its frame.
+double reach_of(const Unit& unit) {
+    double reach = 0;
+    for (const Ball& ball : unit.balls) {
+        reach = std::max(reach, norm(ball.centre) + ball.radius);
+    }
+    return reach;
+}
+
+/// Units placed so far, in cells as wide as two of them reach: those that one can touch lie in the cells beside its
+/// own.
+class PlacedUnits {
+ public:
+    explicit PlacedUnits(double width) : width_(width) {}
+
+    void add(std::size_t unit, const Vec3& place) { cells_[cell_of(place)].push_back(unit); }
+
+    template <class Touches>
+    bool none_near(const Vec3& place, const Touches& touches) const {
+        const std::array<std::int64_t, 3> own = cell_of(place);
+        for (int n = 0; n < 27; ++n) {
+            const auto cell = cells_.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
+            if (cell != cells_.end() && std::any_of(cell->second.begin(), cell->second.end(), touches)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+ private:
+    std::array<std::int64_t, 3> cell_of(const Vec3& x) const {
+        const auto along = [this](double c) { return static_cast<std::int64_t>(std::floor(c / width_)); };
+        return {along(x.x), along(x.y), along(x.z)};
+    }
+
+    double width_;
+    std::map<std::array<std::int64_t, 3>, std::vector<std::size_t>> cells_;
+};
+
 class Placer {
  public:
     Placer(CaseBuild& build, const Value& table, const body::NewBody& common, Unit unit, const Slope& slope)
-        : build_(build), table_(table), common_(common), unit_(std::move(unit)), slope_(slope) {}
+        : build_(build),
+          table_(table),
+          common_(common),
+          unit_(std::move(unit)),
+          slope_(slope),
+          units_(2 * reach_of(unit_)) {}
 
     void place() {
         const auto layers = static_cast<int>(get_integer(table_, "layers"));
@@ -160,6 +206,7 @@ class Placer {
         while (!is_clear(place, spot.orientation)) {
             place += step * diameter * slope_.out;
         }
+        units_.add(placed_.size(), place);
         placed_.push_back({place, spot.orientation});
         body::NewBody block = common_;
         block.parts = unit_.parts;
@@ -167,7 +214,8 @@ class Placer {
         add_recipe_block(build_, std::move(block), number);
     }
     bool is_clear(const Vec3& place, const Quat& orientation) const {
-        return std::none_of(placed_.begin(), placed_.end(), [&](const Pose& other) {
+        return units_.none_near(place, [&](std::size_t near) {
+            const Pose& other = placed_[near];
             for (const Ball& a : unit_.balls) {
                 const Vec3 x = place + rotate(orientation, a.centre);
                 for (const Ball& b : unit_.balls) {
@@ -186,6 +234,7 @@ class Placer {
     Unit unit_;
     Slope slope_;
     std::vector<Pose> placed_;
+    PlacedUnits units_;
 };
 
 }  // namespace

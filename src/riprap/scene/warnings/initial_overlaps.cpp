@@ -67,6 +67,16 @@ double overlap_depth(const ConvexView& a, const Frame& frame_a, const ConvexView
     return std::max({depth, depth_of_point(b, frame_b, frame_a.origin), depth_of_point(a, frame_a, frame_b.origin)});
 }
 
+/// Radius about the centre of mass that holds all of a shape [m].
+double radius_of(const ConvexView& shape, bool is_planar) {
+    double reach = 0;
+    for (int v = 0; v < shape.vertex_count; ++v) {
+        const Vec3 x = shape.vertex(v);
+        reach = std::max(reach, is_planar ? std::hypot(x.x, x.y) : norm(x));
+    }
+    return reach;
+}
+
 /// Radius about the centre of mass that holds all of a shape, in the plane where its ends carry no field; infinity
 /// where other faces carry none either: below those a point may be as deep as it likes [m].
 double reach_of(const ConvexView& shape, bool is_planar) {
@@ -75,12 +85,7 @@ double reach_of(const ConvexView& shape, bool is_planar) {
             return std::numeric_limits<double>::infinity();
         }
     }
-    double reach = 0;
-    for (int v = 0; v < shape.vertex_count; ++v) {
-        const Vec3 x = shape.vertex(v);
-        reach = std::max(reach, is_planar ? std::hypot(x.x, x.y) : norm(x));
-    }
-    return shape.vertex_count > 0 ? reach : std::numeric_limits<double>::infinity();
+    return shape.vertex_count > 0 ? radius_of(shape, is_planar) : std::numeric_limits<double>::infinity();
 }
 
 /// A bound of the depth of an overlap that costs little: no point of A, within R_A of its centre, lies more than
@@ -116,6 +121,11 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
     contact::PlacedParts placed;
     contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     const auto view = [&model](std::int64_t part) { return model.shapes.view(model.bodies.parts[at(part)].shape); };
+    // The balls around prisms one metre thick are larger than many a block: in the plane circles do.
+    for (std::size_t p = 0; p < placed.radii.size() && model.bodies.is_planar; ++p) {
+        const ConvexView shape = view(static_cast<std::int64_t>(p));
+        placed.radii[p] = shape.vertex_count > 0 ? radius_of(shape, true) : placed.radii[p];
+    }
     std::vector<contact::PartPair> pairs;
     contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, solid::DemSettings{}.grid_factor, pairs);
 
