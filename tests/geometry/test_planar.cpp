@@ -231,6 +231,80 @@ TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
 }
 
+/// The first problem of an analysis file.
+std::string analysis_problem_of(std::string_view text) {
+    try {
+        read_dda_analysis(text, "bad.ana");
+    } catch (const CaseError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
+std::string load_of(const std::string& attributes, const std::string& records) {
+    return "<DDA><Analysis><Loadpointlist><Loadpoint" + attributes + ">" + records +
+           "</Loadpoint></Loadpointlist></Analysis></DDA>";
+}
+
+TEST(DdaFiles, ALoadWithAMissingColumnIsRefusedAtItsRecord) {
+    EXPECT_EQ(analysis_problem_of(load_of("", " 0 1 2; 3 4 5; ")), "");
+    EXPECT_EQ(analysis_problem_of(load_of("", " 0 1 2 3 4 5 ")), "");
+    EXPECT_EQ(analysis_problem_of(load_of(" numpoints=\"2\"", "\n 0 1 2\n 3 4 5\n")), "");
+    // Six numbers, but three records of two.
+    EXPECT_NE(analysis_problem_of(load_of("", "\n0 1\n2 3\n4 5\n")).find("bad.ana:2:1: a record of 2 numbers"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(load_of("", "0 1; 2 3; 4 5;")).find("bad.ana:1:42: a record of 2 numbers"),
+              std::string::npos)
+        << analysis_problem_of(load_of("", "0 1; 2 3; 4 5;"));
+    EXPECT_NE(analysis_problem_of(load_of("", "\n0 1 2\n2 3 4 5\n4 5\n")).find("bad.ana:3:1: a record of 4 numbers"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(load_of(" numpoints=\"3\"", " 0 1 2; 3 4 5; "))
+                  .find("numpoints is \"3\", and 2 records follow"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(load_of(" numpoints=\"-1\"", " 0 1 2 ")).find("numpoints is \"-1\""),
+              std::string::npos);
+}
+
+TEST(DdaFiles, ValuesThatNoMaterialHasAreRefusedAtTheirWord) {
+    const std::string bare = "0\n20\n1\n1\n0.006\n0.01\n";
+    // A missing unit weight moves every number after it.
+    EXPECT_NE(analysis_problem_of(bare + "5 1000000 0.49\n0 0 0\n0 0 0\n1 2 3\n30.0 10.0 4.0\n").find("bad.ana:"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(bare + "5 161 1000000 0.6\n0 0 0\n0 0 0\n1 2 3\n30.0 10.0 4.0\n")
+                  .find("bad.ana:7:15: Poisson's ratio is \"0.6\""),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(bare + "5 161 1000000 0.4\n0 0 0\n0 0 0\n1 2 3\n95 10.0 4.0\n")
+                  .find("a friction angle is \"95\""),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(
+                  "<DDA><Analysis><Blockmaterial><Poissonratio> 0.6 </Poissonratio></Blockmaterial></Analysis></DDA>")
+                  .find("<Poissonratio> is 0.6; a Poisson's ratio"),
+              std::string::npos);
+    EXPECT_NE(problem_of("<DDA><Geometry><Edgenodedist distance=\"-1\"/></Geometry></DDA>")
+                  .find("bad.geo:1:40: distance is \"-1\"; a number of 0 or more"),
+              std::string::npos)
+        << problem_of("<DDA><Geometry><Edgenodedist distance=\"-1\"/></Geometry></DDA>");
+    EXPECT_NE(problem_of("-0.01\n0 0 0 0 0 0 0 0\n").find("bad.geo:1:1: the least distance"), std::string::npos);
+    EXPECT_NE(problem_of("0.01\n1 2 0 0 0 0 0 0\n0 0 1 0 1\n").find("bad.geo:2:3: 2 outline joints among 1 joints"),
+              std::string::npos);
+    EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n0 0 1 0 0.5\n").find("a type is \"0.5\""), std::string::npos);
+}
+
+TEST(PlanarCut, ManyJointsAreCutInTheTimeOfTheirBlocks) {
+    std::vector<PlanarJoint> joints = outline_of(std::vector<Vec2>{{0, 0}, {100, 0}, {100, 100}, {0, 100}});
+    constexpr int n = 300;
+    for (int k = 1; k < n; ++k) {  // each sticks out: the ends are dead
+        const double x = 100.0 * k / n;
+        joints.push_back({{x, -1}, {x, 101}, 0});
+        joints.push_back({{-1, x}, {101, x}, 0});
+    }
+    const auto cut = cut_by_lines(joints);
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut.value().blocks.size(), static_cast<std::size_t>(n) * n);
+    EXPECT_EQ(cut.value().dead_ends, 4 * (n - 1));
+    EXPECT_EQ(cut.value().loose_loops, 0);
+}
+
 TEST(DdaFiles, ATextThatEndsEarlyIsToldOnce) {
     try {
         read_dda_geometry("0.01\n3 3 0", "short.geo");

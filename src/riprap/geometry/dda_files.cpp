@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::int64_t most_entries = 10'000'000;
 
+// Ranges of values: one column too few or too many in a row of bare numbers shows in them.
+constexpr double most_friction = 89.999;  // degrees
+constexpr const char* not_negative = "a number of 0 or more";
+constexpr const char* ratio = "a Poisson's ratio from -1 to 0.5";
+constexpr const char* friction_range = "an angle in degrees from 0 to below 90";
+
 bool is_markup(std::string_view bytes) {
     const std::size_t first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     return first != std::string_view::npos && bytes[first] == '<';
@@ -45,6 +51,14 @@ class Numbers {
         }
         return 0;
     }
+    /// A number that must be within a range.
+    double number_in(const Word& word, const char* what, double low, double high, const char* allowed) {
+        const double value = number(word, what);
+        if (!(value >= low && value <= high)) {
+            report(word, fmt::format("{} is {}", what, quote(word.text)), allowed);
+        }
+        return value;
+    }
     void report(const Word& word, std::string message, std::string allowed = {}) {
         problems_.add(SourcePlace{file_, word.line, word.column}, std::move(message), std::move(allowed));
     }
@@ -64,12 +78,30 @@ class Numbers {
         }
         return values;
     }
-    double attribute(const MarkupElement& element, std::string_view key) {
-        if (const Word* word = element.attribute(key)) {
-            return number(*word, "an attribute");
+    /// The one number of an element's text, within a range.
+    double value_in(const MarkupElement& element, double low, double high, const char* allowed) {
+        const double value = list<1>(element)[0];
+        if (!(value >= low && value <= high)) {
+            report(element.words.empty() ? Word{element.name, element.line, element.column} : element.words[0],
+                   fmt::format("<{}> is {:g}", element.name, value), allowed);
         }
-        report({element.name, element.line, element.column}, fmt::format("<{}> has no {}", element.name, key));
-        return 0;
+        return value;
+    }
+    /// The value of an attribute; null, with a problem, where there is none.
+    const Word* attribute(const MarkupElement& element, std::string_view key) {
+        const Word* word = element.attribute(key);
+        if (word == nullptr) {
+            report({element.name, element.line, element.column}, fmt::format("<{}> has no {}", element.name, key));
+        }
+        return word;
+    }
+    double amount(const MarkupElement& element, std::string_view key) {
+        const Word* word = attribute(element, key);
+        return word == nullptr ? 0 : number_in(*word, std::string(key).c_str(), 0, HUGE_VAL, "a number of 0 or more");
+    }
+    std::int32_t whole(const MarkupElement& element, std::string_view key) {
+        const Word* word = attribute(element, key);
+        return word == nullptr ? 0 : static_cast<std::int32_t>(count(*word, std::string(key).c_str()));
     }
 
  private:
@@ -110,12 +142,11 @@ void read_points(const std::vector<MarkupElement>& elements, const MarkupElement
 void read_geometry_list(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
                         DdaGeometry& geometry) {
     if (list.name == "Edgenodedist") {
-        geometry.snap = numbers.attribute(list, "distance");
+        geometry.snap = numbers.amount(list, "distance");
     } else if (list.name == "Jointlist") {
         for (const std::size_t child : list.children) {
             const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
-            const double type = numbers.attribute(elements[child], "type");
-            geometry.joints.push_back({{x1, y1}, {x2, y2}, static_cast<std::int32_t>(type)});
+            geometry.joints.push_back({{x1, y1}, {x2, y2}, numbers.whole(elements[child], "type")});
         }
     } else if (list.name == "Fixedpointlist") {
         for (const std::size_t child : list.children) {
@@ -172,7 +203,7 @@ void read_bare_lines(TextReader& reader, Numbers& numbers, std::int64_t count, b
         line.begin.y = numbers.number(reader.next_word(), "y of a begin");
         line.end.x = numbers.number(reader.next_word(), "x of an end");
         line.end.y = numbers.number(reader.next_word(), "y of an end");
-        line.type = has_type ? static_cast<std::int32_t>(numbers.number(reader.next_word(), "a type")) : 0;
+        line.type = has_type ? static_cast<std::int32_t>(numbers.count(reader.next_word(), "a type")) : 0;
         lines.push_back(line);
     }
 }
@@ -187,10 +218,15 @@ void read_bare_points(TextReader& reader, Numbers& numbers, std::int64_t count, 
 void read_bare_geometry(std::string_view bytes, const std::string& file, ProblemList& problems, DdaGeometry& geometry) {
     Numbers numbers(file, problems);
     TextReader reader(bytes);
-    geometry.snap = numbers.number(reader.next_word(), "the least distance of an edge from a node");
+    geometry.snap = numbers.number_in(reader.next_word(), "the least distance of an edge from a node", 0, HUGE_VAL,
+                                      "a distance of 0 or more");
     const std::int64_t joints = numbers.count(reader.next_word(), "the number of joints");
-    geometry.outline_count =
-        static_cast<std::int32_t>(numbers.count(reader.next_word(), "the number of outline joints"));
+    const Word outline = reader.next_word();
+    geometry.outline_count = static_cast<std::int32_t>(numbers.count(outline, "the number of outline joints"));
+    if (geometry.outline_count > joints) {
+        numbers.report(outline, fmt::format("{} outline joints among {} joints", geometry.outline_count, joints),
+                       "at most as many as joints");
+    }
     const std::int64_t materials = numbers.count(reader.next_word(), "the number of material lines");
     const std::int64_t bolts = numbers.count(reader.next_word(), "the number of bolts");
     const std::int64_t fixed = numbers.count(reader.next_word(), "the number of fixed points");
@@ -218,13 +254,13 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
         if (element.name == "Unitmass") {
-            material.density = numbers.list<1>(element)[0];
+            material.density = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Unitweight") {
-            material.unit_weight = numbers.list<1>(element)[0];
+            material.unit_weight = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Youngsmod") {
-            material.youngs_modulus = numbers.list<1>(element)[0];
+            material.youngs_modulus = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Poissonratio") {
-            material.poisson_ratio = numbers.list<1>(element)[0];
+            material.poisson_ratio = numbers.value_in(element, -1, 0.5, ratio);
         } else if (element.name == "Istress") {
             material.stress = numbers.list<3>(element);
         } else if (element.name == "Ivelocity") {
@@ -236,38 +272,69 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
     return material;
 }
 
-DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers) {
+DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                              std::vector<std::string>& notes) {
     DdaJointProperties joint;
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
-        const double value = numbers.list<1>(element)[0];
         if (element.name == "Friction") {
-            joint.friction_angle = value * std::numbers::pi / 180;
+            joint.friction_angle = numbers.value_in(element, 0, most_friction, friction_range) * std::numbers::pi / 180;
         } else if (element.name == "Cohesion") {
-            joint.cohesion = value;
+            joint.cohesion = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Tensile") {
-            joint.tension = value;
+            joint.tension = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else {
+            note_unused(notes, element);
         }
     }
     return joint;
 }
 
+/// Where records of three end among the words of a load: at each ';', else at the end of each line.
+std::vector<std::size_t> ends_of_records(const MarkupElement& element) {
+    std::vector<std::size_t> ends = element.marks;
+    for (std::size_t k = 1; element.marks.empty() && k < element.words.size(); ++k) {
+        if (element.words[k].line != element.words[k - 1].line) {
+            ends.push_back(k);
+        }
+    }
+    ends.push_back(element.words.size());
+    return ends;
+}
+
+/// Reads records of time and two components. Several may stand between marks; none may be cut by one.
+DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
+    DdaLoadHistory history;
+    if (element.words.empty()) {
+        numbers.report({element.name, element.line, element.column}, "a load without numbers",
+                       "records of time and two components");
+    }
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_of_records(element)) {
+        if ((end - begin) % 3 != 0) {
+            numbers.report(element.words[begin], fmt::format("a record of {} numbers", end - begin),
+                           "time and two components");
+            return history;
+        }
+        for (; begin < end; begin += 3) {
+            history.records.push_back({numbers.number(element.words[begin], "a time"),
+                                       numbers.number(element.words[begin + 1], "a force along x"),
+                                       numbers.number(element.words[begin + 2], "a force along y")});
+        }
+    }
+    const Word* promised = element.attribute("numpoints");
+    const auto count = static_cast<std::int64_t>(history.records.size());
+    if (promised != nullptr && numbers.count(*promised, "numpoints") != count) {
+        numbers.report(*promised, fmt::format("numpoints is {}, and {} records follow", quote(promised->text), count),
+                       "the number of records");
+    }
+    return history;
+}
+
 void read_loads(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
                 std::vector<DdaLoadHistory>& loads) {
     for (const std::size_t child : list.children) {
-        const MarkupElement& element = elements[child];
-        DdaLoadHistory history;
-        if (element.words.size() % 3 != 0 || element.words.empty()) {
-            numbers.report({element.name, element.line, element.column},
-                           fmt::format("a load history of {} numbers", element.words.size()),
-                           "records of time and two components");
-        }
-        for (std::size_t k = 0; k + 2 < element.words.size(); k += 3) {
-            history.records.push_back({numbers.number(element.words[k], "a time"),
-                                       numbers.number(element.words[k + 1], "a force along x"),
-                                       numbers.number(element.words[k + 2], "a force along y")});
-        }
-        loads.push_back(std::move(history));
+        loads.push_back(read_load(elements[child], numbers));
     }
 }
 
@@ -278,17 +345,17 @@ void read_setting(const std::vector<MarkupElement>& elements, const MarkupElemen
     } else if (element.name == "Planestrain") {
         analysis.is_plane_strain = has_flag(element, "flag", "yes");
     } else if (element.name == "Numtimesteps") {
-        analysis.step_count = static_cast<std::int32_t>(numbers.attribute(element, "timesteps"));
+        analysis.step_count = numbers.whole(element, "timesteps");
     } else if (element.name == "Maxtimestep") {
-        analysis.time_step = numbers.attribute(element, "maxtimestep");
+        analysis.time_step = numbers.amount(element, "maxtimestep");
     } else if (element.name == "Maxdisplacement") {
-        analysis.displacement_ratio = numbers.attribute(element, "maxdisplacement");
+        analysis.displacement_ratio = numbers.amount(element, "maxdisplacement");
     } else if (element.name == "Autopenalty") {
-        analysis.penalty_factor = numbers.attribute(element, "pfactor");
+        analysis.penalty_factor = numbers.amount(element, "pfactor");
     } else if (element.name == "AConstants") {
         for (const std::size_t child : element.children) {
             if (elements[child].name == "ShearNormRatio") {
-                analysis.shear_ratio = numbers.attribute(elements[child], "value");
+                analysis.shear_ratio = numbers.amount(elements[child], "value");
             } else {
                 note_unused(analysis.notes, elements[child]);
             }
@@ -296,7 +363,7 @@ void read_setting(const std::vector<MarkupElement>& elements, const MarkupElemen
     } else if (element.name == "Blockmaterial") {
         analysis.materials.push_back(read_material(elements, element, numbers, analysis.notes));
     } else if (element.name == "Jointproperties") {
-        analysis.joints.push_back(read_joint(elements, element, numbers));
+        analysis.joints.push_back(read_joint(elements, element, numbers, analysis.notes));
     } else if (element.name == "Loadpointlist") {
         read_loads(elements, element, numbers, analysis.loads);
     } else {
@@ -322,6 +389,24 @@ void read_marked_analysis(std::string_view bytes, const std::string& file, Probl
     }
 }
 
+DdaMaterial read_bare_material(TextReader& reader, Numbers& numbers) {
+    DdaMaterial material;
+    const auto next = [&](const char* what, double low, double high, const char* allowed) {
+        return numbers.number_in(reader.next_word(), what, low, high, allowed);
+    };
+    material.density = next("a unit mass", 0, HUGE_VAL, not_negative);
+    material.unit_weight = next("a unit weight", 0, HUGE_VAL, not_negative);
+    material.youngs_modulus = next("Young's modulus", 0, HUGE_VAL, not_negative);
+    material.poisson_ratio = next("Poisson's ratio", -1, 0.5, ratio);
+    std::array<double, 9> rest{};  // initial stress, its gradient (not used), initial velocity
+    for (double& value : rest) {
+        value = numbers.number(reader.next_word(), "a property of a block material");
+    }
+    material.stress = {rest[0], rest[1], rest[2]};
+    material.velocity = {rest[6], rest[7], rest[8]};
+    return material;
+}
+
 void read_bare_analysis(std::string_view bytes, const std::string& file, ProblemList& problems, DdaAnalysis& analysis) {
     Numbers numbers(file, problems);
     TextReader reader(bytes);
@@ -332,17 +417,17 @@ void read_bare_analysis(std::string_view bytes, const std::string& file, Problem
     analysis.displacement_ratio = numbers.number(reader.next_word(), "the displacement ratio");
     analysis.time_step = numbers.number(reader.next_word(), "the largest time step");
     for (std::int64_t k = 0; k < materials && !numbers.has_problems(); ++k) {
-        std::array<double, 13> v{};
-        for (double& value : v) {
-            value = numbers.number(reader.next_word(), "a property of a block material");
-        }
-        analysis.materials.push_back({v[0], v[1], v[2], v[3], {v[4], v[5], v[6]}, {v[10], v[11], v[12]}});
+        analysis.materials.push_back(read_bare_material(reader, numbers));
     }
     for (std::int64_t k = 0; k < joints && !numbers.has_problems(); ++k) {
-        const double angle = numbers.number(reader.next_word(), "a friction angle");
-        const double cohesion = numbers.number(reader.next_word(), "a cohesion");
-        analysis.joints.push_back(
-            {angle * std::numbers::pi / 180, cohesion, numbers.number(reader.next_word(), "a tensile strength")});
+        const double angle =
+            numbers.number_in(reader.next_word(), "a friction angle", 0, most_friction, friction_range);
+        const double cohesion = numbers.number_in(reader.next_word(), "a cohesion", 0, HUGE_VAL, not_negative);
+        const double tension = numbers.number_in(reader.next_word(), "a tensile strength", 0, HUGE_VAL, not_negative);
+        analysis.joints.push_back({angle * std::numbers::pi / 180, cohesion, tension});
+    }
+    if (const Word rest = reader.next_word(); !rest.is_empty() && !numbers.has_problems()) {
+        analysis.notes.push_back(fmt::format("line {}: {} and what follows is not used", rest.line, quote(rest.text)));
     }
 }
 

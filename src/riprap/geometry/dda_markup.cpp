@@ -26,7 +26,10 @@ class Walker {
         while (position_ < text_.size()) {
             if (text_[position_] == '<') {
                 tag();
-            } else if (is_space(text_[position_]) || text_[position_] == ';') {
+            } else if (text_[position_] == ';') {
+                elements_[open_.back()].marks.push_back(elements_[open_.back()].words.size());
+                advance(1);
+            } else if (is_space(text_[position_])) {
                 advance(1);
             } else {
                 elements_[open_.back()].words.push_back(word(" \t\r\n<;"));

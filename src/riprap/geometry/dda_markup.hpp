@@ -14,7 +14,8 @@ namespace riprap::geometry {
 struct MarkupElement {
     std::string_view name;
     std::vector<std::pair<std::string_view, Word>> attributes;
-    std::vector<Word> words;  ///< of its text, without that of elements inside
+    std::vector<Word> words;         ///< of its text, without that of elements inside
+    std::vector<std::size_t> marks;  ///< words before each ';' of its text
     std::vector<std::size_t> children;
     std::uint32_t line{0}, column{0};
 
