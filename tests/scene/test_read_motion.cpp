@@ -88,7 +88,8 @@ TEST(ReadMotion, a_sea_takes_its_spectrum_from_a_file_and_its_height_from_the_ca
         }
         return std::string();
     };
-    EXPECT_THAT(problems("spectrum_file = \"falling.csv\""), HasSubstr("row 2 of the spectrum has f = 0.4 1/s"));
+    EXPECT_THAT(problems("spectrum_file = \"falling.csv\""),
+                HasSubstr("row 2 of the spectrum has f = 0.4 1/s and S = 0.001 m^2 s (file of case.toml:"));
     EXPECT_THAT(problems("spectrum_file = \"sea.csv\", period = 2"), HasSubstr("which has its own"));
     EXPECT_THAT(problems("height = 0.1"), HasSubstr("a sea without 'period'"));
     EXPECT_THAT(problems("height = 0.3, period = 9"), HasSubstr("beyond second-order theory"));
@@ -136,7 +137,7 @@ TEST(ReadMotion, a_motion_table_is_read_from_the_folder_of_the_case) {
     EXPECT_EQ(loaded.inputs[0].path, "shake.csv");
     folder.write("shake.csv", "t,x,y,z\n0,0,0,0\n1,1,x,0\n");
     EXPECT_THAT(problems_of(minimal_case + "motion = { table = { file = \"shake.csv\" } }\n", {}, folder.path()),
-                ElementsAre(HasSubstr("shake.csv:3:1: column 3 is not a finite number")));
+                ElementsAre(HasSubstr("shake.csv:3:5: \"x\" in column 3 is not a finite number (file of case.toml:")));
 }
 
 }  // namespace

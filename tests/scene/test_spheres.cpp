@@ -93,7 +93,8 @@ TEST(Spheres, every_bad_list_is_told_of_at_its_place) {
         folder.write("list.txt", text);
         return problems_of(spheres("file = \"list.txt\""), {}, folder.path().string());
     };
-    EXPECT_THAT(list("0 0 0 0.2\n0 0 x 0.2\n"), ElementsAre(HasSubstr("list.txt:2: not four numbers")));
+    EXPECT_THAT(list("0 0 0 0.2\n0 0 x 0.2\n"),
+                ElementsAre(HasSubstr("list.txt:2:5: \"x\" in column 3 is not a finite number")));
     EXPECT_THAT(list("# none\n"), ElementsAre(HasSubstr("case.toml:10:20: list.txt lists no sphere")));
     EXPECT_THAT(list("0 0 0 -0.2\n"), ElementsAre(HasSubstr("sphere 1 has radius -0.2 m")));
     EXPECT_THAT(list("0 0 0 0.2\n0 0 0.05 0.1\n"),

@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "riprap/body/fill_section.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/number_table.hpp"
 
 namespace riprap::body {
 
@@ -278,30 +280,24 @@ geometry::Outcome<Multisphere> fill_section(const geometry::Polyhedron& prism, d
 }
 
 geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const std::string& name) {
+    geometry::TableForm form = geometry::table_of_places(static_cast<std::int64_t>(most_spheres));
+    form.columns.push_back({"radius", {"radius", "r"}});
     Multisphere shape;
-    std::vector<geometry::GeometryProblem> problems;
-    std::istringstream lines(text);
-    std::string line;
-    for (int row = 1; std::getline(lines, line); ++row) {
-        line.resize(std::min(line.size(), line.find('#')));
-        std::ranges::replace(line, ',', ' ');
-        std::istringstream words(line);
-        double x = 0, y = 0, z = 0, radius = 0;
-        std::string more;
-        if ((words >> std::ws).eof()) {
-            continue;
+    try {
+        const geometry::NumberTable table = geometry::read_number_table(text, name, form);
+        for (std::size_t i = 0; i < table.row_count(); ++i) {
+            shape.spheres.push_back({{table.at(i, 0), table.at(i, 1), table.at(i, 2)}, table.at(i, 3), {}});
         }
-        if (!(words >> x >> y >> z >> radius) || (words >> more)) {
-            problems.push_back({name + ':' + std::to_string(row) + ": not four numbers", "x y z radius in metres"});
-            continue;
+    } catch (const CaseError& error) {
+        std::vector<geometry::GeometryProblem> problems;
+        for (Diagnostic problem : error.problems()) {
+            std::string allowed = std::exchange(problem.allowed, {});
+            problems.push_back({to_string(problem), std::move(allowed)});
         }
-        shape.spheres.push_back({{x, y, z}, radius, {}});
-    }
-    if (problems.empty() && shape.spheres.empty()) {
-        problems.push_back({name + " lists no sphere", "lines x y z radius in metres"});
-    }
-    if (!problems.empty()) {
         return problems;
+    }
+    if (shape.spheres.empty()) {
+        return geometry::GeometryProblem{name + " lists no sphere", "lines x y z radius in metres"};
     }
     return checked(std::move(shape));
 }
@@ -311,11 +307,21 @@ geometry::Outcome<Multisphere> checked(Multisphere shape) {
     if (shape.spheres.empty()) {
         problems.push_back({"no sphere lies in the shape", "smaller spheres"});
     }
+    double reach = 0;  // of the largest sphere or of the farthest centre
+    for (const ShapeSphere& s : shape.spheres) {
+        reach = std::max({reach, s.radius, norm(s.centre)});
+    }
+    constexpr double resolution = 1e-8;  // of the reach: overlaps are small shares of a radius
     for (std::size_t i = 0; i < shape.spheres.size(); ++i) {
         const ShapeSphere& s = shape.spheres[i];
+        const bool is_lost = s.radius < resolution * reach || !std::isnormal(s.radius * s.radius * s.radius);
         if (!(s.radius > 0) || !is_finite(s.centre)) {
             problems.push_back({"sphere " + std::to_string(i + 1) + " has radius " + number(s.radius) + " m",
                                 "a radius above zero and finite coordinates"});
+        } else if (is_lost) {
+            problems.push_back({"sphere " + std::to_string(i + 1) + " has radius " + number(s.radius) +
+                                    " m in a body of " + number(reach) + " m",
+                                "at least " + number(resolution) + " of the body"});
         }
     }
     // Sorted by x, a sphere inside another one lies within the larger radius of it.

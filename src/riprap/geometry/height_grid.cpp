@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/marks_of_nothing.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
 namespace riprap::geometry {
@@ -93,6 +94,7 @@ Scale scale_of(std::vector<double> values) {
 }  // namespace
 
 HeightGrid read_esri_ascii(std::string_view text, const std::string& file, double scale) {
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
     TextReader reader(text);
     EsriHead head;
     Word word = reader.peek_word();
@@ -117,59 +119,84 @@ HeightGrid read_esri_ascii(std::string_view text, const std::string& file, doubl
     grid.x0 = scale * *head.x + (head.x_is_corner ? 0.5 * grid.dx : 0);
     grid.y0 = scale * *head.y + (head.y_is_corner ? 0.5 * grid.dy : 0);
     grid.z.resize(riprap::at(grid.columns * grid.rows));
+    TextReader heights = reader;
     for (std::int64_t row = grid.rows - 1; row >= 0; --row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             const double z = number_of(file, reader.next_word(), "a height");
-            grid.z[riprap::at(row * grid.columns + column)] = z == head.nodata ? none : scale * z;
+            // Programs round the mark of the head and those of the rows differently.
+            const bool is_none = std::abs(z - head.nodata) <= 1e-5 * std::abs(head.nodata);
+            grid.z[riprap::at(row * grid.columns + column)] = is_none ? none : scale * z;
         }
     }
     if (const Word more = reader.next_word(); !more.is_empty()) {
         refuse_at(file, more, fmt::format("more than the {} heights of the head", grid.columns * grid.rows),
                   "ncols times nrows numbers");
     }
+    if (const auto mark = find_mark_of_nothing(grid.z, std::max(grid.dx, grid.dy), scale)) {
+        Word found;
+        for (std::int64_t row = grid.rows - 1, left = 1; row >= 0 && left > 0; --row) {
+            for (std::int64_t column = 0; column < grid.columns && left > 0; ++column) {
+                found = heights.next_word();
+                left = riprap::at(row * grid.columns + column) == mark->index ? 0 : 1;
+            }
+        }
+        refuse_at(file, found, mark->message, fmt::format("NODATA_value {} in the head", found.text));
+    }
     return grid;
 }
 
-HeightGrid read_xyz(std::string_view text, const std::string& file, double scale) {
-    std::string plain(text);
-    std::replace_if(
-        plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
-    TextReader reader(plain);
-    std::array<std::vector<double>, 3> values;
-    do {
-        Word word = reader.next_word_on_line();
-        if (word.is_empty() || word.text.front() == '#' ||
-            std::isalpha(static_cast<unsigned char>(word.text.front())) != 0) {
-            continue;
-        }
-        for (std::vector<double>& list : values) {
-            list.push_back(scale * number_of(file, word, "x, y or z"));
-            word = reader.next_word_on_line();
-        }
-        if (static_cast<std::int64_t>(values[0].size()) > most_heights) {
-            refuse(file, "more points than a grid may have", fmt::format("at most {}", most_heights));
-        }
-    } while (reader.next_line());
-    if (values[0].size() < 4) {
-        refuse(file, fmt::format("{} points", values[0].size()), "at least 4, of a rectangular grid");
+bool is_esri_ascii(std::string_view text) {
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    const std::string_view word = TextReader(text).next_word().text;
+    return is_same_keyword(word, "ncols") || is_same_keyword(word, "nrows");
+}
+
+HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form) {
+    TableForm places = form != nullptr ? *form : table_of_places(most_heights);
+    places.may_have_more = true;
+    const NumberTable table = read_number_table(text, file, places);
+    const std::size_t count = table.row_count();
+    if (count < 4) {
+        refuse(file, fmt::format("{} points", count), "at least 4, of a rectangular grid");
     }
-    const Scale x = scale_of(values[0]), y = scale_of(values[1]);
+    std::array<std::vector<double>, 2> along;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            along[axis].push_back(scale * table.at(i, axis));
+        }
+    }
+    const Scale x = scale_of(along[0]), y = scale_of(along[1]);
     if (x.count < 2 || y.count < 2 || x.count * y.count > most_heights) {
-        refuse(file, fmt::format("{} points span {} by {} places", values[0].size(), x.count, y.count),
+        refuse(file, fmt::format("{} points span {} by {} places", count, x.count, y.count),
                "points of a rectangular grid, along x and y");
     }
-    HeightGrid grid{x.count, y.count, x.first, y.first, x.step, y.step, {}};
+    HeightGrid grid{x.count, y.count, x.first, y.first, x.step, y.step, {}, table.notes};
     grid.z.assign(riprap::at(x.count * y.count), none);
-    for (std::size_t i = 0; i < values[0].size(); ++i) {
-        const double column = (values[0][i] - x.first) / x.step, row = (values[1][i] - y.first) / y.step;
+    std::vector<std::size_t> row_of(grid.z.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double column = (along[0][i] - x.first) / x.step, row = (along[1][i] - y.first) / y.step;
         constexpr double off = 1e-2;  // of an interval
         if (std::abs(column - std::round(column)) > off || std::abs(row - std::round(row)) > off) {
-            refuse(file,
-                   fmt::format("point {} at ({:.9g}, {:.9g}) is off the grid of {:.6g} by {:.6g} m", i + 1,
-                               values[0][i], values[1][i], x.step, y.step),
-                   "points of a rectangular grid, along x and y");
+            throw CaseError(Diagnostic{table.place(i, 0),
+                                       fmt::format("point {} at ({:.9g}, {:.9g}) is off the grid of {:.6g} by {:.6g} m",
+                                                   i + 1, along[0][i], along[1][i], x.step, y.step),
+                                       "points of a rectangular grid, along x and y"});
         }
-        grid.z[riprap::at(std::llround(row) * x.count + std::llround(column))] = values[2][i];
+        const std::size_t n = riprap::at(std::llround(row) * x.count + std::llround(column));
+        const double z = scale * table.at(i, 2);
+        if (row_of[n] < count && z != grid.z[n]) {
+            throw CaseError(
+                Diagnostic{table.place(i, 2),
+                           fmt::format("the height of ({:.9g}, {:.9g}) is {:.6g} m here and {:.6g} m in line {}",
+                                       along[0][i], along[1][i], z, grid.z[n], table.lines[row_of[n]]),
+                           "one height at each place"});
+        }
+        grid.z[n] = z;
+        row_of[n] = i;
+    }
+    if (const auto mark = find_mark_of_nothing(grid.z, std::max(grid.dx, grid.dy), scale)) {
+        throw CaseError(Diagnostic{table.place(row_of[mark->index], 2), mark->message,
+                                   "leave out the lines of points without height"});
     }
     return grid;
 }
@@ -184,8 +211,10 @@ double HeightGrid::height(double x, double y) const {
     const std::int64_t j = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(v)), 0, rows - 2);
     const double s = std::clamp(u - static_cast<double>(i), 0.0, 1.0),
                  t = std::clamp(v - static_cast<double>(j), 0.0, 1.0);
-    // On a line of the grid the points beside it do not count, be they missing.
-    const auto part = [](double share, double value) { return share == 0 ? 0 : share * value; };
+    // On a line of the grid, to round-off, the points beside it do not count, be they missing.
+    const auto part = [](double share, double value) {
+        return share <= same && !std::isfinite(value) ? 0 : share * value;
+    };
     return part((1 - s) * (1 - t), at(i, j)) + part(s * (1 - t), at(i + 1, j)) + part((1 - s) * t, at(i, j + 1)) +
            part(s * t, at(i + 1, j + 1));
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/geometry/number_table.hpp"
 #include "riprap/geometry/triangle_mesh.hpp"
 
 namespace riprap::geometry {
@@ -13,9 +14,10 @@ namespace riprap::geometry {
 /// Heights on a rectangular grid of points, the first in the south-west, x (east) fastest. NaN where there is none.
 struct HeightGrid {
     std::int64_t columns{0}, rows{0};
-    double x0{0}, y0{0};    ///< of the first point [m]
-    double dx{0}, dy{0};    ///< between points [m]
-    std::vector<double> z;  ///< [m]
+    double x0{0}, y0{0};               ///< of the first point [m]
+    double dx{0}, dy{0};               ///< between points [m]
+    std::vector<double> z;             ///< [m]
+    std::vector<std::string> notes{};  ///< what the reader found that the user may not expect
 
     double at(std::int64_t column, std::int64_t row) const {
         return z[static_cast<std::size_t>(row * columns + column)];
@@ -32,13 +34,17 @@ inline constexpr std::int64_t most_heights = 4'000'000;
 /// Reads an ESRI ASCII grid: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx, dy),
 /// optionally NODATA_value, then the rows from north to south. Heights are those of the middles of cells.
 /// @param scale  metres per unit of the file, of all three coordinates [m]
-/// @throws CaseError with file:line:column
+/// @throws CaseError with file:line:column, also for heights that are a mark for none (marks_of_nothing.hpp)
 HeightGrid read_esri_ascii(std::string_view text, const std::string& file, double scale);
 
-/// Reads x, y, z per line, blanks or commas between, of the points of a rectangular grid in any order; points of the
-/// rectangle that are not listed have no height. Lines that begin with '#' or a letter are passed over.
-/// @throws CaseError with file:line:column
-HeightGrid read_xyz(std::string_view text, const std::string& file, double scale);
+/// Tells whether a text begins as an ESRI ASCII grid does.
+bool is_esri_ascii(std::string_view text);
+
+/// Reads x, y, z per line (number_table.hpp) of the points of a rectangular grid in any order; points of the rectangle
+/// that are not listed have no height. Columns beyond the third are passed over.
+/// @param form  of the columns, as table_of_places() gives it; null for that
+/// @throws CaseError with file:line:column, also for two heights at one place and for marks of none
+HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form = nullptr);
 
 /// A rectangle of the plane [m].
 struct Rectangle {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "riprap/geometry/number_grain.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
 namespace riprap::geometry {
@@ -47,6 +48,8 @@ class ObjReader {
                               fmt::format("{} points and lines, the first here, bound no volume", dropped_count_),
                               "they are not used");
         }
+        surface_.grain = grain_;
+        check_grain(surface_);
         return std::move(surface_);
     }
 
@@ -104,6 +107,7 @@ class ObjReader {
             }
             if (count < most) {
                 numbers[count] = *value;
+                grain_ = keyword.text == "v" && count < 3 ? std::max(grain_, scale_ * grain_of(word.text)) : grain_;
             }
             ++count;
         }
@@ -228,6 +232,7 @@ class ObjReader {
     std::size_t normal_count_{0};
     std::size_t dropped_count_{0};
     std::uint32_t dropped_line_{0};
+    double grain_{0};
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "riprap/geometry/number_grain.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
 namespace riprap::geometry {
@@ -26,9 +27,7 @@ std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-double read_f32(std::string_view bytes, std::size_t at) {
-    return static_cast<double>(std::bit_cast<float>(read_u32(bytes, at)));
-}
+float read_f32(std::string_view bytes, std::size_t at) { return std::bit_cast<float>(read_u32(bytes, at)); }
 
 bool is_usable(double value) { return std::isfinite(value) && std::abs(value) <= SurfaceLimits::coordinate; }
 
@@ -125,10 +124,10 @@ class AsciiStl {
         const std::size_t problems_before = problems_.count();
         std::array<Vec3, 3> corners{};
         Vec3 stated;
-        const bool has_form = expect("normal") && read_vector(stated, 1.0) && expect("outer") && expect("loop") &&
-                              expect("vertex") && read_vector(corners[0], scale_) &&  //
-                              expect("vertex") && read_vector(corners[1], scale_) &&  //
-                              expect("vertex") && read_vector(corners[2], scale_) &&  //
+        const bool has_form = expect("normal") && read_vector(stated, 1.0, false) && expect("outer") &&
+                              expect("loop") && expect("vertex") && read_vector(corners[0], scale_, true) &&  //
+                              expect("vertex") && read_vector(corners[1], scale_, true) &&                    //
+                              expect("vertex") && read_vector(corners[2], scale_, true) &&                    //
                               expect("endloop") && expect("endfacet");
         if (!has_form) {
             skip_until({"endfacet", "facet", "endsolid"});
@@ -154,7 +153,7 @@ class AsciiStl {
     }
 
     /// False if there are no three words that look like numbers; a bad value is a problem but keeps the form.
-    bool read_vector(Vec3& vector, double scale) {
+    bool read_vector(Vec3& vector, double scale, bool is_corner) {
         for (int axis = 0; axis < 3; ++axis) {
             const Word word = reader_.peek_word();
             const auto value = parse_number(word.text);
@@ -165,6 +164,7 @@ class AsciiStl {
             }
             reader_.next_word();
             vector[axis] = *value * scale;
+            surface_.grain = std::max(surface_.grain, is_corner ? scale * grain_of(word.text) : 0.0);
             if (!is_usable(vector[axis])) {
                 problem(word, fmt::format("{} scaled by {:g}", quote(word.text), scale), allowed_coordinate);
             }
@@ -218,7 +218,9 @@ Surface read_binary_stl(std::string_view bytes, const std::string& file, double 
         std::array<Vec3, 4> vector{};  // the stated normal, then three corners
         for (std::size_t k = 0; k < 12; ++k) {
             double& value = vector[k / 3][static_cast<int>(k % 3)];
-            value = read_f32(bytes, begin + 4 * k) * (k < 3 ? 1.0 : scale);
+            const float read = read_f32(bytes, begin + 4 * k);
+            value = static_cast<double>(read) * (k < 3 ? 1.0 : scale);
+            surface.grain = std::max(surface.grain, k < 3 ? 0.0 : scale * grain_of(read));
             if (!is_usable(value)) {
                 problems.add(file, fmt::format("byte {}: {} in facet {}", begin + 4 * k, value, i + 1),
                              allowed_coordinate);
@@ -246,7 +248,9 @@ bool is_binary_stl(std::string_view bytes) {
 
 Surface read_stl(std::string_view bytes, const std::string& file, double scale) {
     check_surface_input(file, bytes.size(), scale);
-    return is_binary_stl(bytes) ? read_binary_stl(bytes, file, scale) : AsciiStl(bytes, file, scale).read();
+    Surface surface = is_binary_stl(bytes) ? read_binary_stl(bytes, file, scale) : AsciiStl(bytes, file, scale).read();
+    check_grain(surface);
+    return surface;
 }
 
 }  // namespace riprap::geometry

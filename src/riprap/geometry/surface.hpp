@@ -35,6 +35,7 @@ struct Surface {
     std::vector<std::int32_t> face_body;      ///< per face: index into body_names
     std::vector<std::uint32_t> face_place;    ///< per face: line, or byte offset when binary
     std::vector<std::string> body_names;      ///< solids (STL), objects and groups (OBJ)
+    double grain{0};                          ///< coordinates were rounded to this by the file; 0 = hardly [m]
     std::vector<Diagnostic> notes;            ///< oddities that are no errors, to be shown to the user
 
     std::size_t face_count() const { return face_start.size() - 1; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/geometry/number_grain.hpp"
 #include "riprap/geometry/text_reader.hpp"
 #include "riprap/io/vtk_layout.hpp"
 
@@ -51,6 +52,12 @@ std::size_t count_of(std::string_view piece, std::string_view name, std::size_t 
 }
 
 void add_points(const std::vector<double>& numbers, double scale, Surface& surface) {
+    const bool is_single = std::all_of(numbers.begin(), numbers.end(), [](double number) {
+        return static_cast<double>(static_cast<float>(number)) == number || !std::isfinite(number);
+    });
+    for (const double number : numbers) {
+        surface.grain = is_single ? std::max(surface.grain, scale * geometry::grain_of(static_cast<float>(number))) : 0;
+    }
     for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
         const Vec3 x = scale * Vec3{numbers[i], numbers[i + 1], numbers[i + 2]};
         if (!std::isfinite(norm(x)) ||
@@ -67,17 +74,22 @@ void add_polygons(const std::vector<double>& corners, const std::vector<double>&
     std::vector<std::int32_t> face;
     for (std::size_t f = 0; f < ends.size(); ++f) {
         const double end = ends[f];
-        if (!(end >= static_cast<double>(from) + 3) || end > static_cast<double>(corners.size())) {
+        if (!(end >= static_cast<double>(from) + 3) || end > static_cast<double>(corners.size()) ||
+            end != std::floor(end)) {
             throw FileError(fmt::format("polygon {} has fewer than three corners, or its offsets are wrong", f));
         }
         face.clear();
         for (; from < static_cast<std::size_t>(end); ++from) {
-            if (!(corners[from] >= 0) || corners[from] >= static_cast<double>(surface.vertices.size())) {
+            if (!(corners[from] >= 0) || corners[from] >= static_cast<double>(surface.vertices.size()) ||
+                corners[from] != std::floor(corners[from])) {
                 throw FileError(fmt::format("polygon {} has a corner {}, which is no point", f, corners[from]));
             }
             face.push_back(static_cast<std::int32_t>(corners[from]));
         }
         surface.add_face(face, 0, 0);
+    }
+    if (from != corners.size()) {
+        throw FileError(fmt::format("{} corners, of which the polygons use {}", corners.size(), from));
     }
 }
 
@@ -121,6 +133,7 @@ Surface read_vtp_surface(std::string_view bytes, const std::string& file, double
     surface.body_names.emplace_back();
     try {
         read_piece(bytes, scale, surface);
+        geometry::check_grain(surface);
     } catch (const FileError& error) {
         geometry::refuse(file, error.what(), "a surface as ParaView and VTK write it (.vtp)");
     }

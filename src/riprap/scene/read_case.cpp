@@ -17,6 +17,7 @@
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/scene/warnings/distant_bodies.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
@@ -42,6 +43,37 @@ void throw_if_any(std::vector<Diagnostic>& problems, std::string unseen) {
 bool is_planar_case(const Value& root) {
     const Value* dimension = root.find("dimension");
     return dimension != nullptr && dimension->kind == ValueKind::integer && dimension->integer == 2;
+}
+
+/// The end of the run as the file has it [s]; nothing where that cannot be read.
+std::optional<double> end_of(const Value& root) {
+    const Value* end = root.find("end");
+    if (end == nullptr) {
+        return std::nullopt;
+    }
+    Value alone = Value::table();
+    alone.set("end", *end);
+    std::vector<Diagnostic> ignored;
+    const Value checked = check_keys(alone, case_table(), false, ignored);
+    const Value* read = checked.find("end");
+    return read != nullptr && read->is_number() ? std::optional(read->as_number()) : std::nullopt;
+}
+
+/// Where the run was cut, expected answers at its last step belong to the end that the file has: they are not judged
+/// before it.
+Value with_ends(Value root, const std::optional<double>& written) {
+    Value* expects = root.find("expect");
+    if (!written || expects == nullptr || !(get_number(root, "end") < *written)) {
+        return root;
+    }
+    for (Value& expect : expects->items) {
+        if (get_text(expect, "reduce") == "last" && expect.find("from") == nullptr && expect.find("to") == nullptr) {
+            Value end = Value::of(*written);
+            end.place = expect.place;
+            expect.set("to", std::move(end), expect.place);
+        }
+    }
+    return root;
 }
 
 /// Hashes all that decides the motion: the other files and the resolved case, without the length of the run and its
@@ -119,6 +151,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     std::vector<Diagnostic> problems;
     Value root = parse_toml(text, name, problems);
     throw_if_any(problems, "keys and what they make");
+    const std::optional<double> written_end = end_of(root);
     for (const std::string& assignment : overrides) {
         apply_override(root, assignment, problems);
     }
@@ -130,14 +163,14 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
         check_variations(checked, root, is_planar, problems);
     }
     throw_if_any(problems, "bodies, water, records and the time step");
-    const Value resolved = expand_records(checked, problems);
+    const Value resolved = expand_records(with_ends(checked, written_end), problems);
 
     LoadedCase loaded;
     loaded.folder = folder;
     loaded.source_text = std::string(text);
     loaded.overrides.assign(overrides.begin(), overrides.end());
     CaseFiles files(folder);
-    ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings);
+    ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings, loaded.notes);
     CaseBuild build{resolved, is_planar, loaded.model,    loaded.state, files,
                     shapes,   problems,  loaded.warnings, loaded.notes};
     build_settings(build);
@@ -166,6 +199,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
         }
     }
     if (problems.empty()) {
+        warn_of_distant_bodies(build);
         warn_of_hard_impacts(build);
     }
     throw_if_any(problems, build.has_all_bodies ? "the time step" : "the bodies of these problems and the time step");

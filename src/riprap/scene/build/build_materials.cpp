@@ -70,6 +70,10 @@ void warn_of_unread(CaseBuild& build, std::string_view key, material::Property p
         is_read = is_read || quoted(word) == method;
         readers += fmt::format("{}{}", readers.empty() ? "" : ", ", quoted(word));
     }
+    const SourcePlace& chosen = get(get(build.root, "solid"), "method").place;
+    if (chosen.line == 0 && !chosen.file.empty() && !is_read && !readers.empty()) {
+        return;  // the method was chosen over that of the file, which stands there for several
+    }
     const std::string others =
         unread.count > 1 ? fmt::format(" and {} other{}", unread.count - 1, unread.count > 2 ? "s" : "") : "";
     build.warnings.push_back(
@@ -146,8 +150,10 @@ void CaseBuild::material_problem(const Value& name) {
     }
     const std::string meant = nearest(name.text, known);
     problem(name.place, fmt::format("there is no material '{}'", name.text),
-            !meant.empty() ? fmt::format("did you mean '{}'?", meant)
-                           : fmt::format("a name of [material.NAME]: {}{}", list, known.size() > most ? ", ..." : ""));
+            known.empty() ? fmt::format("a table [material.{}] with a density", name.text)
+            : !meant.empty()
+                ? fmt::format("did you mean '{}'?", meant)
+                : fmt::format("a name of [material.NAME]: {}{}", list, known.size() > most ? ", ..." : ""));
 }
 
 MaterialId CaseBuild::material_of(const Value& table) {

@@ -10,6 +10,7 @@
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
 
@@ -25,14 +26,17 @@ Spheres accept(CaseBuild& build, const geometry::Outcome<body::Multisphere>& sha
 }
 
 Spheres read_list(CaseBuild& build, const Value& table, const Value& file) {
+    const double unit = get_word(table, "units", length_units());
+    std::vector<ReadColumn> columns = columns_of_places();
+    columns.push_back({{"radius", {"radius", "r"}}, dimension::length});
     const auto text = build.files.read(file.text, limits::table_bytes, file.place, build.problems);
-    if (!text) {
-        return std::nullopt;
+    if (!text || !read_numbers(build.files, file.text, form_of(columns, limits::table_rows, unit), file.place,
+                               build.problems, build.notes)) {
+        return std::nullopt;  // the heading of lengths in other units among the reasons
     }
     Spheres spheres = accept(build, body::read_sphere_list(*text, file.text), file.place);
     for (std::size_t i = 0; spheres && i < spheres->size(); ++i) {
         body::ShapeSphere& sphere = (*spheres)[i];
-        const double unit = get_word(table, "units", length_units());
         sphere.centre *= unit;
         sphere.radius *= unit;
         if (build.is_planar && sphere.centre.z != 0) {

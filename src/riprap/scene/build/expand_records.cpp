@@ -24,7 +24,8 @@ void expand_probe(const Value& probe, Value& list) {
     for (const Value& quantity : quantities->items) {
         Value one = probe;
         one.set("quantity", quantity);
-        if (Value* name = one.find("name"); name != nullptr && name->is_text()) {
+        // A list of one is that one.
+        if (Value* name = one.find("name"); name != nullptr && name->is_text() && quantities->items.size() > 1) {
             name->text += '.' + quantity.text;
         }
         list.items.push_back(std::move(one));

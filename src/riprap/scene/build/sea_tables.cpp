@@ -8,6 +8,7 @@
 
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
+#include "riprap/scene/text/number_files.hpp"
 #include "riprap/wave/linear_wave.hpp"
 #include "riprap/wave/paddle_sea.hpp"
 
@@ -24,26 +25,34 @@ constexpr double breaking_share = 0.78;
 /// Rows in a period of the peak: sums of two frequencies go up to six of the peak.
 constexpr double rows_in_period = 100;
 
+/// Of the surface elevation: m^2 s.
+constexpr Dimension spectral_density{2, 0, 1, 0};
+
 /// Points f [1/s], S [m^2 s] from a file; nothing with a problem.
 std::optional<wave::Spectrum> read_spectrum(CaseBuild& build, const Value& file) {
-    const auto rows = build.files.read_table(file.text, 2, limits::table_rows, file.place, build.problems);
+    const geometry::TableForm form = form_of(
+        {{{"f", {"f", "frequency"}}, dimension::frequency}, {{"S", {"s", "density", "spectrum"}}, spectral_density}},
+        limits::table_rows);
+    const auto rows = read_numbers(build.files, file.text, form, file.place, build.problems, build.notes);
     if (!rows) {
         return std::nullopt;
     }
     wave::Spectrum spectrum;
     double largest = 0;
-    for (const std::vector<double>& row : *rows) {
-        const bool is_rising = row[0] > (spectrum.is_empty() ? 0 : spectrum.frequency.back());
-        if (!is_rising || row[1] < 0) {
-            build.problem(file.place,
-                          fmt::format("row {} of the spectrum has f = {:.6g} 1/s and S = {:.6g} m^2 s",
-                                      spectrum.frequency.size() + 1, row[0], row[1]),
-                          "rising frequencies above 0, and densities of 0 or more");
+    for (std::size_t i = 0; i < rows->row_count(); ++i) {
+        const double f = rows->at(i, 0), density = rows->at(i, 1);
+        const bool is_rising = f > (spectrum.is_empty() ? 0 : spectrum.frequency.back());
+        if (!is_rising || density < 0) {
+            const Diagnostic problem{
+                rows->place(i, is_rising ? 1 : 0),
+                fmt::format("row {} of the spectrum has f = {:.6g} 1/s and S = {:.6g} m^2 s", i + 1, f, density),
+                "rising frequencies above 0, and densities of 0 or more"};
+            add_problems_of(CaseError(problem), file.place, build.problems);
             return std::nullopt;
         }
-        spectrum.frequency.push_back(row[0]);
-        spectrum.density.push_back(row[1]);
-        largest = std::max(largest, row[1]);
+        spectrum.frequency.push_back(f);
+        spectrum.density.push_back(density);
+        largest = std::max(largest, density);
     }
     if (spectrum.frequency.size() < 2 || !(largest > 0)) {
         build.problem(file.place, "a spectrum without variance", "two rows f, S or more, one of them above 0");

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that need a hull, a file or an audit.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "riprap/geometry/convex_hull.hpp"
+#include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/geometry/surface_audit.hpp"
@@ -11,6 +17,7 @@
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
 
@@ -34,17 +41,25 @@ void move_to_center_of_mass(std::vector<Polyhedron>& pieces) {
 std::optional<Polyhedron> ShapeLibrary::make_hull(const Value& table) {
     std::vector<Vec3> points;
     if (const Value* file = table.find("file")) {
-        const auto rows = files_.read_table(file->text, 3, limits::table_rows, file->place, problems_);
+        const double unit = get_word(table, "units", length_units());
+        const auto rows = read_numbers(files_, file->text, form_of(columns_of_places(), limits::table_rows, unit),
+                                       file->place, problems_, notes_);
         if (!rows) {
             return std::nullopt;
         }
-        const double unit = get_word(table, "units", length_units());
-        for (const std::vector<double>& row : *rows) {
-            points.push_back(unit * Vec3{row[0], row[1], row[2]});
+        for (std::size_t i = 0; i < rows->row_count(); ++i) {
+            points.push_back(unit * Vec3{rows->at(i, 0), rows->at(i, 1), rows->at(i, 2)});
         }
     } else {
         for (const Value& point : get(table, "points").items) {
             points.push_back(to_vector(point));
+        }
+    }
+    const auto [low, high] = geometry::box_of(points);
+    if (geometry::is_far(low, high)) {
+        origin_ = low;
+        for (Vec3& x : points) {
+            x -= origin_;
         }
     }
     return accept(geometry::convex_hull(points), table.place);
@@ -65,8 +80,8 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::audited(const geometry::Sur
     if (!audit.problems.empty()) {
         return std::nullopt;
     }
-    for (const Diagnostic& note : audit.notes) {
-        warnings_.push_back(to_string(note));
+    for (std::size_t i = surface.notes.size(); i < audit.notes.size(); ++i) {  // those of the file are told
+        warnings_.push_back(to_string(audit.notes[i]));
     }
     std::vector<Polyhedron> pieces;
     for (const geometry::SurfacePart& part : audit.parts) {
@@ -86,7 +101,7 @@ std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, 
     try {
         surface = reader(*bytes, path.text, scale);
     } catch (const CaseError& error) {
-        problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+        add_problems_of(error, path.place, problems_);
         return std::nullopt;
     }
     for (const Diagnostic& note : surface.notes) {
@@ -95,14 +110,49 @@ std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, 
     return surface;
 }
 
+void ShapeLibrary::note_solids(const Value& path, const geometry::Surface& surface,
+                               const std::vector<Polyhedron>& pieces) {
+    const auto [low, high] = geometry::box_of(surface.vertices);
+    const bool is_single = surface.grain > 0;
+    notes_.push_back(
+        fmt::format("{}: x {:.9g} to {:.9g}, y {:.9g} to {:.9g}, z {:.9g} to {:.9g} m; {} faces, {} convex part{}",
+                    path.text, low.x, high.x, low.y, high.y, low.z, high.z, surface.face_count(), pieces.size(),
+                    pieces.size() == 1 ? "" : "s"));
+    notes_.push_back(fmt::format(
+        "{}: {}", path.text,
+        geometry::precision_text(
+            low, high, is_single ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon(),
+            is_single ? "the file's single precision" : "double precision")));
+    if (const std::size_t apart = geometry::count_apart(pieces); apart > 1) {
+        warnings_.push_back(to_string(Diagnostic{
+            path.place,
+            fmt::format("the {} closed solids of {} do not touch and move as one rigid body", apart, path.text),
+            "a file and a body for each that is to move by itself"}));
+    }
+}
+
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
     const auto surface = read_surface(table, is_stl ? geometry::read_stl : geometry::read_obj);
     if (!surface) {
         return std::nullopt;
     }
     auto pieces = audited(*surface, get_boolean(table, "repair"));
-    if (pieces && get_boolean(table, "center")) {
+    if (!pieces) {
+        return std::nullopt;
+    }
+    note_solids(get(table, "file"), *surface, *pieces);
+    const auto [low, high] = geometry::box_of(surface->vertices);
+    if (geometry::is_far(low, high)) {
+        origin_ = low;
+        for (Polyhedron& piece : *pieces) {
+            for (Vec3& x : piece.vertices) {
+                x -= origin_;
+            }
+        }
+    }
+    if (get_boolean(table, "center")) {
         move_to_center_of_mass(*pieces);
+        origin_ = {};
     }
     return pieces;
 }

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 
 #include "riprap/geometry/ground_cells.hpp"
 #include "riprap/geometry/height_grid.hpp"
+#include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/io/vtp_surface.hpp"
@@ -14,6 +17,7 @@
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
 
@@ -21,6 +25,22 @@ using geometry::HeightGrid;
 using geometry::Polyhedron;
 
 namespace {
+
+/// "51 by 51 points 0.5 by 0.5 m apart, 3 without height, the first at (2, 3)"
+std::string text_of(const HeightGrid& grid) {
+    std::string text =
+        fmt::format("{} by {} points {:.6g} by {:.6g} m apart", grid.columns, grid.rows, grid.dx, grid.dy);
+    const auto is_missing = [](double z) { return !std::isfinite(z); };
+    const auto first = std::find_if(grid.z.begin(), grid.z.end(), is_missing);
+    if (first == grid.z.end()) {
+        return text + ", all with a height";
+    }
+    const auto n = static_cast<std::int64_t>(first - grid.z.begin());
+    return text + fmt::format(", {} without height, the first at ({:.9g}, {:.9g}): no ground in the cells around them",
+                              std::count_if(first, grid.z.end(), is_missing),
+                              grid.x0 + grid.dx * static_cast<double>(n % grid.columns),
+                              grid.y0 + grid.dy * static_cast<double>(n / grid.columns));
+}
 
 /// Intervals that the solid is thick where the case does not say.
 constexpr double default_thickness = 2;
@@ -83,19 +103,27 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
     HeightGrid grid;
     try {
         const double unit = get_word(table, "units", length_units());
-        grid = ends_with(path->text, ".asc") ? geometry::read_esri_ascii(*bytes, path->text, unit)
-                                             : geometry::read_xyz(*bytes, path->text, unit);
+        const geometry::TableForm form = form_of(columns_of_places(), geometry::most_heights, unit);
+        grid = ends_with(path->text, ".asc") || geometry::is_esri_ascii(*bytes)
+                   ? geometry::read_esri_ascii(*bytes, path->text, unit)
+                   : geometry::read_xyz(*bytes, path->text, unit, &form);
     } catch (const CaseError& error) {
-        problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+        add_problems_of(error, path->place, problems_);
         return std::nullopt;
     }
+    for (const std::string& note : grid.notes) {
+        notes_.push_back(fmt::format("{}: {}", path->text, note));
+    }
     grid = geometry::cut_grid(grid, region_of(table.find("region")), get_number_or(table, "resolution", 0));
+    if (!grid.z.empty()) {
+        notes_.push_back(fmt::format("{}: {}", path->text, text_of(grid)));
+    }
     const geometry::TriangleMesh mesh = geometry::mesh_of(grid, get_vector(table, "origin"));
     if (!are_few_enough(mesh.size(), table.place, problems_)) {
         return std::nullopt;
     }
     const double thickness = get_number_or(table, "thickness", default_thickness * std::max(grid.dx, grid.dy));
-    return geometry::cells_under(mesh, thickness, Vec3{0, 0, -1});
+    return ground_of(mesh, path->text, std::numeric_limits<double>::epsilon(), thickness, Vec3{0, 0, -1});
 }
 
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& table) {
@@ -118,8 +146,45 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& tabl
     if (!are_few_enough(mesh.size(), table.place, problems_)) {
         return std::nullopt;
     }
-    auto cells = geometry::cells_under(mesh, get_number(table, "thickness"), std::nullopt);
-    std::erase_if(cells, [](const Polyhedron& cell) { return cell.faces.empty(); });
+    std::size_t fans = 0;
+    for (std::size_t f = 0; f < surface->face_count(); ++f) {
+        fans += surface->face(f).size() - 2;
+    }
+    if (const auto left = static_cast<std::int64_t>(fans) - mesh.size(); left > 0) {
+        warnings_.push_back(fmt::format("{}: {} of {} triangles have no area and are left out", path.text, left, fans));
+    }
+    const double epsilon =
+        surface->grain > 0 ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+    return ground_of(mesh, path.text, epsilon, get_number(table, "thickness"), std::nullopt);
+}
+
+std::vector<Polyhedron> ShapeLibrary::ground_of(geometry::TriangleMesh mesh, const std::string& file, double epsilon,
+                                                double thickness, const std::optional<Vec3>& down) {
+    const geometry::MeshFacts facts = geometry::facts_of(mesh, {0, 0, 1});
+    notes_.push_back(fmt::format("{}: {}", file, geometry::text_of(facts)));
+    const bool is_double = epsilon == std::numeric_limits<double>::epsilon();
+    notes_.push_back(
+        fmt::format("{}: {}", file,
+                    geometry::precision_text(facts.low, facts.high, epsilon,
+                                             is_double ? "double precision" : "the file's single precision")));
+    if (geometry::is_far(facts.low, facts.high)) {
+        origin_ = facts.low;
+        for (Vec3& x : mesh.points) {
+            x -= origin_;
+        }
+    }
+    auto cells = geometry::cells_under(mesh, thickness, down);
+    const auto is_lost = [](const Polyhedron& cell) { return cell.faces.empty(); };
+    const auto lost = std::find_if(cells.begin(), cells.end(), is_lost);
+    if (lost != cells.end()) {
+        const auto t = static_cast<std::int32_t>(lost - cells.begin());
+        const Vec3 x = origin_ + (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+        warnings_.push_back(fmt::format(
+            "{}: {} of {} triangles, the first at ({:.9g}, {:.9g}, {:.6g}), fold so sharply that nothing of "
+            "the solid under them is left: bodies pass through them; a smaller 'thickness' helps",
+            file, std::count_if(cells.begin(), cells.end(), is_lost), cells.size(), x.x, x.y, x.z));
+        std::erase_if(cells, is_lost);
+    }
     return cells;
 }
 

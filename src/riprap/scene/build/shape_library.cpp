@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "riprap/geometry/round_shapes.hpp"
 #include "riprap/scene/build/build_case.hpp"
@@ -181,13 +182,27 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
     return std::vector<Polyhedron>{std::move(*one)};
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::pieces(const Value& shape) {
+std::optional<ShapeLibrary::Pieces> ShapeLibrary::placed_pieces(const Value& shape) {
     const auto [it, is_new] = known_pieces_.try_emplace(text_of(shape));
     if (is_new) {
         auto made = make(shape);
-        it->second = std::move(made);
+        const Vec3 origin = std::exchange(origin_, Vec3{});
+        it->second = made ? std::optional(Pieces{std::move(*made), origin}) : std::nullopt;
     }
     return it->second;
+}
+
+std::optional<std::vector<Polyhedron>> ShapeLibrary::pieces(const Value& shape) {
+    auto placed = placed_pieces(shape);
+    if (!placed) {
+        return std::nullopt;
+    }
+    if (norm_squared(placed->origin) > 0) {
+        for (Polyhedron& piece : placed->polyhedra) {
+            piece = geometry::moved(piece, {placed->origin, Quat{}});
+        }
+    }
+    return std::move(placed->polyhedra);
 }
 
 body::Part ShapeLibrary::add(const Polyhedron& polyhedron) {
@@ -207,15 +222,18 @@ std::optional<std::vector<body::Part>> ShapeLibrary::parts(const Value& shape, d
         const Vec3 normal = normalized(get_vector(plane, "normal"));
         parts.push_back({BodyId{}, shapes_.add_half_space(normal, get_number(plane, "offset")), Pose{}});
     } else {
-        auto polyhedra = pieces(shape);
-        if (!polyhedra) {
+        auto placed = placed_pieces(shape);
+        if (!placed) {
             return std::nullopt;
         }
-        for (Polyhedron& polyhedron : *polyhedra) {
+        const Vec3& o = placed->origin;
+        const Vec3 origin{scale * o.x, scale * o.y, is_planar_ ? o.z : scale * o.z};
+        for (Polyhedron& polyhedron : placed->polyhedra) {
             for (Vec3& vertex : polyhedron.vertices) {
                 vertex = {scale * vertex.x, scale * vertex.y, is_planar_ ? vertex.z : scale * vertex.z};
             }
             parts.push_back(add(polyhedron));
+            parts.back().local.position += origin;
         }
     }
     it->second = parts;

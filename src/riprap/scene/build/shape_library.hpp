@@ -9,6 +9,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/geometry/outcome.hpp"
 #include "riprap/geometry/surface.hpp"
+#include "riprap/geometry/triangle_mesh.hpp"
 #include "riprap/scene/text/case_files.hpp"
 #include "riprap/scene/text/value.hpp"
 
@@ -18,8 +19,13 @@ namespace riprap::scene {
 class ShapeLibrary {
  public:
     ShapeLibrary(geometry::ShapeSet& shapes, CaseFiles& files, bool is_planar, std::vector<Diagnostic>& problems,
-                 std::vector<std::string>& warnings)
-        : shapes_(shapes), files_(files), is_planar_(is_planar), problems_(problems), warnings_(warnings) {}
+                 std::vector<std::string>& warnings, std::vector<std::string>& notes)
+        : shapes_(shapes),
+          files_(files),
+          is_planar_(is_planar),
+          problems_(problems),
+          warnings_(warnings),
+          notes_(notes) {}
 
     /// The shape with a diameter in the place of a mass, where it is an armour unit by its mass.
     Value sized(Value shape, double density) const;
@@ -47,6 +53,13 @@ class ShapeLibrary {
     /// Reads the bytes of a file; `file` is its name in messages, `scale` the metres of its unit.
     using SurfaceReader = geometry::Surface (*)(std::string_view bytes, const std::string& file, double scale);
 
+    /// Convex pieces of a shape, counted from a place near them: coordinates of a map leave a shape few digits.
+    struct Pieces {
+        std::vector<geometry::Polyhedron> polyhedra;
+        Vec3 origin{};
+    };
+
+    std::optional<Pieces> placed_pieces(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
     std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
     std::optional<std::vector<geometry::Polyhedron>> make_armour(const Value& table);
@@ -54,8 +67,14 @@ class ShapeLibrary {
     std::optional<std::vector<geometry::Polyhedron>> make_terrain(const Value& table);
     std::optional<std::vector<geometry::Polyhedron>> make_profile(const Value& table);
     std::optional<std::vector<geometry::Polyhedron>> make_mesh(const Value& table);
+    /// Ground over a mesh, and what the mesh is like among the notes.
+    std::vector<geometry::Polyhedron> ground_of(geometry::TriangleMesh mesh, const std::string& file, double epsilon,
+                                                double thickness, const std::optional<Vec3>& down);
     /// A surface as its file has it, its notes among the warnings.
     std::optional<geometry::Surface> read_surface(const Value& table, SurfaceReader reader);
+    /// Says what the solids of a surface are like.
+    void note_solids(const Value& path, const geometry::Surface& surface,
+                     const std::vector<geometry::Polyhedron>& pieces);
     std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
     std::optional<geometry::Polyhedron> make_hull(const Value& table);
     std::optional<geometry::Polyhedron> make_random_hull(const Value& table);
@@ -69,8 +88,10 @@ class ShapeLibrary {
     bool is_planar_;
     std::vector<Diagnostic>& problems_;
     std::vector<std::string>& warnings_;
+    std::vector<std::string>& notes_;  ///< what surfaces and tables are like
     std::map<std::string, std::optional<std::vector<body::Part>>> known_parts_;
-    std::map<std::string, std::optional<std::vector<geometry::Polyhedron>>> known_pieces_;
+    std::map<std::string, std::optional<Pieces>> known_pieces_;
+    Vec3 origin_{};  ///< of the pieces that make() has returned
 };
 
 }  // namespace riprap::scene

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
 
@@ -26,6 +27,26 @@ bool check_rows(CaseBuild& build, const TimeTable& rows, const SourcePlace& plac
     return true;
 }
 
+/// Columns t, x, y, z of displacements or forces, in a plane without z.
+geometry::TableForm form_of_vectors(bool is_planar, bool is_force) {
+    const Dimension& kind = is_force ? dimension::force : dimension::length;
+    const bool per_width = is_force && is_planar;
+    std::vector<ReadColumn> columns{{{"t", {"t", "time"}}, dimension::time}};
+    if (is_force) {
+        columns.push_back({{"Fx", {"fx", "x", "f_x", "px"}}, kind, per_width});
+        columns.push_back({{"Fy", {"fy", "y", "f_y", "py"}}, kind, per_width});
+        columns.push_back({{"Fz", {"fz", "z", "f_z", "pz"}}, kind, per_width});
+    } else {
+        columns.push_back({{"x", {"x", "dx", "ux"}}, kind});
+        columns.push_back({{"y", {"y", "dy", "uy"}}, kind});
+        columns.push_back({{"z", {"z", "dz", "uz"}}, kind});
+    }
+    if (is_planar) {
+        columns.pop_back();
+    }
+    return form_of(std::move(columns), limits::table_rows);
+}
+
 }  // namespace
 
 TimeTable read_time_table(CaseBuild& build, const Value& table, const std::string& key) {
@@ -33,14 +54,21 @@ TimeTable read_time_table(CaseBuild& build, const Value& table, const std::strin
     SourcePlace place = table.place;
     if (const Value* file = table.find("file")) {
         place = file->place;
-        const auto rows =
-            build.files.read_table(file->text, build.is_planar ? 3 : 4, limits::table_rows, place, build.problems);
+        const auto rows = read_numbers(build.files, file->text, form_of_vectors(build.is_planar, key == "force"), place,
+                                       build.problems, build.notes);
         if (!rows) {
             return {};
         }
-        for (const std::vector<double>& row : *rows) {
-            read.time.push_back(row[0]);
-            read.value.push_back({row[1], row[2], build.is_planar ? 0.0 : row[3]});
+        for (std::size_t i = 0; i < rows->row_count(); ++i) {
+            if (i > 0 && !(rows->at(i, 0) > rows->at(i - 1, 0))) {
+                const Diagnostic problem{rows->place(i, 0),
+                                         fmt::format("time {} does not follow {}", rows->at(i, 0), rows->at(i - 1, 0)),
+                                         "increasing times"};
+                add_problems_of(CaseError(problem), place, build.problems);
+                return {};
+            }
+            read.time.push_back(rows->at(i, 0));
+            read.value.push_back({rows->at(i, 1), rows->at(i, 2), build.is_planar ? 0.0 : rows->at(i, 3)});
         }
     } else {
         for (const Value& time : get(table, "time").items) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "riprap/scene/text/suggest.hpp"
 
@@ -59,6 +60,43 @@ std::string describe_range(const Range& range) {
     }
     return text;
 }
+
+namespace {
+
+/// The range in a unit of its own, for keys that name theirs and for angles, which few know in radians.
+std::string range_in(const Range& range, const Unit& unit, std::string_view name) {
+    const auto convert = [&unit](double x) {  // to the digits that are shown
+        return std::abs(x) < 1e308 ? std::strtod(fmt::format("{:.6g}", x / to_si(1, unit)).c_str(), nullptr) : x;
+    };
+    Range scaled = range;
+    scaled.low = convert(range.low);
+    scaled.high = convert(range.high);
+    const std::string text = describe_range(scaled);
+    return text.empty() ? text : fmt::format("{} {}", text, name);
+}
+
+/// The name of a unit of one word; empty for others.
+std::string name_of(const Unit& unit) {
+    std::string names = suffixes_for(unit.dimension);
+    for (std::size_t begin = 0; begin < names.size();) {
+        const std::size_t end = std::min(names.find('|', begin), names.size());
+        const std::string name = names.substr(begin, end - begin);
+        if (const auto named = parse_unit(name); named && to_si(1, *named) == to_si(1, unit)) {
+            return name;
+        }
+        begin = end + 1;
+    }
+    return "";
+}
+
+/// What a number may be, in the unit that the name of its key ends with.
+std::string describe_number(const Form& form, const std::optional<Unit>& unit) {
+    const std::string name = unit && form.range.is_bounded() ? name_of(*unit) : "";
+    return name.empty() ? describe_form(form)
+                        : fmt::format("{}, {}", describe(form.dimension), range_in(form.range, *unit, name));
+}
+
+}  // namespace
 
 std::string describe_form(const Form& form) {
     const std::string range = describe_range(form.range);
@@ -153,7 +191,10 @@ std::optional<Value> ValueChecker::number(const Value& given, const Form& form, 
         return refuse(given, fmt::format("{} = {} is not a finite number", name, excerpt(given)), describe_form(form));
     }
     if (!form.range.contains(value)) {
-        return refuse(given, fmt::format("{} = {}", name, excerpt(given)), describe_form(form));
+        const bool is_angle = form.dimension == dimension::angle && !unit;
+        const std::string degrees = is_angle ? range_in(form.range, *parse_unit("deg"), "deg") : "";
+        return refuse(given, fmt::format("{} = {}", name, excerpt(given)),
+                      describe_number(form, unit) + (degrees.empty() ? "" : " (" + degrees + ")"));
     }
     Value out = Value::of(value == 0 ? 0.0 : value);  // no negative zero: one canonical form
     out.place = given.place;

@@ -23,7 +23,7 @@ const Table& load_data_table() {
         "loads on bodies and on sections.",
         {{"time", {list(number(dimension::time), 1, limits::table_rows)}, "Increasing times.", {}},
          {"force", {list(vector(dimension::force), 1, limits::table_rows)}, "Force at each time.", {}},
-         {"file", {path()}, "CSV file with a header line and rows t, x, y, z in SI; in a plane t, x, y.", {}}},
+         {"file", {path()}, "Table with rows t, x, y, z in SI (docs/howto/tables.md); in a plane t, x, y.", {}}},
         {{GroupRule::exactly_one, {"time", "file"}}, {GroupRule::all_or_none, {"time", "force"}}}};
     return table;
 }

@@ -105,7 +105,7 @@ const Table& fluid_wave_table() {
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
          {"spectrum_file",
           {path()},
-          "Spectrum of a sea: CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and "
+          "Spectrum of a sea: table (docs/howto/tables.md) with rows f [1/s], S [m^2 s], instead of 'spectrum' and "
           "'period'; scaled to 'height' where that is given.",
           {}},
          {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};

@@ -51,7 +51,7 @@ const Table& motion_data_table() {
           {list(vector(dimension::length), 1, limits::table_rows)},
           "Displacement from the start at each time.",
           {}},
-         {"file", {path()}, "CSV file with a header line and rows t, x, y, z in SI.", {}}},
+         {"file", {path()}, "Table with rows t, x, y, z in SI (docs/howto/tables.md).", {}}},
         {{GroupRule::exactly_one, {"time", "file"}}, {GroupRule::all_or_none, {"time", "displacement"}}}};
     return table;
 }
@@ -110,7 +110,8 @@ const Table& wave_maker_table() {
          {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
          {"spectrum_file",
           {path()},
-          "Spectrum of a sea from a CSV file with a header line and rows f [1/s], S [m^2 s], instead of 'spectrum' and "
+          "Spectrum of a sea from a table (docs/howto/tables.md) with rows f [1/s], S [m^2 s], instead of 'spectrum' "
+          "and "
           "'period'; "
           "scaled "
           "to 'height' where that is given.",

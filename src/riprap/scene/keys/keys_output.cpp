@@ -47,7 +47,8 @@ const Table& probe_table() {
           {}},
          {"quantity",
           {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
-          "Quantity to record. A list makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is a name.",
+          "Quantity to record. A list of several makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is "
+          "a name.",
           {},
           true}}};
     return table;

@@ -31,7 +31,7 @@ const Table& hull_table() {
         "shape = { hull = { ... } }",
         "Convex hull of points.",
         {{"points", {list(vector(dimension::length), 4, limits::shape_vertices)}, "The points.", {}},
-         {"file", {path()}, "CSV file with a header line and one point x, y, z per row.", {}},
+         {"file", {path()}, "Table with one point x, y, z per row (docs/howto/tables.md).", {}},
          {"units", {choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")}},
         {{GroupRule::exactly_one, {"points", "file"}}}};
     return table;
@@ -96,7 +96,10 @@ const Table& terrain_table() {
         "shape = { terrain = { ... } }",
         "Ground from heights, solid below; for bodies that are fixed or have a motion. Bodies slide over the edges of "
         "its triangles as over a plane (docs/howto/surfaces.md).",
-        {{"file", {path()}, "Heights on a grid: ESRI ASCII (.asc), or x, y, z per line (.xyz, .csv, .txt); z up.", {}},
+        {{"file",
+          {path()},
+          "Heights on a grid: ESRI ASCII (.asc), or a table with x, y, z per row (docs/howto/tables.md); z up.",
+          {}},
          {"profile",
           {list(list(number(dimension::length), 2, 2), 2, 100'000)},
           "Ground of a planar scene, instead of a file: points x, y from left to right.",

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/core/vec3.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::scene {
@@ -22,11 +21,6 @@ class CaseFiles {
     /// Reads a file into memory. Nothing, and a problem at `place`, when that is refused or fails.
     std::optional<std::string> read(const std::string& path, std::size_t max_bytes, const SourcePlace& place,
                                     std::vector<Diagnostic>& problems);
-
-    /// Reads a CSV file with one header line and rows of `columns` finite numbers.
-    std::optional<std::vector<std::vector<double>>> read_table(const std::string& path, std::size_t columns,
-                                                               std::size_t max_rows, const SourcePlace& place,
-                                                               std::vector<Diagnostic>& problems);
 
     /// Files read so far, by path.
     std::vector<InputFile> inputs() const;

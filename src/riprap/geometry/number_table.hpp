@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "riprap/core/error.hpp"
+
+namespace riprap::geometry {
+
+/// What a reader says to the unit in a heading.
+struct UnitAnswer {
+    bool is_known{false};
+    bool is_of_its_kind{false};  ///< a length where a length is read, ...
+    std::string problem;         ///< why numbers in this unit are not read; empty when they are
+};
+
+/// One column that a reader wants.
+struct TableColumn {
+    std::string_view name;                  ///< for messages: "x"
+    std::vector<std::string_view> aliases;  ///< words of headings that mean it, in lower case
+};
+
+/// Form of the tables that a reader takes.
+struct TableForm {
+    std::vector<TableColumn> columns;
+    bool may_have_more{false};  ///< columns beyond them need no heading; they are not read
+    std::int64_t most_rows{0};
+    /// Looks at the unit in the heading of a column; may be empty.
+    std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
+};
+
+/// Rows of finite numbers.
+struct NumberTable {
+    std::string file;  ///< for messages
+    std::size_t width{0};
+    std::vector<double> values;         ///< row after row
+    std::vector<std::uint32_t> lines;   ///< of each row in the file
+    std::vector<std::uint32_t> places;  ///< column of the text where each value begins
+    std::vector<std::string> notes;     ///< what was found that the user may not expect
+
+    std::size_t row_count() const { return lines.size(); }
+    double at(std::size_t row, std::size_t column) const { return values[row * width + column]; }
+    SourcePlace place(std::size_t row, std::size_t column) const {
+        return {file, lines[row], places[row * width + column]};
+    }
+};
+
+/// Reads rows of numbers as spreadsheets, programs and people write them. The one reader of all tables, so that all
+/// tell a heading from a row in the same way:
+///
+/// - a line whose first cell begins with a letter is a heading; it may stand before the numbers only. A table without
+///   heading begins with its first row. Lines that are empty or begin with '#' are passed over;
+/// - cells are separated by ';' where a line has one, else by ',', else by blanks and tabs; they may stand in quotes. A
+///   last separator may follow the last cell. Lines end in LF, CRLF or CR; a byte order mark is passed over;
+/// - numbers are those of C: 1, +0.5, 1e-3. A comma inside a cell is a decimal comma, where cells are not separated by
+///   commas and no number of the file has a point; "1,234" alone could be either and is refused;
+/// - where the heading names every wanted column (see TableColumn::aliases), columns are taken by their names; else all
+///   columns are taken in order, and a heading that names one in another place is refused;
+/// - units in headings, in brackets, after "_" or "/" or in a line of their own, are given to TableForm::unit.
+///
+/// @throws CaseError with file:line:column for anything else: a cell that is no finite number, rows of another number
+/// of columns, text between rows, UTF-16, too many rows.
+NumberTable read_number_table(std::string_view text, const std::string& file, const TableForm& form);
+
+/// Columns of places: x, y, z.
+TableForm table_of_places(std::int64_t most_rows);
+
+}  // namespace riprap::geometry

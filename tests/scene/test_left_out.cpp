@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a case may leave out, and what is told where one is run in another way than it was written for.
+#include <sstream>
+
+#include "case_fixture.hpp"
+
+namespace riprap::scene {
+namespace {
+
+using namespace test;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+TEST(WhatACaseMayLeaveOut, water_alone_needs_no_material) {
+    const std::string water =
+        "dimension = 2\ngravity = [0, -9.81]\nend = 0.1\n[fluid]\nmethod = \"grid\"\nspacing = 0.1\n"
+        "[fluid.domain]\nlow = [0, 0]\nhigh = [1, 1]\n"
+        "[[fluid.region]]\nshape = { box = [1, 0.5] }\nposition = [0.5, 0.25]\n";
+    EXPECT_THAT(problems_of(water), IsEmpty());
+    EXPECT_THAT(problems_of(with(minimal_case, "[material.rock]\ndensity = 2500.0\nnormal_stiffness = 1.0e7\n", "")),
+                ElementsAre(HasSubstr("there is no material 'rock'; a table [material.rock] with a density")));
+}
+
+TEST(WhatACaseMayLeaveOut, a_value_for_another_method_is_warned_of_only_in_the_file_that_chooses_the_method) {
+    const std::string text =
+        minimal_case + "[solid]\nmethod = \"implicit_dda\"\nyoungs_modulus = 1e9\npoisson_ratio = 0.2\n";
+    const auto warnings = [&](const std::string& of, const std::vector<std::string>& overrides) {
+        return read(of, overrides).warnings;
+    };
+    EXPECT_THAT(warnings(text, {}), Contains(HasSubstr("'normal_stiffness' of material 'rock' does nothing here")));
+    EXPECT_THAT(warnings(minimal_case,
+                         {"solid.method=\"implicit_dda\"", "solid.youngs_modulus=1e9", "solid.poisson_ratio=0.2"}),
+                Not(Contains(HasSubstr("normal_stiffness"))));
+}
+
+TEST(WhatACaseMayLeaveOut, a_list_of_one_quantity_is_that_quantity) {
+    const auto names = [](const std::string& probe) {
+        std::vector<std::string> names;
+        for (const sim::Probe& p :
+             read(minimal_case + "[[output.probe]]\nbody = \"block\"\n" + probe).model.output.probes) {
+            names.push_back(p.name);
+        }
+        return names;
+    };
+    EXPECT_THAT(names("name = \"crest\"\nquantity = [\"speed\"]\n"), ElementsAre("crest"));
+    EXPECT_THAT(names("name = \"crest\"\nquantity = \"speed\"\n"), ElementsAre("crest"));
+    EXPECT_THAT(names("quantity = [\"speed\"]\n"), ElementsAre("block.speed"));
+    EXPECT_THAT(names("name = \"crest\"\nquantity = [\"speed\", \"position\"]\n"),
+                ElementsAre("crest.speed", "crest.position"));
+}
+
+TEST(ARunThatIsCut, does_not_judge_what_is_expected_at_its_last_step) {
+    const std::string text = minimal_case + R"([[expect]]
+name = "falls"
+quantity = "block.displacement.z"
+value = -4.905
+tolerance = 0.01
+citation = "g t^2/2"
+)";
+    EXPECT_THAT(read(text).warnings, IsEmpty());
+    EXPECT_EQ(read(text).model.expects[0].to, std::numeric_limits<double>::infinity());
+    const LoadedCase cut = read(text, {"end=0.5"});
+    EXPECT_EQ(cut.model.expects[0].to, 1);  // later than the end: not judged
+    EXPECT_THAT(cut.warnings, Contains(HasSubstr("[[expect]] 'falls' is not judged: the run ends at 0.5 s, before")));
+    EXPECT_EQ(read(text, {"end=\"500 ms\""}).model.expects[0].to, 1);
+    EXPECT_EQ(read(text, {"end=2"}).model.expects[0].to, std::numeric_limits<double>::infinity());
+    // The largest value of the part that is run says something of its own.
+    EXPECT_EQ(read(with(text, "value =", "reduce = \"min\"\nvalue ="), {"end=0.5"}).model.expects[0].to,
+              std::numeric_limits<double>::infinity());
+}
+
+TEST(RangesOfAngles, are_told_in_the_unit_that_is_asked_for) {
+    const std::string text =
+        with(minimal_case, "normal_stiffness = 1.0e7", "normal_stiffness = 1.0e7\nfriction_angle_deg = 95");
+    EXPECT_THAT(problems_of(text),
+                ElementsAre(HasSubstr("friction_angle of [material.NAME] = 95; an angle, 0 <= value < 89.99")));
+    EXPECT_THAT(problems_of(text), ElementsAre(HasSubstr(" deg")));
+    EXPECT_THAT(problems_of(text), ElementsAre(Not(HasSubstr("1.57"))));
+    EXPECT_THAT(problems_of(with(text, "friction_angle_deg = 95", "friction_angle = \"95 deg\"")),
+                ElementsAre(HasSubstr("0 <= value < 1.5707 (0 <= value < 89.99")));
+}
+
+TEST(GroundFarAway, is_told_of) {
+    const std::string wall =
+        "[[body]]\nname = \"wall\"\nmaterial = \"rock\"\nfixed = true\nshape = { box = [100, 100, 1] }\nposition = ";
+    EXPECT_THAT(read(minimal_case + wall + "[5e6, 0, -1]\n").warnings,
+                Contains(HasSubstr("'wall' lies 5e+06 m from all that moves")));
+    EXPECT_THAT(read(minimal_case + wall + "[0, 0, -300]\n").warnings, Not(Contains(HasSubstr("from all that moves"))));
+}
+
+}  // namespace
+}  // namespace riprap::scene
