@@ -8,9 +8,11 @@ namespace riprap::contact {
 
 /// Nearest point of a surface to the centre of a sphere.
 struct SphereTouch {
-    Vec3 normal;     ///< unit vector from the sphere into the surface [-]
-    Vec3 point;      ///< of the surface, nearest to the centre [m]
-    double overlap;  ///< radius less the distance; more than the radius where the centre is inside [m]
+    Vec3 normal;  ///< unit vector from the sphere into the surface [-]
+    Vec3 point;   ///< of the surface, nearest to the centre [m]
+    /// Radius less the distance; more than the radius where the centre is inside. Where it is not positive it is no
+    /// less than that, and nothing else is set [m].
+    double overlap;
 };
 
 /// Sphere against a convex polyhedron or half-space: face, edge or corner, whichever is nearest. One contact, whose
@@ -18,6 +20,9 @@ struct SphereTouch {
 inline SphereTouch touch_convex(const geometry::ConvexView& shape, const Frame& frame, const Vec3& centre,
                                 double radius) {
     const Vec3 local = transpose_times(frame.axes, centre - frame.origin);
+    if (const double depth = depth_below_faces(shape, local); depth <= -radius) {
+        return {{}, {}, radius + depth};  // beyond a face by more than its radius: most candidates are
+    }
     const geometry::SurfacePoint nearest = geometry::closest_surface_point(shape, local);
     return {-(frame.axes * nearest.normal), frame.origin + frame.axes * nearest.point, radius - nearest.distance};
 }

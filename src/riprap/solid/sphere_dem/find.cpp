@@ -29,10 +29,14 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
     slots.b.clear();
     scratch.wall_pairs.clear();
     for (const contact::PartPair pair : scratch.pairs.pairs()) {
+        const std::int32_t a = scratch.placed.body[at(pair.a)], b = scratch.placed.body[at(pair.b)];
         if (pair.b < spheres) {
-            slots.a.push_back(pair.a);
-            slots.b.push_back(pair.b);
-        } else if (pair.a < spheres && scratch.placed.radius[at(pair.b)] > 0) {
+            if (!model.spheres.meets_surface(a, b) && !model.spheres.meets_surface(b, a)) {
+                slots.a.push_back(pair.a);
+                slots.b.push_back(pair.b);
+            }
+        } else if (pair.a < spheres && scratch.placed.radius[at(pair.b)] > 0 &&
+                   (model.spheres.count_of(b) == 0 || model.spheres.meets_surface(a, b))) {
             scratch.wall_pairs.push_back({pair.a, pair.b - spheres});
         }
     }

@@ -43,7 +43,8 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
             const body::Part& part = bodies.parts[k - spheres];
             body = part.body.value;
             // A part that its spheres or triangles stand for is met by nothing: a point that no search dwells on.
-            const bool is_met = model.spheres.count_of(body) == 0 && has_triangles[at(body)] == 0;
+            const bool is_met = (model.spheres.count_of(body) == 0 || model.spheres.is_sampled[at(body)] != 0) &&
+                                has_triangles[at(body)] == 0;
             placed.radius[k] = !is_met ? 0 : model.shapes.view(part.shape).circumradius;
         } else {
             const std::size_t t = k - spheres - parts;

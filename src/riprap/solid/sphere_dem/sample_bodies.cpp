@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "riprap/body/fill_section.hpp"
 #include "riprap/body/may_move.hpp"
@@ -100,6 +101,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
         given[at(of_body.body.value)] = &of_body;
     }
     SphereSet spheres;
+    std::vector<std::uint8_t> is_sampled(at(bodies.size()), 0);
     const double radius = radius_of_samples(bodies, shapes, settings);
     // A body that cannot be sampled stands as one sphere, for its problem to be told.
     const auto refuse = [&](std::int32_t body, const geometry::GeometryProblem& problem) {
@@ -133,6 +135,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
                        fmt::format("at most {} in all", most)});
             continue;
         }
+        is_sampled[at(b)] = 1;
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
             const auto samples = sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar);
@@ -148,6 +151,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
         }
     }
     spheres.finish(bodies.size());
+    spheres.is_sampled = std::move(is_sampled);
     return spheres;
 }
 

@@ -45,6 +45,11 @@ void SphereSet::finish(std::int32_t body_count) {
         has_clusters = has_clusters || begin[b + 1] > 1;
         begin[b + 1] += begin[b];
     }
+    is_sampled.assign(at(body_count), 0);
+    extent.assign(at(body_count), 0);
+    for (std::size_t s = 0; s < body.size(); ++s) {
+        extent[at(body[s])] = std::max(extent[at(body[s])], norm(local[s]) + radius[s]);
+    }
     flat_count.assign(at(body_count), 0);
     for (std::int32_t b = 0; b < body_count; ++b) {
         for (int side = 0; side < 6; ++side) {

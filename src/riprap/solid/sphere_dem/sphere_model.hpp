@@ -21,13 +21,23 @@ struct SphereSet {
     /// finish.
     std::vector<std::int32_t> flat_count;
     bool has_clusters{false};  ///< some body has several spheres; see finish
+    /// Per body: 1 where its spheres are samples of its surface, which others meet as it is; none by finish.
+    std::vector<std::uint8_t> is_sampled;
+    std::vector<double> extent;  ///< per body: of its spheres from the centre of mass, at most [m]; see finish
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
     std::int32_t count_of(std::int32_t of) const {
         return begin[static_cast<std::size_t>(of) + 1] - begin[static_cast<std::size_t>(of)];
     }
+    /// Do the spheres of body `a` meet the surface of body `b` itself, not its samples? Two packings of spheres that
+    /// lie askew to each other push along the lines of their centres, sideways where faces meet head on. Of two bodies
+    /// that are sampled the samples of the smaller one meet the face of the larger one.
+    bool meets_surface(std::int32_t a, std::int32_t b) const {
+        const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+        return is_sampled[j] != 0 && (is_sampled[i] == 0 || extent[i] < extent[j] || (extent[i] == extent[j] && a < b));
+    }
     void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {});
-    /// Fills `begin`, `flat_count` and `has_clusters`; call once all spheres are added, in the order of their bodies.
+    /// Fills what is per body and `has_clusters`; call once all spheres are added, in the order of their bodies.
     void finish(std::int32_t body_count);
 };
 

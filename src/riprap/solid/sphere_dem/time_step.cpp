@@ -52,11 +52,24 @@ double fastest(const SphereModel& model, const body::BodyState& state) {
     return parallel::reduce(state.size(), 0.0, speed_of, [](double a, double b) { return std::max(a, b); });
 }
 
+/// Mass of the lightest body that moves and whose surface the samples of another one meet; infinity without such [kg].
+double lightest_sampled(const SphereModel& model) {
+    double least = std::numeric_limits<double>::infinity();
+    std::int32_t count = 0;
+    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
+        const bool may_meet = may_move(model.bodies, at(b)) && model.spheres.count_of(b) > 0;
+        count += may_meet ? 1 : 0;
+        least = may_meet && model.spheres.is_sampled[at(b)] != 0 ? std::min(least, model.bodies.mass[at(b)]) : least;
+    }
+    return count > 1 ? least : std::numeric_limits<double>::infinity();
+}
+
 /// Least effective mass that a sphere may meet at the surface of a body that moves and is no sphere, 1/m_e = 1/m +
-/// R^2/I, R the farthest point from the centre of mass and I the least principal moment; infinity without such [kg].
+/// R^2/I, R the farthest point from the centre of mass and I the least principal moment, and of one that is sampled,
+/// m_e = m as for its spheres; infinity without such [kg].
 double lightest_face(const SphereModel& model) {
     const body::BodySet& bodies = model.bodies;
-    double least = std::numeric_limits<double>::infinity();
+    double least = lightest_sampled(model);
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         if (!may_move(bodies, at(b)) || model.spheres.count_of(b) > 0) {
             continue;
