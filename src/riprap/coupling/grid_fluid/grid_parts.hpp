@@ -16,6 +16,18 @@ int up_axis(const Vec3& up);
 /// Height of still water at the start, along `up`: the highest surface of the regions [m].
 double still_level(const GridFluidSettings& settings);
 
+/// Mass of a volume of water: "3.5 kg/m" in a plane scene, "3.5 kg" in space.
+std::string mass_of(const GridFluidSettings& settings, double volume);
+
+/// Ends a run in which bodies press a closed pocket of water together by more than joints can let out, or draw one
+/// apart.
+Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
+                       const fluid::grid::GridState& water, const TimeSpan& span);
+
+/// Ends a run in which water vanishes, or comes from nothing: there is no room left for it, or nothing but water.
+Outcome mass_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
+                     const fluid::grid::GridState& water, double time);
+
 /// Returns the key of an entry of a list, "wave[1]" of the second [[fluid.wave]], so that a problem names the line of
 /// its own table. The view lasts as long as the program: a KeyProblem keeps no text of its own for its key.
 std::string_view entry_key(std::string_view list, std::size_t entry);

@@ -47,7 +47,8 @@ double surface_potential(const GridSettings& settings, const GridState& state, c
 }  // namespace
 
 double density_of(const GridSettings& settings, double fraction) {
-    return settings.has_surface ? settings.air.density + fraction * (settings.water.density - settings.air.density)
+    const double share = std::min(1.0, fraction);  // pockets may be over-full
+    return settings.has_surface ? settings.air.density + share * (settings.water.density - settings.air.density)
                                 : settings.water.density;
 }
 
@@ -55,7 +56,8 @@ double viscosity_of(const GridSettings& settings, double fraction) {
     constexpr double inviscid = 1e-30;  // keeps 1/mu finite
     const double water = std::max(inviscid, settings.water.density * settings.water.kinematic_viscosity);
     const double air = std::max(inviscid, settings.air.density * settings.air.kinematic_viscosity);
-    return settings.has_surface ? 1 / (fraction / water + (1 - fraction) / air) : water;
+    const double share = std::min(1.0, fraction);  // pockets may be over-full
+    return settings.has_surface ? 1 / (share / water + (1 - share) / air) : water;
 }
 
 Vec3 body_force(const GridSettings& settings, double time) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 
 namespace riprap::fluid::grid {
@@ -176,6 +177,7 @@ void move_along(const GridSettings& settings, GridState& state, GridScratch& s, 
 void move_water(const GridSettings& settings, GridState& state, GridScratch& s, double dt) {
     const CellBox& box = settings.mesh.box;
     find_fluxes(settings, s, dt);
+    const std::vector<double> in_pockets = water_of_pockets(settings, state, s);
     if (!settings.has_surface) {
         for (int a = 0; a < box.axes; ++a) {
             s.moved.water_flux[at(a)] = s.moved.flux[at(a)];
@@ -206,7 +208,7 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& s, 
         });
     }
     book_sides(settings, s, state.water);
-    settle_volume(settings, state, s);
+    settle_volume(settings, state, s, in_pockets);
     fill_fraction_ghosts(settings, s.start.carrier, state.time + dt, state.fraction);
 }
 

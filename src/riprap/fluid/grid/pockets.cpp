@@ -17,15 +17,6 @@ bool has_open_side(const GridSettings& settings) {
                        [](const Side& side) { return side.kind == SideKind::open; });
 }
 
-std::array<int, 3> place_of(const CellBox& box, std::int64_t cell) {
-    std::array<int, 3> place{};
-    for (int a = 2; a >= 0; --a) {
-        place[at(a)] = static_cast<int>(cell / box.stride[at(a)]) - box.pad[at(a)];
-        cell %= box.stride[at(a)];
-    }
-    return place;
-}
-
 /// Groups of open cells joined by open faces.
 struct Groups {
     std::vector<std::int32_t> of_cell;  ///< -1: closed or a ghost
@@ -102,6 +93,15 @@ std::vector<std::int64_t> cells_around(const CellBox& box, const std::vector<std
 }
 
 }  // namespace
+
+std::array<int, 3> place_of(const CellBox& box, std::int64_t cell) {
+    std::array<int, 3> place{};
+    for (int a = 2; a >= 0; --a) {
+        place[at(a)] = static_cast<int>(cell / box.stride[at(a)]) - box.pad[at(a)];
+        cell %= box.stride[at(a)];
+    }
+    return place;
+}
 
 std::vector<Pocket> find_pockets(const GridSettings& settings, const GridScratch& s) {
     Groups groups = find_groups(settings, s);

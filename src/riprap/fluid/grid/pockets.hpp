@@ -7,6 +7,9 @@
 
 namespace riprap::fluid::grid {
 
+/// Place along each axis of the cell with a flat index.
+std::array<int, 3> place_of(const CellBox& box, std::int64_t cell);
+
 /// Finds the pockets of a grid that bodies are cut out of: groups of open cells that no open face joins to a side with
 /// a given pressure or to the largest group. Units of a plane scene close pockets that would be open in space.
 std::vector<Pocket> find_pockets(const GridSettings& settings, const GridScratch& scratch);
@@ -19,5 +22,21 @@ void balance_pockets(const std::vector<Pocket>& pockets, GridScratch& scratch);
 /// around it, as if water could pass in the third direction or through joints thinner than a cell can tell.
 void level_pockets(const GridSettings& settings, GridState& state, const GridScratch& scratch,
                    const std::vector<Pocket>& pockets, double time);
+
+/// A pocket that solids press together keeps its water, denser than it is, up to this share above what it has room for;
+/// what is more goes out as through a joint [-].
+inline constexpr double most_overfull = 0.1;
+
+/// Returns what every pocket holds before the water moves, with what solids have driven out of cells beside it since
+/// the last step [m^3].
+std::vector<double> water_of_pockets(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
+
+/// Gives every pocket back the water that it held: to its surface, then to the air that is left in it, then by
+/// fractions above 1, up to most_overfull. A pocket that grows and has no air takes water from outside.
+void settle_pockets(const GridSettings& settings, GridState& state, const GridScratch& scratch,
+                    const std::vector<double>& held);
+
+/// Mean water fraction of a pocket: above 1 where solids have pressed it together [-].
+double mean_fraction(const GridState& state, const GridScratch& scratch, const Pocket& pocket);
 
 }  // namespace riprap::fluid::grid

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "riprap/fluid/grid/pockets.hpp"
+
 namespace riprap::fluid::grid {
 
 namespace {
@@ -116,9 +118,27 @@ double water_volume(const GridSettings& settings, const GridState& state, const 
 
 namespace {
 
+/// Cells that the books of all water settle: pockets settle theirs.
+class Outside {
+ public:
+    Outside(const CellBox& box, const std::vector<Pocket>& pockets) {
+        is_in_pocket_.assign(pockets.empty() ? 0 : at(box.size), 0);
+        for (const Pocket& pocket : pockets) {
+            for (const std::int64_t c : pocket.cells) {
+                is_in_pocket_[at(c)] = 1;
+            }
+        }
+    }
+    bool holds(std::int64_t c) const { return is_in_pocket_.empty() || is_in_pocket_[at(c)] == 0; }
+
+ private:
+    std::vector<std::uint8_t> is_in_pocket_;
+};
+
 /// Gives what is missing to cells on either side of a surface that lies on faces, where no cell is mixed: water to
 /// cells beside wet ones, air to cells beside dry ones.
-void settle_beside_surface(const GridSettings& settings, GridState& state, GridScratch& s, double missing) {
+void settle_beside_surface(const GridSettings& settings, GridState& state, GridScratch& s, const Outside& outside,
+                           double missing) {
     const CellBox& box = settings.mesh.box;
     auto& f = state.fraction;
     const bool takes = missing > 0;
@@ -132,7 +152,7 @@ void settle_beside_surface(const GridSettings& settings, GridState& state, GridS
                                           (f[at(beside)] > 0.5) == takes);
             }
         }
-        settling[at(c)] = is_beside ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
+        settling[at(c)] = is_beside && outside.holds(c) ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
     });
     const double room = reduce_cells(
         box, 0.0, [&](std::int64_t c, int, int, int) { return settling[at(c)] * s.room.capacity[at(c)]; }, sum_of);
@@ -144,29 +164,36 @@ void settle_beside_surface(const GridSettings& settings, GridState& state, GridS
 
 }  // namespace
 
-void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch) {
+void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch,
+                   const std::vector<double>& in_pockets) {
     const CellBox& box = settings.mesh.box;
+    const Outside outside(box, scratch.pockets);
     auto& f = state.fraction;
     for_cells(box, [&](std::int64_t c, int, int, int) {
         double& value = f[at(c)];
         value = value < least_fraction ? 0 : value > 1 - least_fraction ? 1 : value;
     });
+    settle_pockets(settings, state, scratch, in_pockets);
     for (int pass = 0; pass < 2; ++pass) {  // the second takes what the first rounds off
         const double missing = state.water.held - water_volume(settings, state, scratch);
         const double room = reduce_cells(
             box, 0.0,
-            [&](std::int64_t c, int, int, int) { return f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)]; },
+            [&](std::int64_t c, int, int, int) {
+                return outside.holds(c) ? f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)] : 0;
+            },
             sum_of);
         if (!(room > 0)) {
             break;
         }
         const double share = std::clamp(missing / room, -1.0, 1.0);
-        for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * f[at(c)] * (1 - f[at(c)]); });
+        for_cells(box, [&](std::int64_t c, int, int, int) {
+            f[at(c)] += outside.holds(c) ? share * f[at(c)] * (1 - f[at(c)]) : 0;
+        });
     }
     constexpr double round_off = 1e-13;
     const double missing = state.water.held - water_volume(settings, state, scratch);
     if (std::abs(missing) > round_off * std::abs(state.water.held)) {
-        settle_beside_surface(settings, state, scratch, missing);
+        settle_beside_surface(settings, state, scratch, outside, missing);
     }
 }
 

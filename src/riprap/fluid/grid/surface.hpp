@@ -34,8 +34,11 @@ void move_water(const GridSettings& settings, GridState& state, GridScratch& scr
 /// Moves the water by the compressive scheme.
 void move_water_compressive(const GridSettings& settings, GridState& state, GridScratch& scratch, double dt);
 
-/// Closes the books of water: clips fractions to 0..1 and gives to mixed cells what is missing from GridState::water.
-void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch);
+/// Closes the books of water: clips fractions to 0..1, gives every pocket what it held, and to mixed cells outside of
+/// pockets what is missing from GridState::water then.
+/// @param in_pockets  water that each pocket held at the start of the step [m^3]
+void settle_volume(const GridSettings& settings, GridState& state, GridScratch& scratch,
+                   const std::vector<double>& in_pockets = {});
 
 /// Water in the domain [m^3].
 double water_volume(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
