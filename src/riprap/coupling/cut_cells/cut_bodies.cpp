@@ -27,6 +27,7 @@ BodyCutter::BodyCutter(const fluid::grid::Mesh& mesh, const std::vector<GridBody
             cutter->cut(bodies[b], static_cast<std::int32_t>(b));
         }
     }
+    cutter->find_splits();
     still_ = std::move(cutter);
 }
 BodyCutter::~BodyCutter() = default;

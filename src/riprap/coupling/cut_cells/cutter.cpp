@@ -79,8 +79,10 @@ void Cutter::close_cell(std::int32_t number, const std::array<int, 3>& place) {
     out_.open.volume[at(cell)] = 0;
     if (filled_[at(cell)] == -1) {
         filled_[at(cell)] = number;
-        filled_cells_.push_back(place);
+    } else if (filled_[at(cell)] != number) {
+        filled_again_.emplace_back(cell, number);
     }
+    filled_cells_.push_back({place, number});
     for_faces_of(mesh_->box, place, [&](int a, std::int64_t face, int, bool is_below) {
         (is_below ? below_ : above_)[at(a)][at(face)] = 1;
     });
@@ -107,6 +109,9 @@ void Cutter::cut_cell(const PartPlanes& part, std::int32_t number, const std::ar
         }
     }
     touched = touched == -1 || touched == number ? number : -2;
+    parts_.push_back({cell, place, number, static_cast<std::uint32_t>(part_planes_.size()),
+                      static_cast<std::uint32_t>(across_.size())});
+    part_planes_.insert(part_planes_.end(), across_.begin(), across_.end());
     out_.open.volume[at(cell)] -= geometry::mass_properties(piece).volume / (size.x * size.y * size.z);
     for (const auto& face : piece.faces) {
         add_face(piece, face, number, place);
@@ -194,10 +199,13 @@ void Cutter::show_sides() {
 }
 
 CutBodies Cutter::finish(const std::vector<GridBody>& bodies) && {
+    find_splits();
     show_filled_cells();
     show_faces();
     sort_facets();
+    drop_covered_facets();
     close_shares();
+    turn_facets();
     close_joints();
     show_sides();
     find_displacement(out_.facets, bodies, out_.open);

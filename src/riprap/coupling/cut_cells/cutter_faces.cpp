@@ -19,16 +19,22 @@ constexpr double closed_tolerance = 1e-9;
 
 }  // namespace
 
+bool Cutter::fills(std::int32_t body, std::int64_t cell) const {
+    return filled_[at(cell)] == body ||
+           std::binary_search(filled_again_.begin(), filled_again_.end(), std::pair{cell, body});
+}
+
 /// Filled cells show their sides where the same body does not fill what lies beyond.
 void Cutter::show_filled_cells() {
     const CellBox& box = mesh_->box;
-    for (const std::array<int, 3>& place : filled_cells_) {
-        const std::int64_t cell = box.index(place[0], place[1], place[2]);
-        const std::int32_t number = filled_[at(cell)];
+    std::sort(filled_again_.begin(), filled_again_.end());
+    for (const FilledCell& filled : filled_cells_) {
+        const std::array<int, 3>& place = filled.place;
+        const std::int32_t number = filled.body;
         const Vec3 centre = mesh_->centre(place[0], place[1], place[2]);
         for_faces_of(box, place, [&](int a, std::int64_t face, int p, bool is_below) {
             const bool is_on_rim = p == (is_below ? box.cells[at(a)] : 0);
-            if (!is_on_rim && filled_[at(is_below ? face : face - box.stride[at(a)])] == number) {
+            if (!is_on_rim && fills(number, is_below ? face : face - box.stride[at(a)])) {
                 return;
             }
             const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -90,6 +96,8 @@ void Cutter::close_shares() {
             share[f] = open < closed_tolerance ? 0 : std::min(open, 1.0);
         }
     }
+    find_walls();
+    close_splits();
     for (double& v : out_.open.volume) {
         v = v < closed_tolerance ? 0 : v;
     }

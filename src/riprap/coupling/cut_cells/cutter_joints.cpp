@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joints between bodies: gaps that are closed for the flow, and where their facets take the water from.
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/coupling/cut_cells/cutter.hpp"
 
@@ -10,9 +11,6 @@ namespace {
 
 using fluid::grid::at;
 using fluid::grid::CellBox;
-
-/// A gap between two bodies that leaves less than this of a cell or of a face is a joint [-].
-constexpr double joint_share = 0.05;
 
 }  // namespace
 
@@ -137,6 +135,43 @@ void Cutter::find_joints() {
             facet.joint = number[at(place_of(facet.cell))];
         }
     }
+}
+
+/// Whether a body holds a place, as far as its cell tells.
+bool Cutter::holds(std::int32_t body, const Vec3& x) const {
+    const std::int64_t cell = mesh_->box.index(mesh_->cell_at(0, x.x), mesh_->cell_at(1, x.y), mesh_->cell_at(2, x.z));
+    const std::span<const PartInCell> parts = parts_in(cell);
+    return fills(body, cell) || std::any_of(parts.begin(), parts.end(), [&](const PartInCell& part) {
+               const auto first = part_planes_.begin() + part.first;
+               return part.body == body && std::all_of(first, first + part.count, [&](const geometry::Plane& plane) {
+                          return dot(plane.normal, x) < plane.offset;
+                      });
+           });
+}
+
+/// Drops facets that lie deep in another body: water beside a wall that goes through a floor does not reach what of the
+/// wall is in the floor. At a joint, a body comes out of the other one within half a cell along the facet's own normal.
+void Cutter::drop_covered_facets() {
+    std::vector<std::int32_t> others;
+    std::erase_if(out_.facets, [&](const CutFacet& facet) {
+        const std::int32_t touched = touched_[at(facet.cell)];
+        if (touched == -1 || touched == facet.body) {
+            return false;
+        }
+        others.assign(1, filled_[at(facet.cell)]);
+        for (const PartInCell& part : parts_in(facet.cell)) {
+            others.push_back(part.body);
+        }
+        const Vec3 x = facet.place(), n = facet.area / norm(facet.area);
+        double half = 0;
+        for (int a = 0; a < mesh_->box.axes; ++a) {
+            half += 0.5 * std::abs(n[a]) * mesh_->h(a, mesh_->cell_at(a, x[a]));
+        }
+        return std::any_of(others.begin(), others.end(), [&](std::int32_t other) {
+            return other >= 0 && other != facet.body && holds(other, x - half * n) &&
+                   holds(other, x + (1e-6 * half) * n);
+        });
+    });
 }
 
 }  // namespace riprap::coupling

@@ -10,6 +10,12 @@ namespace riprap::coupling {
 /// fluid.
 inline constexpr std::int32_t on_side = -2;
 
+/// CutFacet::joint of a facet on the closed side of a wall thinner than a cell: the surface of its cell lies elsewhere,
+/// but the facet moves its fluid.
+inline constexpr std::int32_t behind_wall = -3;
+
 inline bool moves_fluid(const CutFacet& facet) { return facet.joint != on_side; }
+/// Whether what is open in the facet's cell ends at it.
+inline bool bounds_cell(const CutFacet& facet) { return moves_fluid(facet) && facet.joint != behind_wall; }
 
 }  // namespace riprap::coupling

@@ -208,6 +208,37 @@ double water_in(const GridFluidSettings& settings, const std::vector<GridBody>& 
     return sum;
 }
 
+/// Whether a wall splits a cell and closes one side of it: bodies and what is open do not make the whole cell.
+bool is_split(const std::vector<GridBody>& bodies, const Vec3& low, const Vec3& high, double open_share) {
+    constexpr double least_closed = 1e-4;
+    const auto cell = geometry::moved(geometry::box(high - low), Pose{(low + high) * 0.5, Quat{}});
+    const double whole = volume_of(cell);
+    double room = whole;
+    for (const GridBody& body : bodies) {
+        for (const geometry::Polyhedron& part : body.parts) {
+            room -= meets(part, low, high) ? volume_of(common(cell, part)) : 0;
+        }
+    }
+    return room / whole - open_share > least_closed;
+}
+
+/// Mean of a field over the cells that open faces lead to, by the area of these; of the cell itself where there are
+/// none.
+double mean_beside(const fluid::grid::CellBox& box, const fluid::grid::OpenShares& open,
+                   const std::vector<double>& field, const std::vector<std::uint8_t>& is_left_out, std::int64_t c) {
+    double sum = 0, area = 0;
+    for (int a = 0; a < box.axes; ++a) {
+        const std::int64_t t = box.stride[at(a)];
+        for (const auto& [face, beside] : {std::pair{c, c - t}, std::pair{c + t, c + t}}) {
+            if (box.has_cell(beside) && open.volume[at(beside)] > 0 && is_left_out[at(beside)] == 0) {
+                sum += open.area[at(a)][at(face)] * field[at(beside)];
+                area += open.area[at(a)][at(face)];
+            }
+        }
+    }
+    return area > 0 ? sum / area : field[at(c)];
+}
+
 }  // namespace
 
 fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::vector<GridBody>& bodies,
@@ -215,6 +246,7 @@ fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::v
     constexpr double round_off = 1e-9;
     const fluid::grid::Mesh& mesh = settings.grid.mesh;
     std::vector<double> share(at(mesh.box.size));
+    std::vector<std::uint8_t> split(at(mesh.box.size));  // by a wall: the water in them may be on its closed side
     fluid::grid::for_cells(mesh.box, [&](std::int64_t c, int i, int j, int k) {
         const double open_share = open.volume[at(c)], volume = mesh.volume(i, j, k);
         if (open_share == 0) {
@@ -224,6 +256,11 @@ fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::v
         const double water = water_in(settings, bodies, centre - half, centre + half, open_share < 1) / volume;
         const double fraction = std::clamp(water / open_share, 0.0, 1.0);
         share[at(c)] = fraction < round_off ? 0 : fraction > 1 - round_off ? 1 : fraction;
+        split[at(c)] = open_share < 1 && is_split(bodies, centre - half, centre + half, open_share) ? 1 : 0;
+    });
+    const std::vector<double> found = share;
+    fluid::grid::for_cells(mesh.box, [&](std::int64_t c, int, int, int) {
+        share[at(c)] = split[at(c)] != 0 ? mean_beside(mesh.box, open, found, split, c) : share[at(c)];
     });
     const auto speed = [&](const Vec3& x) {
         for (const FillRegion& region : settings.scene.regions) {

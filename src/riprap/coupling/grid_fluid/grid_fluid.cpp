@@ -109,7 +109,7 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
     const Vec3 g = fluid::grid::body_force(settings, water.time);
     std::vector<std::int64_t> cells;
     for (const CutFacet& facet : cut.facets) {
-        if (s.open.volume[at(facet.cell)] > 0 && moves_fluid(facet)) {
+        if (s.open.volume[at(facet.cell)] > 0 && bounds_cell(facet)) {
             cells.push_back(facet.cell);
         }
     }
@@ -135,7 +135,7 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
         }
     }
     for (const CutFacet& facet : cut.facets) {
-        if (s.open.volume[at(facet.cell)] > 0 && moves_fluid(facet)) {
+        if (s.open.volume[at(facet.cell)] > 0 && bounds_cell(facet)) {
             const std::size_t k = number(facet.cell);
             for (int a = 0; a < mesh.box.axes; ++a) {
                 for (const Vec3& x : facet.middle) {

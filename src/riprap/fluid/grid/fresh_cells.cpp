@@ -2,7 +2,11 @@
 #include "riprap/fluid/grid/fresh_cells.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
+
+#include "riprap/fluid/grid/pockets.hpp"
 
 namespace riprap::fluid::grid {
 
@@ -26,7 +30,44 @@ std::vector<std::int64_t> find_fresh_cells(const CellBox& box, const GridScratch
     return fresh;
 }
 
+/// Along some axis a cell opens to the other side than before where its open areas on the two sides differ by more than
+/// this share of a side, before and now [-].
+constexpr double least_lean = 0.25;
+
+bool has_turned(const Mesh& mesh, const GridScratch& s, const OpenShares& shares, std::int64_t c,
+                const std::array<int, 3>& place) {
+    for (int a = 0; a < mesh.box.axes; ++a) {
+        const std::int64_t above = c + mesh.box.stride[at(a)];
+        const double whole = mesh.face_area(a, place[0], place[1], place[2]);
+        const double before = (s.room.area[at(a)][at(c)] - s.room.area[at(a)][at(above)]) / whole;
+        const double now = shares.area[at(a)][at(c)] - shares.area[at(a)][at(above)];
+        if (before * now < 0 && std::min(std::abs(before), std::abs(now)) > least_lean) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
+
+std::vector<std::int64_t> find_turned_cells(const GridSettings& settings, const GridScratch& s,
+                                            const OpenShares& shares) {
+    const CellBox& box = settings.mesh.box;
+    std::vector<std::int64_t> turned;
+    for (std::int64_t row = 0; row < box.row_count(); ++row) {
+        const std::int64_t start = box.row_start(row);
+        for (std::int64_t c = start; c < start + box.cells[0]; ++c) {
+            const double share = shares.volume[at(c)];
+            if (share == 1 || share == 0 || s.room.capacity[at(c)] == 0) {
+                continue;
+            }
+            if (has_turned(settings.mesh, s, shares, c, place_of(box, c))) {
+                turned.push_back(c);
+            }
+        }
+    }
+    return turned;
+}
 
 void fill_fresh_cells(const GridSettings& settings, GridState& state, const GridScratch& s) {
     const CellBox& box = settings.mesh.box;

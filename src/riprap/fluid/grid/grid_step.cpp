@@ -151,6 +151,8 @@ void prepare(const GridSettings& settings, GridState& state, GridScratch& s) {
 void set_open_shares(const GridSettings& settings, GridState& state, GridScratch& s, OpenShares shares) {
     prepare(settings, state, s);
     const bool is_first = !s.open.has_bodies;
+    const std::vector<std::int64_t> turned =
+        is_first ? std::vector<std::int64_t>{} : find_turned_cells(settings, s, shares);
     s.open = std::move(shares);
     if (!is_first) {
         s.room.capacity_before = s.room.capacity;
@@ -163,6 +165,9 @@ void set_open_shares(const GridSettings& settings, GridState& state, GridScratch
             open_books(settings, state, s);
         }
     } else {
+        for (const std::int64_t c : turned) {
+            s.room.capacity_before[at(c)] = 0;
+        }
         fill_fresh_cells(settings, state, s);
     }
 }
