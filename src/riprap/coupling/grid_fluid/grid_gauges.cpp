@@ -5,7 +5,9 @@
 
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
+#include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/read.hpp"
+#include "riprap/fluid/grid/surface.hpp"
 
 namespace riprap::coupling {
 
@@ -37,6 +39,71 @@ struct Reader {
     bool is_wet(const Vec3& x) const {
         const std::int64_t c = cell_at(x);
         return holds(x) && share(c) > 0 && water.fraction[at(c)] >= 0.5;
+    }
+    /// Open share of the face below a cell.
+    double open_area(int axis, std::int64_t face, const std::array<int, 3>& place) const {
+        if (room != nullptr) {
+            return room->area[at(axis)][at(face)] / mesh().face_area(axis, place[0], place[1], place[2]);
+        }
+        return open.has_bodies ? open.area[at(axis)][at(face)] : 1;
+    }
+    /// The plane of the surface tells in mixed cells; in one that solids cut, the height to which its water fills it,
+    /// with a section that changes evenly from one of its faces to the other.
+    bool is_below_surface(const Vec3& x) const {
+        const std::int64_t c = cell_at(x);
+        const double f = water.fraction[at(c)];
+        if (!holds(x) || share(c) == 0 || !fluid::grid::is_mixed(f)) {
+            return is_wet(x);
+        }
+        const std::array<int, 3> place = fluid::grid::place_of(mesh().box, c);
+        const fluid::grid::CellPlane plane = plane_in(c);
+        const auto from_centre = [&](int a) {
+            return (x[a] - mesh().centre(a, place[at(a)])) / mesh().h(a, place[at(a)]);
+        };
+        if (share(c) == 1) {
+            double along = -plane.d;
+            for (int a = 0; a < 3; ++a) {
+                along += plane.n[at(a)] * from_centre(a);
+            }
+            return along <= 0;
+        }
+        const int a = steepest(plane);
+        const bool is_below = plane.n[at(a)] > 0;
+        const double low = open_area(a, c, place), high = open_area(a, c + mesh().box.stride[at(a)], place);
+        const double wet_end = is_below ? low : high, grown = (is_below ? high : low) - wet_end;
+        const double volume = f * (wet_end + 0.5 * grown);  // = A z + (B - A) z^2/2
+        const double root = std::sqrt(std::max(0.0, wet_end * wet_end + 2 * grown * volume));
+        const double depth = wet_end + root > 0 ? 2 * volume / (wet_end + root) : 1;
+        return (is_below ? from_centre(a) : -from_centre(a)) + 0.5 <= depth;
+    }
+    static int steepest(const fluid::grid::CellPlane& plane) {
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) {
+            axis = std::abs(plane.n[at(a)]) > std::abs(plane.n[at(axis)]) ? a : axis;
+        }
+        return axis;
+    }
+    bool is_open(std::int64_t c) const { return mesh().box.has_cell(c) && share(c) > 0; }
+    /// The plane of the surface in a mixed cell. Cells that are closed, or beyond the sides, count as what they mirror.
+    fluid::grid::CellPlane plane_in(std::int64_t c) const {
+        const auto& box = mesh().box;
+        const fluid::grid::CellBox around({1, 1, 1}, 1, box.axes);
+        std::vector<double> fraction(at(around.size), water.fraction[at(c)]);
+        for (int k = -around.pad[2]; k <= around.pad[2]; ++k) {
+            for (int j = -around.pad[1]; j <= around.pad[1]; ++j) {
+                for (int i = -around.pad[0]; i <= around.pad[0]; ++i) {
+                    const std::array<std::int64_t, 3> step{i * box.stride[0], j * box.stride[1], k * box.stride[2]};
+                    const std::int64_t there = c + step[0] + step[1] + step[2];
+                    std::int64_t read = is_open(there) ? there : c;
+                    for (std::size_t a = 0; a < 3 && read == c; ++a) {
+                        read = step[a] != 0 && is_open(there - step[a]) ? there - step[a] : c;
+                    }
+                    fraction[at(around.index(i, j, k))] = water.fraction[at(read)];
+                }
+            }
+        }
+        const auto normal = fluid::grid::surface_normal(around, fraction, around.index(0, 0, 0));
+        return fluid::grid::place_plane(normal, water.fraction[at(c)]);
     }
     /// P of the cell and the weight of water below the place; air counts as air.
     double pressure(const Vec3& x) const {
@@ -74,11 +141,16 @@ struct Reader {
         double found = 0;
         for (std::int64_t i = 0; i <= count; ++i) {
             const double s = std::min(length, static_cast<double>(i) * step);
-            if (is_wet(from + (s / length) * (to - from))) {
+            if (is_below_surface(from + (s / length) * (to - from))) {
                 found = s;
             } else if (is_first) {
                 break;
             }
+        }
+        double dry = std::min(length, found + step);
+        for (int halving = 0; halving < 20; ++halving) {
+            const double middle = 0.5 * (found + dry);
+            (is_below_surface(from + (middle / length) * (to - from)) ? found : dry) = middle;
         }
         return found;
     }
