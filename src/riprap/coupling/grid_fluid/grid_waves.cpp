@@ -27,6 +27,8 @@ constexpr double least_cells = 5;
 constexpr double longest_absorbed = M_PI / 10;
 /// Height over depth at which a wave breaks [McCowan1894]; limit of wave theories without one of their own [-].
 constexpr double breaking_share = 0.78;
+/// Height over L tanh kd at which a wave breaks [Miche1944]; limit of a sea, by its peak [-].
+constexpr double steepest = 0.142;
 
 /// Distance from the crest at which a solitary wave has a thousandth of its height [m].
 double foot_of(const std::function<double(double)>& elevation, double height, double depth) {
@@ -133,6 +135,17 @@ std::optional<KeyProblem> unfit(const GridFluidSettings& settings, const WavesAt
         return KeyProblem{
             key, fmt::format("a wave {:.4g} m high in {:.4g} m of water breaks", said.height, said.depth),
             fmt::format("heights below {:.4g} m, {} of the depth", breaking_share * said.depth, breaking_share)};
+    }
+    if (said.kind == Kind::irregular) {
+        const wave::LinearWave peak =
+            wave::linear_wave(said.height, said.period, said.depth, norm(settings.grid.gravity));
+        const double highest = steepest * peak.length() * std::tanh(peak.kd());
+        if (said.height >= highest) {
+            return KeyProblem{key,
+                              fmt::format("a sea {:.4g} m high whose peak at {:.4g} Hz is {:.4g} m long breaks",
+                                          said.height, 1 / said.period, peak.length()),
+                              fmt::format("less than {:.4g} m, 0.142 L tanh kd, or a longer period", highest)};
+        }
     }
     return std::nullopt;
 }
