@@ -97,6 +97,11 @@ TEST(MissingPhysics, is_found_by_trying_the_smallest_case_with_it) {
     EXPECT_THAT(missing_physics(root, "planar_dda", "hydrostatic"), ::testing::ElementsAre("water at rest"));
     EXPECT_THAT(missing_physics(root, "planar_dda", "grid"), ::testing::IsEmpty());
     EXPECT_THAT(missing_physics(root, "sphere_dem", "sph"), ::testing::ElementsAre("no bolts", "no bonds"));
+    const scene::Value ring = scene::parse_toml(
+        "dimension = 2\n[fluid]\ndomain = { periodic = [true, false] }\n[[body]]\nshape = { union = [] }\n", "a case",
+        problems);
+    EXPECT_THAT(missing_physics(ring, "planar_dda", "grid"), ::testing::ElementsAre("no periodic domain"));
+    EXPECT_THAT(missing_physics(ring, "explicit_dda", "sph"), ::testing::ElementsAre("no bodies of several parts"));
 }
 
 TEST(MethodScales, quarter_and_quadruple_the_step_and_the_stiffness_that_the_case_has) {

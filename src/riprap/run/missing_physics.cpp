@@ -32,9 +32,9 @@ material = "rock"
 /// The same above a pool, which every fluid fills.
 constexpr const char* pool = R"([fluid]
 spacing = 0.5
-domain = { low = [0.0, 0.0], high = [4.0, 6.0] }
+domain = { low = [0.0, 0.0], high = [8.0, 6.0] }
 [[fluid.region]]
-box = { low = [0.0, 0.0], high = [4.0, 2.0] }
+box = { low = [0.0, 0.0], high = [8.0, 2.0] }
 )";
 
 struct Feature {
@@ -122,6 +122,15 @@ void add_needs(const Value& root, std::vector<Feature>& features) {
     }
 }
 
+void add_periods(const Value& root, std::vector<Feature>& features) {
+    const Value* fluid = root.find("fluid");
+    const Value* domain = fluid != nullptr ? fluid->find("domain") : nullptr;
+    features.push_back({"no periodic domain",
+                        domain != nullptr && domain->find("periodic") != nullptr,
+                        true,
+                        {"fluid.domain.periodic=[true, false]"}});
+}
+
 void add_gauges(const Value& root, std::vector<Feature>& features) {
     for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
         const std::string end = scene::needs_end(info.kind) ? ", end = [3.0, 1.5]" : "";
@@ -158,6 +167,7 @@ std::vector<std::string> missing_physics(const Value& root, std::string_view sol
     std::vector<Feature> features;
     add_solid_features(root, features);
     add_needs(root, features);
+    add_periods(root, features);
     add_gauges(root, features);
     std::vector<std::string> missing;
     for (const Feature& feature : features) {
