@@ -53,8 +53,11 @@ std::vector<PropertyKey<To>> surface_keys() {
         {Property::friction, mixed(number(&To::friction, "friction_coefficient", dimension::plain, non_negative(),
                                           "Coulomb coefficient."))},
         {Property::friction, angle},
-        {Property::cohesion, mixed(number(&To::cohesion, "cohesion", dimension::pressure, non_negative(),
-                                          "Added to the shear strength, per contact area."))},
+        {Property::cohesion,
+         mixed(number(&To::cohesion, "cohesion", dimension::pressure, non_negative(),
+                      "Added to the shear strength, per contact area. A bond of DDA is brittle and breaks point "
+                      "by point: a face that is loaded unevenly, as the base of a dam, slides some "
+                      "per cent below limit equilibrium, where all of it holds to the last."))},
         {Property::tensile_strength,
          mixed(number(&To::tensile_strength, "tensile_strength", dimension::pressure, non_negative(),
                       "Tensile strength: with cohesion it bonds faces that touch at the start. A bond that is torn or "

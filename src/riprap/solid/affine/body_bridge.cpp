@@ -70,7 +70,13 @@ std::int32_t shape_of_body(const SolidScene& scene, std::int32_t b, BlockSystem&
         const Vec3 normal = rotate(part.local.orientation, view.normal(0));
         return add_half_space(system, normal, view.offset[0] + dot(normal, part.local.position));
     }
-    return add_shape(system, geometry::moved(scene.shapes.polyhedron(part.shape), part.local));
+    const std::int32_t shape = add_shape(system, geometry::moved(scene.shapes.polyhedron(part.shape), part.local));
+    if (scene.bodies.is_planar) {
+        // Lengths of the method follow the section, whatever its scale, not the metre by which it is thick.
+        Shape& prism = system.shapes.back();
+        prism.size = std::sqrt(prism.volume);
+    }
+    return shape;
 }
 
 }  // namespace
