@@ -193,7 +193,11 @@ struct StillTank {
 
     StillTank() {
         while (simulation.state().step < 20) {
-            simulation.step(sim::Measure::energy);
+            const StepOutcome outcome = simulation.step(sim::Measure::energy);
+            if (outcome.kind == StepOutcome::Kind::refused) {
+                ADD_FAILURE() << outcome.why.text;
+                break;
+            }
         }
         ledger = simulation.report().ledger;
     }

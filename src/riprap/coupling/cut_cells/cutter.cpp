@@ -77,12 +77,14 @@ void Cutter::note_sides(const std::vector<PartPlanes>& parts, std::int32_t numbe
 void Cutter::close_cell(std::int32_t number, const std::array<int, 3>& place) {
     const std::int64_t cell = mesh_->box.index(place[0], place[1], place[2]);
     out_.open.volume[at(cell)] = 0;
-    if (filled_[at(cell)] == -1) {
-        filled_[at(cell)] = number;
-    } else if (filled_[at(cell)] != number) {
+    std::int32_t& first = filled_[at(cell)];
+    if (first == -1) {
+        first = number;
+        filled_cells_.push_back({place, number});
+    } else if (first != number) {
         filled_again_.emplace_back(cell, number);
+        filled_cells_.push_back({place, number});
     }
-    filled_cells_.push_back({place, number});
     for_faces_of(mesh_->box, place, [&](int a, std::int64_t face, int, bool is_below) {
         (is_below ? below_ : above_)[at(a)][at(face)] = 1;
     });

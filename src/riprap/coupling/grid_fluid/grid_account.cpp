@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/surface.hpp"
@@ -37,7 +38,7 @@ Squeeze squeeze_of(const fluid::grid::Mesh& mesh, const GridFluid::Scratch& scra
     std::sort(cells.begin(), cells.end());
     std::vector<double> rate(scratch.bodies.size()), area(scratch.bodies.size());
     for (const CutFacet& facet : scratch.cut.facets) {
-        if (!std::binary_search(cells.begin(), cells.end(), facet.cell)) {
+        if (!moves_fluid(facet) || !std::binary_search(cells.begin(), cells.end(), facet.cell)) {
             continue;
         }
         const double moved = dot(scratch.bodies[at(facet.body)].velocity_at(facet.place()), facet.area);

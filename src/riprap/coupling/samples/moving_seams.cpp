@@ -74,9 +74,12 @@ MovingSeams::MovingSeams(const geometry::ShapeSet& shapes, const body::BodySet& 
         held_.clear();
     }
     for (const BodyId one : held_) {
+        if (!is_driven(one)) {
+            continue;
+        }
         for (const BodyId other : held_) {
             const bool is_met_already = is_driven(other) && !(one < other);
-            if (is_driven(one) && other != one && !is_met_already) {
+            if (other != one && !is_met_already) {
                 add_pair(one, other);
             }
         }
