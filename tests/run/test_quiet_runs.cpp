@@ -2,6 +2,8 @@
 // Scenes in which next to nothing happens, or all there is begins from nothing: their ledgers close, and no run ends.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -216,11 +218,11 @@ struct StillTank {
 
 TEST(LedgerVerdict, EndsARunThatGainsEnergyHoweverQuietItIs) {
     const StillTank tank;
-    const double lift = tank.lift();
-    ASSERT_LT(tank.ledger.turnover, 1e-2 * lift);
+    const double counted = std::max(tank.ledger.turnover, tank.ledger.kinetic + tank.ledger.fluid.kinetic);
+    ASSERT_LT(counted, 1e-2 * tank.lift());  // the water of the tank excuses nothing that bodies gain
     for (const double sign : {-1.0, 1.0}) {
-        EXPECT_THAT(tank.problem(sign * 0.049 * lift, 0), IsEmpty());
-        EXPECT_THAT(tank.problem(sign * 0.051 * lift, 0), HasSubstr("the energy ledger misses"));
+        EXPECT_THAT(tank.problem(sign * 0.049 * counted, 0), IsEmpty());
+        EXPECT_THAT(tank.problem(sign * 0.051 * counted, 0), HasSubstr("the energy ledger misses"));
     }
 }
 
