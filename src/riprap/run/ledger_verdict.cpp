@@ -70,14 +70,14 @@ double energy_there(const sim::Ledger& ledger) {
     return largest;
 }
 
-/// Energy that lifts all water by one spacing of particles: when it is let go, its lattice settles by hundredths of that
-/// [J].
+/// Energy that lifts all water by one spacing of particles: when it is let go, its lattice settles by hundredths of
+/// that [J].
 double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
     return ledger.fluid.mass * norm(model.gravity.value) * sim::grain(model);
 }
 
-/// Energy that lifts all water by the smallest cell of a grid, 0 without one: how its surface lies in the cells is known
-/// to a share of them. Says nothing of bodies, whose residual it does not excuse [J].
+/// Energy that lifts all water by the smallest cell of a grid, 0 without one: how its surface lies in the cells is
+/// known to a share of them. Says nothing of bodies, whose residual it does not excuse [J].
 double cell_grain_of(const sim::Ledger& ledger, const sim::Model& model) {
     const double width = std::visit(
         [](const auto& settings) {
