@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "riprap/scene/build/variations.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
@@ -76,6 +78,19 @@ TEST(Vary, refuses_answers_that_are_none_of_the_case_or_not_as_many_as_the_value
                 ::testing::HasSubstr("1 expected values for 2 runs"));
     EXPECT_THAT(problem_of("[[vary]]\nkey = [\"gravity.0\", \"gravity.1\"]\nrows = [[1.0]]\n"),
                 ::testing::HasSubstr("a row of 1 values for 2 keys"));
+}
+
+// Answers at a shorter end that a [[vary]] gives were taken for those of a run that was cut, and not judged.
+TEST(Vary, makes_answers_due_at_the_ends_that_it_lists) {
+    const std::string text =
+        std::string(block) +
+        "[[vary]]\nkey = \"end\"\nvalues = [0.5]\n[[vary.expect]]\nname = \"fall\"\nvalues = [-1.22625]\n";
+    const auto due = [&text](const std::string& end) {
+        const std::vector<std::string> overrides{end};
+        return read_case_text(text, "case.toml", "/nonexistent", overrides).model.expects.at(0).to;
+    };
+    EXPECT_TRUE(std::isinf(due("end=0.5")));
+    EXPECT_EQ(due("end=0.4"), 1);
 }
 
 TEST(Needs, refuse_methods_without_the_physics_and_name_those_with_it) {

@@ -13,18 +13,19 @@ namespace {
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 // Global because a signal handler has no other way to speak.
 volatile sig_atomic_t received = 0;
-volatile sig_atomic_t is_from_parent = 0;
+volatile sig_atomic_t has_parent_asked = 0;
+volatile sig_atomic_t has_other_asked = 0;
 std::array<struct sigaction, stop_signals.size()> previous;
 
-/// Ctrl-C and queues of clusters signal a whole group of processes, and the one that started this run passes it on:
-/// that second one is the same wish, not an impatient one.
+/// Ctrl-C and queues of clusters signal a whole group of processes, and the one that started this run passes it on: one
+/// signal from it and one from elsewhere are the same wish, whichever comes first.
 extern "C" void on_stop_signal(int number, siginfo_t* info, void* /*context*/) {
-    const bool is_passed_on = info->si_code == SI_USER && info->si_pid == getppid() && is_from_parent == 0;
-    if (is_passed_on) {
-        is_from_parent = 1;
-    } else if (received != 0) {
+    const bool is_of_parent = info->si_code == SI_USER && info->si_pid == getppid();
+    volatile sig_atomic_t& has_asked = is_of_parent ? has_parent_asked : has_other_asked;
+    if (has_asked != 0) {
         _exit(128 + number);
     }
+    has_asked = 1;
     received = number;
 }
 
@@ -32,7 +33,8 @@ extern "C" void on_stop_signal(int number, siginfo_t* info, void* /*context*/) {
 
 StopRequest::StopRequest() {
     received = 0;
-    is_from_parent = 0;
+    has_parent_asked = 0;
+    has_other_asked = 0;
     struct sigaction action {};
     action.sa_sigaction = on_stop_signal;
     sigemptyset(&action.sa_mask);

@@ -5,7 +5,7 @@ namespace riprap::run {
 
 /// Turns SIGINT, SIGTERM and SIGHUP into a polite request to stop after the step at hand; a second one ends the
 /// process at once with 128 + its number (files are written whole or not at all, so the last checkpoint stays good).
-/// The first one that comes from the parent process does not count as a second: it passes on what both have received.
+/// One from the parent process and one from elsewhere count as one: the parent passes on what both have received.
 /// Restores the previous handlers when destroyed. One at a time.
 class StopRequest {
  public:

@@ -59,11 +59,20 @@ std::optional<double> end_of(const Value& root) {
     return read != nullptr && read->is_number() ? std::optional(read->as_number()) : std::nullopt;
 }
 
+/// Tells whether a [[vary]] runs the case to the end that it has now, with the answers that are expected there.
+bool is_end_of_variation(const Value& root) {
+    const std::string end = fmt::format("end={}", number_text(get_number(root, "end")));
+    const std::vector<Variation> runs = variations_of(root);
+    return std::any_of(runs.begin(), runs.end(), [&end](const Variation& run) {
+        return std::find(run.overrides.begin(), run.overrides.end(), end) != run.overrides.end();
+    });
+}
+
 /// Where the run was cut, expected answers at its last step belong to the end that the file has: they are not judged
 /// before it.
 Value with_ends(Value root, const std::optional<double>& written) {
     Value* expects = root.find("expect");
-    if (!written || expects == nullptr || !(get_number(root, "end") < *written)) {
+    if (!written || expects == nullptr || !(get_number(root, "end") < *written) || is_end_of_variation(root)) {
         return root;
     }
     for (Value& expect : expects->items) {

@@ -105,6 +105,9 @@ bool Seams::open_plane(const contact::PartPair& pair, const contact::PlaneContac
         return false;
     }
     const PlacedHull a = placed_.hull(system_, state_, pair.a), b = placed_.hull(system_, state_, pair.b);
+    if (a.is_half_space() || b.is_half_space()) {
+        return false;  // it has no side, and every block for a neighbour
+    }
     const double breadth = std::min(breadth_of(a), breadth_of(b));
     if (is_spread(points, breadth)) {
         return false;
