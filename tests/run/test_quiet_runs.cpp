@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <gtest/gtest.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 

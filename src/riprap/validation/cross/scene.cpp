@@ -40,6 +40,10 @@ Cell cell_of(const std::string& scene, const run::MatrixEntry& entry) {
     cell.value = cell.low = cell.high = missing;
     cell.why = entry.why;
     cell.seconds = entry.seconds;
+    if (entry.finding == run::Finding::unjudged) {  // a scene that judges nothing has nothing right
+        cell.finding = to_string(run::Finding::wrong);
+        cell.why = "nothing was judged";
+    }
     if (const run::ExpectResult* answer = shown_answer(entry)) {
         cell.quantity = answer->name;
         cell.unit = answer->unit;
