@@ -38,8 +38,8 @@ std::vector<Point> convex_outline(std::vector<Point> points) {
 
 }  // namespace
 
-std::vector<Curve> side_view(const sim::Model& model, const sim::State& state, const View& view) {
-    std::vector<Curve> curves;
+std::vector<view::Curve> side_view(const sim::Model& model, const sim::State& state, const View& view) {
+    std::vector<view::Curve> curves;
     for (const body::Part& part : model.bodies.parts) {
         const auto body = static_cast<std::size_t>(part.body.value);
         if (!body::is_free(model.bodies, part.body, state.time)) {
@@ -52,7 +52,7 @@ std::vector<Curve> side_view(const sim::Model& model, const sim::State& state, c
             const Vec3 x = state.bodies.position[body] + rotate(state.bodies.orientation[body], local);
             points.push_back({dot(x, view.right), dot(x, view.up)});
         }
-        Curve curve;
+        view::Curve curve;
         curve.color = 0;
         for (const Point& p : convex_outline(std::move(points))) {
             curve.x.push_back(p.x);
@@ -63,8 +63,9 @@ std::vector<Curve> side_view(const sim::Model& model, const sim::State& state, c
     return curves;
 }
 
-Plot side_view_plot(const sim::Model& model, const sim::State& state, const View& view, const std::string& title) {
-    Plot plot;
+view::Plot side_view_plot(const sim::Model& model, const sim::State& state, const View& view,
+                          const std::string& title) {
+    view::Plot plot;
     plot.title = title;
     plot.x.label = "[m]";
     plot.y.label = "[m]";

@@ -18,9 +18,9 @@ struct View {
 
 /// The outlines of all free convex parts at this moment, each the convex hull of its projected vertices, as closed
 /// curves [m]. Blocks one behind another are drawn one over another; nothing is hidden.
-std::vector<Curve> side_view(const sim::Model& model, const sim::State& state, const View& view);
+std::vector<view::Curve> side_view(const sim::Model& model, const sim::State& state, const View& view);
 
 /// The same as a drawing with equal scales. Giants (half-spaces, fixed bodies) are left out.
-Plot side_view_plot(const sim::Model& model, const sim::State& state, const View& view, const std::string& title);
+view::Plot side_view_plot(const sim::Model& model, const sim::State& state, const View& view, const std::string& title);
 
 }  // namespace riprap::validation

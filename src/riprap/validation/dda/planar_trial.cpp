@@ -146,8 +146,8 @@ bool PlanarTrial::do_touch(std::int32_t first, std::int32_t second) const {
     return std::abs(force_between(first, second)) > 0;
 }
 
-Curve PlanarTrial::drawing(std::string_view label) const {
-    Curve curve;
+view::Curve PlanarTrial::drawing(std::string_view label) const {
+    view::Curve curve;
     curve.label = label;
     for (std::int32_t b = 0; b < model.block_count(); ++b) {
         const std::int32_t begin = model.corner_begin[at(b)], end = model.corner_begin[at(b + 1)];

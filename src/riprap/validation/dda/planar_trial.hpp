@@ -50,7 +50,7 @@ class PlanarTrial {
     /// Tells whether they touch.
     bool do_touch(std::int32_t first, std::int32_t second) const;
     /// Outlines of all blocks as one curve.
-    Curve drawing(std::string_view label) const;
+    view::Curve drawing(std::string_view label) const;
 
     solid::planar_dda::Model model;
     solid::planar_dda::State state;
