@@ -133,17 +133,6 @@ TEST(AtomicFile, AFullDiskIsNamedAndTheOldFileStays) {
     EXPECT_EQ(answer, 0);
 }
 
-TEST(AtomicFile, ADiskThatIsFullFromTheStartIsNamedWithoutAnyRights) {
-    // The partial file is led to a device that answers every write like a full disk.
-    const TemporaryFolder folder;
-    write_file(folder / "a", "old");
-    std::filesystem::create_symlink("/dev/full", folder / ".a.partial");
-    const std::string said = message_of([&] { write_file(folder / "a", "new"); });
-    EXPECT_THAT(said, AllOf(HasSubstr("/a'"), HasSubstr("No space left"), HasSubstr("free some space")));
-    EXPECT_EQ(read_file(folder / "a", 100), "old");
-    EXPECT_EQ(files_in(folder.path()), 1U);
-}
-
 TEST(ReadFile, ANamedPipeIsRefusedWithoutWaitingForAWriter) {
     const TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);

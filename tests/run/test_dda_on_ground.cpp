@@ -79,7 +79,7 @@ TEST_P(DdaOnGround, ABlockAtRestOnBumpsStays) {
     folder.write_heights(15, 11, 0.15, bumps);
     const std::string block = "shape = { box = [0.4, 0.3, 0.2] }\nposition = [0.1, -0.2, 0.2]";
     const std::string method = method_of(GetParam(), 1e6, 2e-3);
-    const auto simulation = start(folder, on_bumps(method, block, 2.5));
+    const auto simulation = start(folder, on_bumps(method, block, 3.5));
     Vec3 before{};
     while (simulation->steps_left() > 0) {
         ASSERT_NE(simulation->step(sim::Measure::flow).kind, StepOutcome::Kind::refused);

@@ -39,7 +39,8 @@ TEST(HowTo, every_quoted_piece_stands_in_the_case_that_is_named) {
         if (block.kind != "toml") {
             continue;
         }
-        const std::size_t name = block.before.rfind("`cases/");
+        const std::size_t example = block.before.rfind("`cases/"), judged = block.before.rfind("`validation/");
+        const std::size_t name = example == std::string::npos ? judged : example;
         ASSERT_NE(name, std::string::npos) << block.text;
         const std::string path = block.before.substr(name + 1, block.before.find('`', name + 1) - name - 1);
         EXPECT_NE(text_of(path).find(block.text), std::string::npos) << path << " does not hold\n" << block.text;

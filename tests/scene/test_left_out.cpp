@@ -38,12 +38,12 @@ TEST(WhatACaseMayLeaveOut, a_value_for_another_method_is_warned_of_only_in_the_f
 
 TEST(WhatACaseMayLeaveOut, a_list_of_one_quantity_is_that_quantity) {
     const auto names = [](const std::string& probe) {
-        std::vector<std::string> names;
+        std::vector<std::string> found;
         for (const sim::Probe& p :
              read(minimal_case + "[[output.probe]]\nbody = \"block\"\n" + probe).model.output.probes) {
-            names.push_back(p.name);
+            found.push_back(p.name);
         }
-        return names;
+        return found;
     };
     EXPECT_THAT(names("name = \"crest\"\nquantity = [\"speed\"]\n"), ElementsAre("crest"));
     EXPECT_THAT(names("name = \"crest\"\nquantity = \"speed\"\n"), ElementsAre("crest"));
