@@ -167,8 +167,8 @@ TEST_P(Resume, EndsAsTheWholeRunAfterManyStops) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Resume,
-                         ::testing::Values("ledger_of_cubes", "deep_cubes", "deep_implicit_dda", "deep_explicit_dda",
-                                           "deep_planar_dda", "deep_spheres"),
+                         ::testing::Values("ledger_of_cubes", "deep_cubes", "deep_implicit_dda", "deep_planar_dda",
+                                           "deep_spheres"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace
