@@ -15,7 +15,7 @@ namespace {
 
 using fluid::grid::at;
 
-/// What hangs together by less of a side of a cell than this is split, where one body does it [-].
+/// Splits what hangs together by less of a side of a cell than this, where one body does it [-].
 constexpr double least_passage = 1e-5;
 /// Two parts of a side are one where their middles and shares differ by less [-].
 constexpr double same_part = 1e-3;

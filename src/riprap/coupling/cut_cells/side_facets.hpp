@@ -15,7 +15,7 @@ inline constexpr std::int32_t on_side = -2;
 inline constexpr std::int32_t behind_wall = -3;
 
 inline bool moves_fluid(const CutFacet& facet) { return facet.joint != on_side; }
-/// Whether what is open in the facet's cell ends at it.
+/// Tells whether what is open in the facet's cell ends at it.
 inline bool bounds_cell(const CutFacet& facet) { return moves_fluid(facet) && facet.joint != behind_wall; }
 
 }  // namespace riprap::coupling

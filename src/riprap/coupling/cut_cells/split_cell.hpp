@@ -12,7 +12,7 @@
 
 namespace riprap::coupling {
 
-/// What is open on a side of a cell and belongs to a component of it.
+/// Open area on a side of a cell that belongs to a component of it.
 struct OpenPart {
     std::int8_t axis;
     bool is_high;  ///< on the side of the cell towards +axis

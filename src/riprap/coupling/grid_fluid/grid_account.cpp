@@ -26,7 +26,7 @@ constexpr double most_pressed = 0.03;
 /// becomes narrower than a joint may take them 0.05 + 0.45/2 of a cell farther, and that goes through joints.
 constexpr double least_cells = 3;
 
-/// What bodies do to a pocket.
+/// Sums up what bodies do to a pocket.
 struct Squeeze {
     std::int32_t body{-1};  ///< that moves most of it; -1: none
     double rate{0};         ///< volume that this body takes, less what it gives [m^3/s]

@@ -62,7 +62,7 @@ class MovingSeams {
         BodyId body;
         std::vector<PlacedShape> others;
     };
-    /// How another body lies at a sample: the one in which it is deepest.
+    /// Names the body in which a sample lies deepest, and how.
     struct Meeting {
         BodyId body;
         double depth;  ///< of the sample in it, negative outside [m]

@@ -17,7 +17,7 @@ using SixBySix = std::array<double, 36>;  ///< by rows
 
 Six to_six(const Vec3& a, const Vec3& b) { return {a.x, a.y, a.z, b.x, b.y, b.z}; }
 
-/// What a force along d at an arm does, and how accelerations move that place along d.
+/// Gives what a force along d at an arm does, and how accelerations move that place along d.
 Six along(const Vec3& d, const Vec3& arm) { return to_six(d, cross(arm, d)); }
 
 Six times(const SixBySix& m, const Six& x) {
