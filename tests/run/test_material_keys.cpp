@@ -116,10 +116,9 @@ std::vector<std::string> law_of(Property property, bool is_read) {
 
 template <class Work>
 void for_each_solid(const Work& work) {
-    sim::Solids::for_each([&]<class Solid>() {
-        const std::string_view method = Solid::Settings::method_name;
-        work(method, solid::joined(solid::reads_of<Solid>(typename Solid::Settings{})));
-    });
+    for (const std::string_view method : sim::solid_words()) {
+        work(method, sim::property_uses(method));
+    }
 }
 
 TEST(MaterialKeys, change_the_result_of_the_methods_that_say_so_and_of_no_other) {

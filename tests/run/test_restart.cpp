@@ -147,9 +147,9 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
 TEST(Restart, TheFieldsOfASolidMethodAreThoseOfItsBodies) {
     const std::vector<std::string> dda{"solid.method=\"explicit_dda\"", "solid.youngs_modulus=1e7"};
     const std::vector<std::string> spheres{"solid.method=\"sphere_dem\""};
-    const auto blocks = [](sim::State & s) -> auto& { return std::get<solid::ExplicitDda::Fields>(s.solid_fields); };
+    const auto blocks = [](sim::State & s) -> auto& { return std::get<solid::explicit_dda::State>(s.solid_fields); };
     const auto springs = [](sim::State & s) -> auto& {
-        return std::get<solid::SphereDem::Fields>(s.solid_fields).walls;
+        return std::get<solid::sphere_dem::SphereState>(s.solid_fields).walls;
     };
     const auto touch = [](solid::affine::BlockContactHistory& contacts, std::uint64_t pair) {
         contacts.pair = {pair};

@@ -17,6 +17,7 @@
 
 #include "riprap/core/dimension.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/key_problem.hpp"
 #include "riprap/core/vec3.hpp"
 
 /// Keys of a case file, each bound to the member of a settings struct that it fills. A method lists its keys beside its
@@ -144,13 +145,6 @@ class KeyList {
 
  private:
     std::vector<BoundKey<S>> keys_;
-};
-
-/// A combination of values that a method refuses. Its place in the case is that of the key.
-struct KeyProblem {
-    std::string_view key;
-    std::string message;
-    std::string allowed;
 };
 
 /// All that a case can say of a method.

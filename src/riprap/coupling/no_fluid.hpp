@@ -4,13 +4,13 @@
 #include <array>
 #include <limits>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "riprap/body/motion.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/no_fluid_settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 
@@ -19,7 +19,7 @@ namespace riprap::coupling {
 /// A scene without a fluid: FluidMethod that does nothing.
 class NoFluid {
  public:
-    using Settings = std::monostate;
+    using Settings = NoFluidSettings;
     using Fields = NoFields;
     struct Scratch {
         std::size_t bytes() const { return 0; }

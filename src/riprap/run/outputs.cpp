@@ -39,29 +39,6 @@ std::vector<double> row_of(double time, const std::vector<sim::Column>& columns,
 
 std::string frame_tag(std::size_t number) { return fmt::format("{:06}", number); }
 
-/// Tells whether the fluid is a field that is drawn.
-bool shows_water(const sim::Model& model) {
-    return sim::Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings&) {
-        return requires(coupling::FluidScene s, typename Fluid::Settings set, typename Fluid::Fields f) {
-            Fluid::shown(s, set, f);
-        };
-    });
-}
-
-/// The water of a field; nothing where the fluid has none to draw.
-std::optional<fluid::grid::ShownWater> show_water(const sim::Model& model, const sim::State& state) {
-    return sim::Fluids::visit(
-        model.fluid,
-        [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::grid::ShownWater> {
-            const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
-            if constexpr (requires(typename Fluid::Fields f) { Fluid::shown(scene, settings, f); }) {
-                return Fluid::shown(scene, settings, std::get<typename Fluid::Fields>(state.fluid_fields));
-            } else {
-                return std::nullopt;
-            }
-        });
-}
-
 }  // namespace
 
 std::vector<sim::Column> scene_columns(const sim::Model& model) {
@@ -143,7 +120,7 @@ void Outputs::write_frame(const sim::Moment& moment, const std::string& tag) {
     if (model_.particles() != nullptr) {
         io::write_fluid(folder_.frames() / ("water_" + tag + ".vtp"), model_.particles()->settings(),
                         moment.state.fluid, moment.state.time);
-    } else if (const auto water = show_water(model_, moment.state)) {
+    } else if (const auto water = sim::show_water(model_, moment.state)) {
         io::write_grid_water(folder_.frames() / ("water_" + tag + ".vtp"), *water, moment.state.time);
         write_vtp(folder_.frames() / ("surface_" + tag + ".vtp"), io::draw_surface(*water), moment.state.time);
     }
@@ -172,7 +149,7 @@ void Outputs::write_lists(const sim::Moment* last) const {
         return frames;
     };
     io::write_pvd(folder_.root / "out.pvd", model_.particles() != nullptr ? list({"bodies", "water"})
-                                            : shows_water(model_)         ? list({"bodies", "water", "surface"})
+                                            : sim::shows_water(model_)         ? list({"bodies", "water", "surface"})
                                                                           : list(std::vector<std::string>{"bodies"}));
     if (model_.output.contacts) {
         io::write_pvd(folder_.root / "contacts.pvd", list({"contacts"}));

@@ -44,8 +44,8 @@ sim::StepStatus passed_walls(const sim::Model& model, const sim::State& state, s
 }
 
 std::string splash_text(const sim::Model& model, const sim::State& state) {
-    if (const auto* grid = std::get_if<coupling::GridFluidSettings>(&model.fluid); grid != nullptr) {
-        return coupling::GridFluid::let_go_text(*grid, std::get<coupling::GridFluidFields>(state.fluid_fields));
+    if (std::string text = sim::let_go_text(model, state); !text.empty()) {
+        return text;
     }
     const coupling::ParticleFluid* const water = model.particles();
     const std::int64_t gone = water != nullptr ? fluid::let_go_so_far(state.open, state.fluid) : 0;

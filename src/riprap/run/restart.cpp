@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/time_step.hpp"
 
 namespace riprap::run {
@@ -45,15 +46,7 @@ void check_contacts(const io::Checkpoint& checkpoint, const sim::Model& model, c
 
 /// The fields of the solid method are of the bodies of the case.
 void check_solid_fields(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& state) {
-    const std::string misfit =
-        sim::Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::string {
-            const auto* fields = sim::Solids::find<Solid>(state.solid_fields);
-            if constexpr (requires { Solid::misfit(sim::solid_scene(model), settings, state.bodies, *fields); }) {
-                return fields == nullptr ? "its fields are missing"
-                                         : Solid::misfit(sim::solid_scene(model), settings, state.bodies, *fields);
-            }
-            return {};
-        });
+    const std::string misfit = sim::misfit_of_fields(model, state);
     if (!misfit.empty()) {
         refuse(checkpoint, misfit);
     }

@@ -5,6 +5,8 @@
 #include <array>
 
 #include "riprap/sim/method_traits.hpp"
+#include "riprap/sim/methods.hpp"
+#include "riprap/sim/model.hpp"
 
 namespace riprap::sim {
 

@@ -10,6 +10,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/coupling/added_mass.hpp"
+#include "riprap/sim/bound_methods.hpp"
 #include "riprap/sim/cycle.hpp"
 #include "riprap/sim/fluid_exchange.hpp"
 #include "riprap/sim/ledger_table.hpp"
@@ -31,16 +32,11 @@ void add_compensated(double& sum, double& rest, double term) {
 /// Most halvings of a refused piece: 2^10 = 1024 parts.
 constexpr int most_cuts = 10;
 
-template <class Solid>
-inline constexpr bool takes_back = requires {
-    requires Solid::takes_back;
-};
-
 /// Fields that a refused piece of the solids may have changed.
 struct Kept {
     body::BodyState bodies;
     contact::ContactHistory contacts;
-    Solids::Fields fields;
+    SolidFields fields;
     double previous_dt;
 };
 
@@ -67,11 +63,10 @@ void join(const solid::SolidReport& piece, const Accounts& accounts, State& stat
 }
 
 /// Moves the solids over a piece; what is refused is taken back and cut finer where the method says that this helps.
-template <class Solid>
 Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads, Measure measure,
                       int cuts, const Accounts& accounts, StepReport& report) {
     std::optional<Kept> kept;
-    if constexpr (takes_back<Solid>) {
+    if (solids.takes_back()) {
         kept = keep(state);
     }
     solid::SolidReport piece;
@@ -93,7 +88,6 @@ Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const b
 constexpr int most_newton_passes = 8;
 
 /// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
-template <class Fluid>
 void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double since,
                          ScratchData& data, StepReport& report) {
     Prediction& prediction = data.prediction;
@@ -119,16 +113,14 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
         }
         tried = prediction.guess;
         is_settled = iteration.accept(prediction.guess, found, norm(model.gravity.value));
-        if constexpr (requires { fluid.correct(model.bodies, prediction.kinematics, is_sought, found, tried); }) {
-            if (is_settled || iteration.passes() > most_newton_passes) {
-                continue;
-            }
-            for (std::size_t b = 0; b < count; ++b) {
-                found[b] = {found[b].linear - tried[b].linear, found[b].angular - tried[b].angular};
-            }
-            if (fluid.correct(model.bodies, prediction.kinematics, is_sought, found, tried)) {
-                prediction.guess = tried;
-            }
+        if (!fluid.corrects() || is_settled || iteration.passes() > most_newton_passes) {
+            continue;
+        }
+        for (std::size_t b = 0; b < count; ++b) {
+            found[b] = {found[b].linear - tried[b].linear, found[b].angular - tried[b].angular};
+        }
+        if (fluid.correct(model.bodies, prediction.kinematics, is_sought, found, tried)) {
+            prediction.guess = tried;
         }
     }
     report.water_passes = std::max<std::int64_t>(report.water_passes, iteration.passes());
@@ -137,7 +129,6 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
 }
 
 /// The fluid from the beginning of a span to its loads and its kick.
-template <class Fluid>
 Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& span, ScratchData& data,
              FluidSpan& brought, StepReport& report) {
     Prediction& prediction = data.prediction;
@@ -163,7 +154,6 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
 }
 
 /// The spans of the fluid, to the loads that the solids feel over the step. The last span is not ended yet.
-template <class Fluid>
 Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
                   std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
@@ -189,17 +179,16 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
 }
 
 /// Books what both sides exchanged, and ends the last span of the fluid.
-template <class Fluid>
-Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, const body::Loads& contacts,
-                 ScratchData& data, std::vector<FluidSpan>& spans, StepReport& report) {
+Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
+                 std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
     const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
     note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
     if (cycle.pieces > 1) {
-        forget_impacts(model, data.prediction.kinematics, contacts, cycle.dt, state);
+        forget_impacts(model, data.prediction.kinematics, contact_loads(data), cycle.dt, state);
     }
     const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
-    if constexpr (!Fluid::leads) {
+    if (!fluid.leads()) {
         // Such a fluid does not move by itself: its work is what the bodies say, whatever was predicted of them.
         for (FluidSpan& span : spans) {
             span.work_on_free = work_given / static_cast<double>(spans.size());
@@ -214,7 +203,6 @@ Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cy
 StepStatus status_of(Outcome outcome) { return {std::move(outcome.problem), std::move(outcome.remedy)}; }
 
 /// One step with these methods.
-template <class Solid, class Fluid>
 StepReport take_step(const Model& model, State& state, ScratchData& data, Solid& solids, Fluid& fluid, double dt,
                      Measure measure, const body::LoadView& given) {
     StepReport report;
@@ -222,14 +210,14 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
     report.dt_bound = std::numeric_limits<double>::infinity();
     const StepLimit of_solids = solids.limit();
     StepLimit of_fluid;
-    if (Fluid::leads && (of_solids.is_wanted || !model.time.is_automatic())) {
+    if (fluid.leads() && (of_solids.is_wanted || !model.time.is_automatic())) {
         of_fluid = fluid.limit();
     }
     const Accounts accounts = accounts_of(model);
-    const Cycle cycle = make_cycle(model, state, of_solids, of_fluid, Fluid::leads, dt);
+    const Cycle cycle = make_cycle(model, state, of_solids, of_fluid, fluid.leads(), dt);
     body::LoadView loads = given;
     std::vector<FluidSpan> spans;
-    if constexpr (Fluid::is_there) {
+    if (fluid.is_there()) {
         report.water_dt_bound = model.time.is_automatic() ? report.water_dt_bound : of_fluid.longest;
         report.status.text = fixed_step_problem(model, state, of_fluid);
         if (report.status.ok()) {
@@ -242,10 +230,9 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
         const Measure of_piece = k + 1 == cycle.pieces ? measure : Measure::flow;
         report.status = status_of(advance_piece(solids, state, cycle.piece(k), loads, of_piece, 0, accounts, report));
     }
-    if constexpr (Fluid::is_there) {
+    if (fluid.is_there()) {
         if (report.status.ok()) {
-            const body::Loads& contacts = Solid::contact_loads(std::get<typename Solid::Scratch>(data.solids));
-            report.status = status_of(end_flow(model, state, fluid, cycle, contacts, data, spans, report));
+            report.status = status_of(end_flow(model, state, fluid, cycle, data, spans, report));
         }
     }
     report.dt_bound *= static_cast<double>(cycle.pieces);
@@ -260,11 +247,7 @@ Scratch::~Scratch() = default;
 Scratch::Scratch(Scratch&&) noexcept = default;
 Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 
-const body::Loads& Scratch::contact_loads() const {
-    return Solids::visit(data_->solids, []<class Solid>(const typename Solid::Scratch& scratch) -> const body::Loads& {
-        return Solid::contact_loads(scratch);
-    });
-}
+const body::Loads& Scratch::contact_loads() const { return sim::contact_loads(*data_); }
 const std::vector<Vec3>& Scratch::contact_force() const { return contact_loads().force; }
 const std::vector<Vec3>& Scratch::contact_torque() const { return contact_loads().torque; }
 const coupling::FluidLoads& Scratch::water_loads() const { return data_->fluid_loads; }
@@ -277,24 +260,20 @@ void Scratch::forget() {
 
 StageTimes stage_times(const Scratch& scratch) {
     StageTimes times = scratch.data().times;
-    Solids::visit(scratch.data().solids, [&]<class Solid>(const typename Solid::Scratch& own) {
-        const solid::SolidTimes& of_solids = Solid::times(own);
-        times.find_pairs += of_solids.find_pairs;
-        times.find_contacts += of_solids.find_contacts;
-        times.contact_loads += of_solids.contact_loads;
-        times.move_bodies += of_solids.move_bodies;
-        times.measure += of_solids.measure;
-    });
+    const solid::SolidTimes& of_solids = solid_times(scratch.data());
+    times.find_pairs += of_solids.find_pairs;
+    times.find_contacts += of_solids.find_contacts;
+    times.contact_loads += of_solids.contact_loads;
+    times.move_bodies += of_solids.move_bodies;
+    times.measure += of_solids.measure;
     return times;
 }
 
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
                    const body::LoadView& loads) {
     RIPRAP_ASSERT(!model.has_fluid() || loads.empty(), "a fluid brings its own loads");
-    StepReport report;
-    with_methods(model, state, scratch.data(), [&](auto& solids, auto& fluid) {
-        report = take_step(model, state, scratch.data(), solids, fluid, dt, measure, loads);
-    });
+    const BoundMethods bound = bind_methods(model, state, scratch.data());
+    StepReport report = take_step(model, state, scratch.data(), *bound.solid, *bound.fluid, dt, measure, loads);
     add_compensated(state.time, state.time_rest, dt);
     state.step += 1;
     if (report.status.ok()) {
@@ -307,11 +286,7 @@ void initialise(const Model& model, State& state) {
     reset(accounts_of(model), state.ledger);
     reset(model, state.coupling);
     ScratchData unused;
-    with_methods(model, state, unused, [](auto& /*solids*/, auto& fluid) {  // makes the fields of the methods
-        if constexpr (requires { fluid.start(); }) {
-            fluid.start();
-        }
-    });
+    bind_methods(model, state, unused).fluid->start();  // makes the fields of the methods
     if (model.has_fluid() && state.bodies.deforms()) {
         state.coupling.stretch_acceleration.assign(at(model.bodies.size()), {});
     }
@@ -351,8 +326,7 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
             }
         },
         model.fluid);
-    const auto own = [](const auto& of_method) { return of_method.bytes(); };
-    bytes += std::visit(own, data.solids) + std::visit(own, data.fluid);
+    bytes += method_bytes(data);
     const Prediction& prediction = data.prediction;
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
            prediction.middle.bytes() +

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "riprap/sim/methods.hpp"
+
 namespace riprap::sim {
 
 namespace {

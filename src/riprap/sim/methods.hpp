@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The methods that a case can choose from. One line registers a method; everything above asks these lists.
+// The classes of the methods that sim/settings.hpp lists: for the sources of this folder that ask them.
 
 #include <concepts>
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/coupling/no_fluid.hpp"
 #include "riprap/coupling/particle_walls/particle_method.hpp"
+#include "riprap/sim/settings.hpp"
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 #include "riprap/solid/implicit_dda/implicit_dda.hpp"
 #include "riprap/solid/planar_dda/planar_dda.hpp"
@@ -63,15 +64,13 @@ concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span,
     { M::reads(fluid::GaugeKind::pressure) } -> std::same_as<bool>;
 };
 
-/// A list of methods, and what is made of it: settings for the Model, buffers for the Scratch.
+/// A list of methods, and the buffers that are made of it for the Scratch.
 template <class... Methods>
 struct MethodList {
-    using Settings = std::variant<typename Methods::Settings...>;
-    using Fields = std::variant<typename Methods::Fields...>;
     using Scratch = std::variant<typename Methods::Scratch...>;
 
     /// Returns the alternative of Fields or Scratch that goes with these settings, made anew where another one stands.
-    template <class Method, class Variant>
+    template <class Method, class Settings, class Variant>
     static auto& matching(const Settings& settings, Variant& variant) {
         constexpr std::size_t index = index_of<Method, 0, Methods...>();
         if (variant.index() != settings.index()) {
@@ -123,19 +122,17 @@ struct MethodList {
     }
 };
 
-using Solids = MethodList<  //
-    solid::PolyhedralDem,   //
-    solid::SphereDem,       //
-    solid::ExplicitDda,     //
-    solid::ImplicitDda,     //
-    solid::PlanarDda        //
-    >;
-using Fluids = MethodList<       //
-    coupling::NoFluid,           //
-    coupling::ParticleMethod,    //
-    coupling::HydrostaticFluid,  //
-    coupling::GridFluid          //
-    >;
+namespace detail {
+template <class Settings>
+struct MethodsOf;
+template <class... Settings>
+struct MethodsOf<std::variant<Settings...>> {
+    using List = MethodList<typename Settings::Method...>;
+};
+}  // namespace detail
+
+using Solids = detail::MethodsOf<SolidSettings>::List;
+using Fluids = detail::MethodsOf<FluidSettings>::List;
 
 namespace detail {
 template <SolidMethod... Methods>
@@ -148,37 +145,6 @@ constexpr bool are_fluids(const MethodList<Methods...>* /*list*/) {
 }
 // A method that lacks a function of the step is named here, by the concept that it does not meet.
 static_assert(are_solids(static_cast<const Solids*>(nullptr)) && are_fluids(static_cast<const Fluids*>(nullptr)));
-
-template <class... Settings>
-struct Choices {
-    using Variant = std::variant<Settings...>;
-    template <class Next>
-    static Choices<Settings..., Next> with(const Next*);
-    template <class... Schemes>
-    static Choices<Settings..., Schemes...> with(const std::variant<Schemes...>*);
-};
-template <class Found>
-Found choices_of(Found);
-template <class Found, class First, class... Rest>
-auto choices_of(Found, const First*, const Rest*... rest) {
-    if constexpr (std::is_same_v<First, std::monostate>) {
-        return choices_of(Found{}, rest...);
-    } else if constexpr (requires { typename First::Choices; }) {
-        return choices_of(decltype(Found::with(static_cast<const typename First::Choices*>(nullptr))){}, rest...);
-    } else {
-        return choices_of(decltype(Found::with(static_cast<const First*>(nullptr))){}, rest...);
-    }
-}
-template <class Settings>
-struct ChoicesOf;
-template <class... Settings>
-struct ChoicesOf<std::variant<Settings...>> {
-    using Variant = typename decltype(choices_of(Choices<>{}, static_cast<const Settings*>(nullptr)...))::Variant;
-};
 }  // namespace detail
-
-/// Settings that `fluid.method` chooses from: those of every fluid, or its `Choices` where it stands for a family (of
-/// particles those of every scheme).
-using FluidChoices = detail::ChoicesOf<Fluids::Settings>::Variant;
 
 }  // namespace riprap::sim

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
@@ -18,7 +19,8 @@
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
+#include "riprap/solid/solid_scene.hpp"
 
 namespace riprap::sim {
 
@@ -94,8 +96,8 @@ struct Model {
     std::vector<body::FixedPoint> fixed_points;
     std::vector<body::Bolt> bolts;
     std::vector<body::GivenSpheres> spheres;  ///< of bodies that have a list of their own
-    Solids::Settings solid;
-    Fluids::Settings fluid;
+    SolidSettings solid;
+    FluidSettings fluid;
     TimeSettings time;
     OutputSettings output;
     std::vector<Expect> expects;
@@ -105,7 +107,7 @@ struct Model {
     const solid::DemSettings* dem() const { return std::get_if<solid::DemSettings>(&solid); }
     coupling::ParticleFluid* particles() { return std::get_if<coupling::ParticleFluid>(&fluid); }
     const coupling::ParticleFluid* particles() const { return std::get_if<coupling::ParticleFluid>(&fluid); }
-    bool has_fluid() const { return !std::holds_alternative<std::monostate>(fluid); }
+    bool has_fluid() const { return !std::holds_alternative<coupling::NoFluidSettings>(fluid); }
 };
 
 /// Returns the parts of the Model that every solid method reads.

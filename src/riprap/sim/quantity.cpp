@@ -7,8 +7,8 @@
 
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/sim/ledger_table.hpp"
+#include "riprap/sim/method_scratch.hpp"
 #include "riprap/sim/quantity_table.hpp"
-#include "riprap/sim/scratch_data.hpp"
 #include "riprap/sim/shown.hpp"
 
 namespace riprap::sim {
@@ -108,7 +108,7 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
             return std::array<double, 3>{std::numeric_limits<double>::quiet_NaN()};
         }
         const auto* const scratch =
-            moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().fluid);
+            moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().methods->fluid);
         if constexpr (std::is_same_v<typename Fluid::Fields, NoFields>) {
             return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
         } else {

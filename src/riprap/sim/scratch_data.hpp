@@ -3,11 +3,14 @@
 
 // Content of a Scratch: for the sources of this folder only.
 
-#include <optional>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
+#include "riprap/body/motion.hpp"
 #include "riprap/body/predict.hpp"
 #include "riprap/sim/advance.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/solid/solid_times.hpp"
 
 namespace riprap::sim {
 
@@ -23,9 +26,13 @@ struct Prediction {
     body::Motion now, middle;         ///< at t_n and at mid-step
 };
 
+struct MethodScratch;  // method_scratch.hpp
+
 struct ScratchData {
-    Solids::Scratch solids;
-    Fluids::Scratch fluid;
+    ScratchData();
+    ~ScratchData();
+
+    std::unique_ptr<MethodScratch> methods;  ///< buffers of the methods of the case
     Prediction prediction;
     coupling::FluidLoads fluid_loads;  ///< of the fluid in the last step, pressure and viscosity apart
     body::Loads span_loads, loads;     ///< ... together: in one span, and over the step
@@ -33,23 +40,11 @@ struct ScratchData {
     StageTimes times;
 };
 
-/// Calls work(solids, fluid) with the methods of the case, bound to Model, State and Scratch.
-template <class Work>
-void with_methods(const Model& model, State& state, ScratchData& scratch, const Work& work) {
-    const solid::SolidScene scene = solid_scene(model);
-    const solid::SolidState solid_state{state.bodies, state.contacts, state.previous_dt};
-    const coupling::FluidScene fluid_scene{model.shapes, model.bodies, model.gravity};
-    const coupling::FluidState fluid_state{state.fluid, state.open, state.coupling, state.bodies};
-    Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& solid_settings) {
-        Solid solids(scene, solid_settings, solid_state, Solids::matching<Solid>(model.solid, state.solid_fields),
-                     Solids::matching<Solid>(model.solid, scratch.solids));
-        Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& fluid_settings) {
-            Fluid fluid(fluid_scene, fluid_settings, fluid_state,
-                        Fluids::matching<Fluid>(model.fluid, state.fluid_fields),
-                        Fluids::matching<Fluid>(model.fluid, scratch.fluid));
-            work(solids, fluid);
-        });
-    });
-}
+/// Sum of the contact forces and of their moments on every body in the last piece.
+const body::Loads& contact_loads(const ScratchData& scratch);
+/// Seconds that the solid method spent per stage so far.
+const solid::SolidTimes& solid_times(const ScratchData& scratch);
+/// Bytes of the buffers of the methods.
+std::size_t method_bytes(const ScratchData& scratch);
 
 }  // namespace riprap::sim

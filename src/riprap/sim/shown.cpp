@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "riprap/sim/scratch_data.hpp"
+#include "riprap/sim/method_scratch.hpp"
 
 namespace riprap::sim {
 
@@ -13,6 +13,12 @@ namespace {
 template <class Method>
 inline constexpr bool shows = requires {
     Method::shown();
+};
+
+template <class Fluid>
+inline constexpr bool draws_water =
+    requires(coupling::FluidScene scene, typename Fluid::Settings settings, typename Fluid::Fields fields) {
+    Fluid::shown(scene, settings, fields);
 };
 
 template <class Method>
@@ -77,10 +83,28 @@ std::vector<contact::ShownContact> shown_contacts(const Model& model, const Stat
     const solid::SolidScene scene = solid_scene(model);
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
         const typename Solid::Fields* fields = Solids::find<Solid>(state.solid_fields);
-        const typename Solid::Scratch* own = Solids::find<Solid>(scratch.data().solids);
+        const typename Solid::Scratch* own = Solids::find<Solid>(scratch.data().methods->solid);
         return fields != nullptr && own != nullptr ? Solid::contacts(scene, settings, *fields, *own)
                                                    : std::vector<contact::ShownContact>();
     });
+}
+
+bool shows_water(const Model& model) {
+    return Fluids::visit(model.fluid,
+                         []<class Fluid>(const typename Fluid::Settings& /*settings*/) { return draws_water<Fluid>; });
+}
+
+std::optional<fluid::grid::ShownWater> show_water(const Model& model, const State& state) {
+    return Fluids::visit(
+        model.fluid,
+        [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::grid::ShownWater> {
+            const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
+            if constexpr (draws_water<Fluid>) {
+                return Fluid::shown(scene, settings, std::get<typename Fluid::Fields>(state.fluid_fields));
+            } else {
+                return std::nullopt;
+            }
+        });
 }
 
 }  // namespace riprap::sim

@@ -5,11 +5,13 @@
 // (core/shown.hpp).
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/shown.hpp"
+#include "riprap/fluid/grid/shown_water.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -31,5 +33,11 @@ double shown_value(const Model& model, const State& state, std::string_view name
 /// Returns the contacts of the last step, for output: of one that was told to measure everything (Measure::energy).
 /// None before the first step.
 std::vector<contact::ShownContact> shown_contacts(const Model& model, const State& state, const Scratch& scratch);
+
+/// Tells whether the fluid is a field that is drawn.
+bool shows_water(const Model& model);
+
+/// Returns the water of a field; nothing where the fluid has none to draw.
+std::optional<fluid::grid::ShownWater> show_water(const Model& model, const State& state);
 
 }  // namespace riprap::sim

@@ -1,13 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/contact_set.hpp"
+#include "riprap/core/fields.hpp"
+#include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/grid_fluid/fields.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
+#include "riprap/solid/explicit_dda/state.hpp"
+#include "riprap/solid/implicit_dda/state.hpp"
+#include "riprap/solid/planar_dda/state.hpp"
+#include "riprap/solid/sphere_dem/sphere_state.hpp"
 
 namespace riprap::sim {
+
+namespace detail {
+template <class Settings>
+struct FieldsOf;
+template <class... Settings>
+struct FieldsOf<std::variant<Settings...>> {
+    using Variant = std::variant<typename Settings::Fields...>;
+};
+}  // namespace detail
+
+/// Fields that one method alone keeps, in the order of the lists of sim/settings.hpp.
+using SolidFields = detail::FieldsOf<SolidSettings>::Variant;
+using FluidFields = detail::FieldsOf<FluidSettings>::Variant;
 
 /// Running totals of the ledger that must survive a restart; see ledger.hpp for their meaning.
 struct LedgerState {
@@ -42,8 +67,8 @@ struct State {
     fluid::ParticleState fluid;  ///< empty without water
     fluid::OpenState open;       ///< of its inflows and outflows
     coupling::CouplingState coupling;
-    Solids::Fields solid_fields;  ///< of the solid method alone; see methods.hpp
-    Fluids::Fields fluid_fields;  ///< of the fluid method alone
+    SolidFields solid_fields;
+    FluidFields fluid_fields;
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {

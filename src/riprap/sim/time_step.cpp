@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
+#include "riprap/sim/bound_methods.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::sim {
@@ -24,11 +26,8 @@ struct Limits {
 };
 
 Limits limits_of(const Model& model, State& state, ScratchData& scratch) {
-    Limits limits;
-    with_methods(model, state, scratch, [&]<class Solid, class Fluid>(const Solid& solids, const Fluid& fluid) {
-        limits = {solids.limit(), fluid.limit(), Fluid::leads};
-    });
-    return limits;
+    const BoundMethods bound = bind_methods(model, state, scratch);
+    return {bound.solid->limit(), bound.fluid->limit(), bound.fluid->leads()};
 }
 
 Limits limits_of(const Model& model, State& state) {
@@ -94,8 +93,7 @@ TimeStepBound time_step_bound(const Model& model) {
 double largest_time_step(const Model& model, const TimeStepBound& bound) {
     Limits limits;
     limits.solids = {bound.limit, bound.is_wanted, bound.reason};
-    limits.fluid_leads = Fluids::visit(
-        model.fluid, []<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::leads; });
+    limits.fluid_leads = fluid_leads(model);
     return largest_step(model, limits);
 }
 

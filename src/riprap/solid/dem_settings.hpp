@@ -5,14 +5,17 @@
 #include <string_view>
 
 #include "riprap/contact/law/frictions.hpp"
-#include "riprap/contact/narrowphase/distance_potential.hpp"
+#include "riprap/contact/narrowphase/distance_potential_options.hpp"
 
 namespace riprap {
 template <class S>
 struct MethodKeys;  // core/key.hpp
+struct NoFields;    // core/fields.hpp
 }
 
 namespace riprap::solid {
+
+class PolyhedralDem;
 
 /// Physics of a pair of polyhedra.
 enum class PairContact : std::uint8_t {
@@ -23,6 +26,8 @@ enum class PairContact : std::uint8_t {
 
 /// Explicit DEM of polyhedra, with the distance potential or across the common plane.
 struct DemSettings {
+    using Method = PolyhedralDem;
+    using Fields = NoFields;
     static constexpr std::string_view method_name = "distance_potential_dem";
     static MethodKeys<DemSettings> keys();
 

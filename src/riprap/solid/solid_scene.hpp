@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "riprap/body/body_set.hpp"
 #include "riprap/body/gravity.hpp"
 #include "riprap/body/multisphere.hpp"
 #include "riprap/body/point_loads.hpp"
 #include "riprap/body/supports.hpp"
 #include "riprap/contact/contact_set.hpp"
+#include "riprap/geometry/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
-#include "riprap/solid/explicit_dem.hpp"
+#include "riprap/solid/kick_report.hpp"
 #include "riprap/solid/solid_times.hpp"
 
 namespace riprap::solid {

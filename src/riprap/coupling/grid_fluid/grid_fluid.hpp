@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "riprap/core/account.hpp"
-#include "riprap/core/key.hpp"
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/grid_fluid/fields.hpp"
+#include "riprap/coupling/grid_fluid/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
@@ -23,55 +24,6 @@
 #include "riprap/fluid/grid/shown_water.hpp"
 
 namespace riprap::coupling {
-
-/// Who moves whom.
-enum class GridCoupling : std::uint8_t {
-    two_way,  ///< water and bodies each other
-    one_way,  ///< water the bodies, as if these stood where they started [Ding2021, eqs. 3.26 to 3.29]
-};
-
-/// Settings of GridFluid.
-struct GridFluidSettings {
-    static constexpr std::string_view method_name = "grid";
-    static MethodKeys<GridFluidSettings> keys();
-
-    double spacing{0};               ///< width of a cell [m]
-    double growth{1};                ///< width of a cell over that of its neighbour nearer to the fine box [-]
-    Vec3 fine_low{}, fine_high{};    ///< box of cells of `spacing`, where others grow [m]
-    std::optional<double> coarsest;  ///< widest cell [m]
-    double rest_density{1000};       ///< of water [kg/m^3]
-    double kinematic_viscosity{1e-6}, air_density{1.2}, air_viscosity{1.48e-5}, surface_tension{0};
-    fluid::grid::SideKind domain_walls{fluid::grid::SideKind::slip};
-    bool has_open_top{true};
-    fluid::grid::Turbulence turbulence{fluid::grid::Turbulence::laminar};
-    fluid::grid::VofScheme vof{fluid::grid::VofScheme::plic};
-    double compression{1}, courant{0.45}, tolerance{1e-5};
-    int outer_corrections{1}, pressure_corrections{1};
-    GridCoupling coupling{GridCoupling::two_way};
-
-    FieldScene scene;                ///< where the fluid is
-    fluid::grid::GridSettings grid;  ///< made of all of the above by `prepare`
-
-    /// Takes over the scene and makes the grid. Returns what does not fit.
-    std::vector<KeyProblem> prepare(const FieldScene& scene);
-    bool is_dry(std::size_t body) const { return body < scene.is_dry.size() && scene.is_dry[body] != 0; }
-};
-
-/// State of a fluid on a grid: water, and where bodies were when they were last cut out of the cells.
-struct GridFluidFields {
-    fluid::grid::GridState water;
-    std::vector<Vec3> cut_position;     ///< of the bodies [m]
-    std::vector<Quat> cut_orientation;  ///< body -> world
-    std::vector<Sym3> cut_stretch;      ///< empty in scenes of rigid bodies
-
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        fluid::grid::GridState::visit_fields(self.water, visit);
-        visit("grid.cut_position", self.cut_position);
-        visit("grid.cut_orientation", self.cut_orientation);
-        visit("grid.cut_stretch", self.cut_stretch);
-    }
-};
 
 /// Water and air on fixed cells that bodies are cut out of: FluidMethod (docs/theory/grid.md, 10). Bodies stand where
 /// they are at mid-step and move as they do at its end, v_(n+1) = v_(n+1/2) + a dt/2, so that a pressure solve answers

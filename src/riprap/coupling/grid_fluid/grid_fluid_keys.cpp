@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "riprap/core/key.hpp"
 #include "riprap/coupling/grid_fluid/grid_fluid.hpp"
 
 namespace riprap::coupling {

@@ -8,50 +8,13 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/coupling/face_gauge.hpp"
-#include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/hydrostatic/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
 
-namespace riprap {
-template <class S>
-struct MethodKeys;  // core/key.hpp
-}
-
 namespace riprap::coupling {
-
-/// Pressure of still water between faces that lie on each other.
-enum class Uplift : std::uint8_t {
-    full,    ///< the pressure of the level, as if the joint were open
-    linear,  ///< the pressure of the level at the wet end of the joint, falling to zero at its other end
-    none,    ///< no pressure: the joint is watertight
-};
-
-/// Water that stands still, its level given: Settings of HydrostaticFluid.
-struct HydrostaticSettings {
-    static constexpr std::string_view method_name = "hydrostatic";
-    static MethodKeys<HydrostaticSettings> keys();
-
-    double spacing{0};          ///< size of the panels into which faces are cut to find joints [m]
-    double rest_density{1000};  ///< rho [kg/m^3]
-    Uplift uplift{Uplift::full};
-
-    /// Extent of the water: a region gives its sides and, where no levels are given, its level.
-    struct Basin {
-        Vec3 low{}, high{};  ///< corners of its box [m]
-        double level{0};     ///< along `up` [m]
-    };
-    std::vector<Basin> basins;
-    std::vector<LevelAt> levels;  ///< of all basins; empty: each keeps its own
-    Vec3 up{0, 0, 1};             ///< [-]
-    bool is_planar{false};
-
-    /// Takes over the regions of the case.
-    void prepare(const FieldScene& scene);
-    /// Returns the level of a basin at a time, linear between rows and constant beyond [m].
-    double level_at(const Basin& basin, double time) const;
-};
 
 /// A fluid at rest under gravity: FluidMethod. It presses on faces with
 ///

@@ -9,9 +9,15 @@
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/open/sponge.hpp"
-#include "riprap/fluid/schemes.hpp"
+#include "riprap/fluid/scheme_settings.hpp"
+
+namespace riprap {
+struct NoFields;  // core/fields.hpp
+}
 
 namespace riprap::coupling {
+
+class ParticleMethod;
 
 /// Treatment of walls.
 enum class WallTreatment : std::uint8_t {
@@ -21,7 +27,9 @@ enum class WallTreatment : std::uint8_t {
 
 /// Settings of water made of particles, whatever scheme moves them.
 struct ParticleFluid {
-    using Choices = fluid::SchemeSettings;  ///< that `fluid.method` chooses from: see sim/methods.hpp
+    using Method = ParticleMethod;
+    using Fields = NoFields;
+    using Choices = fluid::SchemeSettings;  ///< that `fluid.method` chooses from: see sim/settings.hpp
     Choices scheme;
     WallTreatment wall{WallTreatment::boundary_particles};
     SampleSet samples;                 ///< of all wet bodies; empty with penalty walls

@@ -12,6 +12,7 @@
 #include "riprap/coupling/particle_walls/walls.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/sort.hpp"
+#include "riprap/fluid/schemes.hpp"
 
 namespace riprap::coupling {
 

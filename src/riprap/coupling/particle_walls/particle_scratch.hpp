@@ -12,6 +12,7 @@
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
+#include "riprap/fluid/particle/particle_scheme.hpp"
 
 namespace riprap::coupling {
 

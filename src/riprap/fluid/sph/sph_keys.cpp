@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "riprap/core/chosen_keys.hpp"
+#include "riprap/core/key.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 

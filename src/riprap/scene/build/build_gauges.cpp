@@ -137,22 +137,9 @@ void check_kind(CaseBuild& build, const Value& table, fluid::GaugeKind kind) {
         fmt::format("{}, or fluid.method = {}", fmt::join(kinds, ", "), fmt::join(sim::fluids_that_read(kind), ", ")));
 }
 
-/// Returns the size of particles or cells of the fluid [m]; 0 where it has none.
-double spacing_of(const sim::Model& model) {
-    return sim::Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
-        if constexpr (requires { settings.settings().spacing; }) {
-            return settings.settings().spacing;
-        } else if constexpr (Fluid::leads) {
-            return settings.spacing;
-        } else {
-            return 0.0;
-        }
-    });
-}
-
 /// Notes the face that a transducer stands in.
 void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
-    const double spacing = spacing_of(build.model);
+    const double spacing = sim::fluid_spacing(build.model);
     if (gauge.kind != fluid::GaugeKind::wall_pressure || spacing == 0 || !build.has_all_bodies) {
         return;
     }
@@ -201,7 +188,7 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
 
 /// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
 void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
-    const double spacing = spacing_of(build.model);
+    const double spacing = sim::fluid_spacing(build.model);
     const bool is_particles = build.model.particles() != nullptr;
     if (spacing == 0 || !build.has_all_bodies || build.is_dry.size() != build.state.bodies.position.size()) {
         return;  // no water that solids keep out, or something has a problem

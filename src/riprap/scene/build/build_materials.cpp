@@ -231,11 +231,7 @@ void check_materials(CaseBuild& build) {
         return;  // which bodies meet by their faces is not known
     }
     const sim::Model& model = build.model;
-    const solid::SolidScene scene = sim::solid_scene(model);
-    const auto lacking = sim::Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
-        return solid::lacking_properties(scene, solid::kinds_of<Solid>(scene, settings),
-                                         solid::reads_of<Solid>(settings));
-    });
+    const std::vector<solid::LackingProperty> lacking = sim::lacking_properties(model);
     for (const solid::LackingProperty& lack : lacking) {
         const std::string& material = model.materials[model.bodies.material[at(lack.body.value)]].name;
         const auto key = std::ranges::find(material_keys, lack.property, &material::PropertyKey<Material>::property);

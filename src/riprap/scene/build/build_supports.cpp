@@ -60,8 +60,7 @@ bool read_point(CaseBuild& build, const Value& value, const SourcePlace& place, 
 }
 
 /// Tells whether the solid method of the case has supports of this kind; a problem otherwise.
-template <class Asks>
-bool check_method(CaseBuild& build, const Value& table, const char* what, const Asks& asks) {
+bool check_method(CaseBuild& build, const Value& table, const char* what, sim::SolidAbility asks) {
     if (sim::does(build.model, asks)) {
         return true;
     }
@@ -73,7 +72,7 @@ bool check_method(CaseBuild& build, const Value& table, const char* what, const 
 void read_fixed_point(CaseBuild& build, const Value& table) {
     const BodyId body = build.body_named(get(table, "body"));
     body::FixedPoint support{.body = body, .place = get_vector(table, "at")};
-    if (!body.is_valid() || !check_method(build, table, "fixed points", sim::has_fixed_points) ||
+    if (!body.is_valid() || !check_method(build, table, "fixed points", sim::SolidAbility::fixed_points) ||
         !read_point(build, get(table, "at"), get(table, "at").place, body, support.point)) {
         return;
     }
@@ -89,7 +88,7 @@ void read_fixed_point(CaseBuild& build, const Value& table) {
 void read_bolt(CaseBuild& build, const Value& table) {
     const std::vector<Value>&names = get(table, "bodies").items, &ends = get(table, "ends").items;
     body::Bolt bolt{.first = build.body_named(names[0]), .second = build.body_named(names[1])};
-    if (!bolt.first.is_valid() || !bolt.second.is_valid() || !check_method(build, table, "bolts", sim::has_bolts)) {
+    if (!bolt.first.is_valid() || !bolt.second.is_valid() || !check_method(build, table, "bolts", sim::SolidAbility::bolts)) {
         return;
     }
     const body::BodySet& bodies = build.model.bodies;

@@ -20,14 +20,9 @@ solid::SceneProblem unanswered_problem(const sim::Model& model, const solid::Una
     for (const solid::BodyKind other : unanswered.others) {
         pairs += fmt::format("{}{} on {}", pairs.empty() ? "" : " and for ", name(unanswered.kind), name(other));
     }
-    sim::Solids::for_each([&]<class Solid>() {
-        const bool has_all = std::ranges::all_of(unanswered.others, [&](solid::BodyKind other) {
-            return solid::answers(solid::pairs_of<Solid>(), unanswered.kind, other);
-        });
-        if (has_all) {
-            words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", Solid::Settings::method_name);
-        }
-    });
+    for (const std::string_view method : sim::solids_that_answer(unanswered)) {
+        words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", method);
+    }
     return {unanswered.body,
             fmt::format("'{}' meets others by its {}, and this method has no physics for {}",
                         model.bodies.name(unanswered.body), name(unanswered.kind), pairs),
@@ -38,27 +33,18 @@ solid::SceneProblem unanswered_problem(const sim::Model& model, const solid::Una
 
 void check_solid_method(CaseBuild& build) {
     const sim::Model& model = build.model;
-    const solid::SolidScene scene = sim::solid_scene(model);
-    const auto problems = sim::Solids::visit(
-        model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
-            std::vector<solid::SceneProblem> found;
-            if constexpr (requires { Solid::problems_of(scene, settings, build.state.bodies); }) {
-                found = Solid::problems_of(scene, settings, build.state.bodies);
-            }
-            for (const solid::UnansweredBody& body : solid::unanswered_bodies(
-                     model.bodies, solid::kinds_of<Solid>(scene, settings), solid::pairs_of<Solid>())) {
-                found.push_back(unanswered_problem(model, body));
-            }
-            // Rigid bodies have six degrees of freedom, blocks that deform twelve, of which no guide is made.
-            for (std::int32_t b = 0; b < model.bodies.size() && !sim::does(model, sim::has_locks); ++b) {
-                if (locks_of(model.bodies, at(b)).any()) {
-                    found.push_back({BodyId{b}, "this method locks no degrees of freedom of a body",
-                                     fmt::format("leave out 'locked', or solid.method = \"{}\"",
-                                                 fmt::join(sim::solids_that(sim::has_locks), "\" or \""))});
-                }
-            }
-            return found;
-        });
+    std::vector<solid::SceneProblem> problems = sim::solid_problems(model, build.state.bodies);
+    for (const solid::UnansweredBody& body : sim::unanswered_bodies(model)) {
+        problems.push_back(unanswered_problem(model, body));
+    }
+    // Rigid bodies have six degrees of freedom, blocks that deform twelve, of which no guide is made.
+    for (std::int32_t b = 0; b < model.bodies.size() && !sim::does(model, sim::SolidAbility::locks); ++b) {
+        if (locks_of(model.bodies, at(b)).any()) {
+            problems.push_back({BodyId{b}, "this method locks no degrees of freedom of a body",
+                                fmt::format("leave out 'locked', or solid.method = \"{}\"",
+                                            fmt::join(sim::solids_that(sim::SolidAbility::locks), "\" or \""))});
+        }
+    }
     const Value& solid = get(build.root, "solid");
     const Value* method = solid.find("method");
     for (const solid::SceneProblem& problem : problems) {

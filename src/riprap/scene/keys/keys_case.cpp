@@ -29,8 +29,7 @@ KeyList<sim::TimeSettings> time_keys() {
 namespace {
 
 /// Adds the solid methods that do what is asked for to a help.
-template <class Asks>
-std::string with_solids(std::string_view help, const Asks& asks) {
+std::string with_solids(std::string_view help, sim::SolidAbility asks) {
     return fmt::format("{} Of solid.method {}.", help, fmt::join(sim::solids_that(asks), " and "));
 }
 
@@ -56,7 +55,7 @@ const Table& fixed_point_table() {
     static const std::string help = with_solids(
         "A point of a block that a stiff spring holds where it is at the start; the block may turn about it and "
         "strain.",
-        sim::has_fixed_points);
+        sim::SolidAbility::fixed_points);
     static const Table table{
         "fixed_point",
         "[[fixed_point]]",
@@ -74,7 +73,7 @@ const Table& bolt_table() {
     static const std::string help = with_solids(
         "A straight spring between points of two bodies, under tension and compression alike: a rock bolt. "
         "Forces are per metre of width.",
-        sim::has_bolts);
+        sim::SolidAbility::bolts);
     static const Table table{
         "bolt",
         "[[bolt]]",

@@ -5,6 +5,7 @@
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/sim/method_traits.hpp"
+#include "riprap/sim/settings.hpp"
 
 namespace riprap::scene {
 
@@ -18,7 +19,7 @@ Key with_readers(Key row, material::Property property) {
     if (row.methods.empty()) {
         throw InternalError("no solid method reads '" + std::string(row.name) + "'");
     }
-    if (row.methods.size() == std::variant_size_v<sim::Solids::Settings>) {
+    if (row.methods.size() == std::variant_size_v<sim::SolidSettings>) {
         row.methods.clear();
     }
     return row;

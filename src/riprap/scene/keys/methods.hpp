@@ -62,7 +62,7 @@ struct MethodList<std::variant<S...>> {
     }
 };
 
-using SolidMethods = MethodList<sim::Solids::Settings>;
+using SolidMethods = MethodList<sim::SolidSettings>;
 using FluidMethods = MethodList<sim::FluidChoices>;
 
 // Keys that fill parts of the Model and are of no method alone.

@@ -7,7 +7,7 @@
 
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
-#include "riprap/coupling/hydrostatic/hydrostatic.hpp"
+#include "riprap/coupling/hydrostatic/settings.hpp"
 #include "riprap/scene/build/build_case.hpp"
 
 namespace riprap::scene {

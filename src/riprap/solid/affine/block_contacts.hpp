@@ -21,45 +21,6 @@ struct BlockContact {
     std::int64_t old{-1};   ///< row of the history, -1 = new
 };
 
-/// State of a contact point between the steps.
-enum class ContactMode : std::uint8_t {
-    open,   ///< no springs
-    slide,  ///< normal spring and friction
-    lock    ///< normal and shear springs
-};
-
-/// Contact points that survive from step to step: State. Sorted by (pair, feature). A locked contact keeps its elastic
-/// slip, which adds up the relative motion of the two bodies there and turns with the plane: it neither creeps nor
-/// forgets where it was closed, and needs no fixed point on a surface that edges may slide along.
-struct BlockContactHistory {
-    std::vector<std::uint64_t> pair;  ///< a << 32 | b
-    std::vector<std::uint64_t> feature;
-    std::vector<std::uint64_t> plane;
-    std::vector<Vec3> normal;             ///< at the last step, from a to b [-]
-    std::vector<Vec3> slip;               ///< elastic slip t of a against b, which the shear spring holds [m]
-    std::vector<std::uint8_t> mode;       ///< ContactMode
-    std::vector<std::uint8_t> is_intact;  ///< bonded, and has neither opened nor slid: cohesion and tension hold
-    std::vector<double> energy;           ///< stored in its springs [J]
-    std::vector<std::uint64_t> bonded;    ///< pairs with unbroken bonds, ascending; see bonds.hpp. Not of the rows
-
-    std::size_t size() const { return pair.size(); }
-    void clear();
-    friend bool operator==(const BlockContactHistory&, const BlockContactHistory&) = default;
-
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        visit("block_contact.pair", self.pair);
-        visit("block_contact.feature", self.feature);
-        visit("block_contact.plane", self.plane);
-        visit("block_contact.normal", self.normal);
-        visit("block_contact.slip", self.slip);
-        visit("block_contact.mode", self.mode);
-        visit("block_contact.is_intact", self.is_intact);
-        visit("block_contact.energy", self.energy);
-        visit("block_contact.bonded", self.bonded);
-    }
-};
-
 /// Turns a vector with a contact plane that turns from old_normal to normal: the shortest rotation between them.
 Vec3 turn_with_plane(const Vec3& v, const Vec3& old_normal, const Vec3& normal);
 

@@ -11,6 +11,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/geometry/polyhedron.hpp"
+#include "riprap/solid/affine/block_state.hpp"
 
 // Simply deformable blocks, as both three-dimensional DDAs move them: every block is an affine image of its shape,
 //
@@ -86,27 +87,6 @@ struct BlockSystem {
         return surfaces[index(material[index(a)]) * materials.size() + index(material[index(b)])];
     }
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-};
-
-/// Places, motion and stress of the blocks: State. Matrices are kept as three rows each.
-struct BlockState {
-    std::vector<Vec3> position;           ///< of the centroid [m]
-    std::vector<Vec3> velocity;           ///< of the centroid [m/s]
-    std::vector<Vec3> deformation;        ///< F, three rows per block [-]
-    std::vector<Vec3> velocity_gradient;  ///< L, three rows per block, world axes [1/s]
-    std::vector<Vec3> stress;             ///< Cauchy stress, three rows per block, tension positive [Pa]
-
-    std::int32_t size() const { return static_cast<std::int32_t>(position.size()); }
-    friend bool operator==(const BlockState&, const BlockState&) = default;
-
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        visit("block.position", self.position);
-        visit("block.velocity", self.velocity);
-        visit("block.deformation", self.deformation);
-        visit("block.velocity_gradient", self.velocity_gradient);
-        visit("block.stress", self.stress);
-    }
 };
 
 inline Mat3 rows_at(const std::vector<Vec3>& rows, std::size_t block) {

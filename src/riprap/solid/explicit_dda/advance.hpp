@@ -5,6 +5,8 @@
 #include "riprap/solid/affine/block_contacts.hpp"
 #include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/explicit_dda/block_motion.hpp"
+#include "riprap/solid/explicit_dda/settings.hpp"
+#include "riprap/solid/explicit_dda/state.hpp"
 #include "riprap/solid/solid_times.hpp"
 
 // Explicit DDA in three dimensions [MikolaSitar2013]: deformable convex blocks, common-plane contact, penalty springs
@@ -12,27 +14,6 @@
 // BlockSystem are Model, State is saved, Scratch may be dropped between steps.
 
 namespace riprap::solid::explicit_dda {
-
-struct Settings {
-    Form form{Form::pseudo_rigid};
-    double mass_damping{0};  ///< c: v <- v/(1 + c dt), for quasi-static answers [1/s]
-    double max_stretch{10};  ///< det F outside [1/max, max] ends the run [-]
-    double safety{0.6};      ///< share of the stable step that is used [-]
-};
-
-struct State {
-    affine::BlockState blocks;
-    affine::BlockContactHistory contacts;
-    double last_dt{0};  ///< length of the last step; slip counts from mid-step to mid-step [s]
-
-    friend bool operator==(const State&, const State&) = default;
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        affine::BlockState::visit_fields(self.blocks, visit);
-        affine::BlockContactHistory::visit_fields(self.contacts, visit);
-        visit("explicit_dda.last_dt", self.last_dt);
-    }
-};
 
 /// Answer of one contact point, for loads, history and output.
 struct ContactForce {

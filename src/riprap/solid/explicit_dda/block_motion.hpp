@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-
 #include "riprap/solid/affine/blocks.hpp"
+#include "riprap/solid/explicit_dda/settings.hpp"
 
 namespace riprap::solid::explicit_dda {
-
-/// Which equations move a block.
-enum class Form : std::uint8_t {
-    pseudo_rigid,    ///< finite strain: large turns and stretches, energy and angular momentum kept
-    twelve_unknowns  ///< small strain per step, the linear displacement function of DDA, turned exactly after each step
-};
 
 /// Force and dipole on one block at the mid-step pose.
 struct BlockForce {

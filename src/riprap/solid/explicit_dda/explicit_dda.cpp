@@ -12,6 +12,7 @@
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/key.hpp"
 #include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/dda_keys.hpp"

@@ -7,21 +7,13 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
-#include "riprap/core/key.hpp"
 #include "riprap/material/property.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
+#include "riprap/solid/explicit_dda/settings.hpp"
 
 namespace riprap::solid {
-
-/// Keys of `solid.method = "explicit_dda"`.
-struct ExplicitDdaSettings {
-    static constexpr std::string_view method_name = "explicit_dda";
-    static MethodKeys<ExplicitDdaSettings> keys();
-    explicit_dda::Settings engine;
-    affine::Elasticity elasticity;
-};
 
 /// Deformable convex blocks moved by explicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
 class ExplicitDda {

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "riprap/solid/affine/outcome.hpp"
+#include "riprap/solid/implicit_dda/settings.hpp"
+#include "riprap/solid/implicit_dda/state.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
 #include "riprap/solid/solid_times.hpp"
 
@@ -15,36 +17,12 @@
 
 namespace riprap::solid::implicit_dda {
 
-struct Settings {
-    SolveSettings solve{};
-    int open_close{6};   ///< iterations before the step is cut
-    double cut{0.3};     ///< share of the step tried then [-]
-    double reach{0.01};  ///< contacts are sought up to this share of the smallest block apart, besides the way
-                         ///< of a step [-]
-    double max_displacement{
-        0.1};  ///< of a corner in a step, share of the smallest block; a longer one cuts the step [-]
-    std::optional<double> slide_tolerance{};  ///< see OpenCloseRule; empty = by reversal [m]
-    double dynamic{1};                        ///< kappa: share of the velocity that a step starts with; 0 = static [-]
-};
-
 /// A point of a block held by a spring [Ding2021, section 2.2, in three dimensions].
 struct FixedPoint {
     std::int32_t block;
     Vec3 place;        ///< in the shape, about its centroid [m]
     Vec3 anchor;       ///< where it belongs [m]
     double stiffness;  ///< [N/m]
-};
-
-struct State {
-    affine::BlockState blocks;
-    affine::BlockContactHistory contacts;
-
-    friend bool operator==(const State&, const State&) = default;
-    template <class Self, class Visit>
-    static void visit_fields(Self& self, Visit&& visit) {
-        affine::BlockState::visit_fields(self.blocks, visit);
-        affine::BlockContactHistory::visit_fields(self.contacts, visit);
-    }
 };
 
 struct Scratch {

@@ -7,22 +7,13 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
-#include "riprap/core/key.hpp"
 #include "riprap/material/property.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
+#include "riprap/solid/implicit_dda/settings.hpp"
 
 namespace riprap::solid {
-
-/// Keys of `solid.method = "implicit_dda"`.
-struct ImplicitDdaSettings {
-    static constexpr std::string_view method_name = "implicit_dda";
-    static MethodKeys<ImplicitDdaSettings> keys();
-    implicit_dda::Settings engine;
-    affine::Elasticity elasticity;
-    double step{1e-3};  ///< that the method wants; shorter where the open-close iteration does not settle [s]
-};
 
 /// Deformable convex blocks moved by implicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
 class ImplicitDda {

@@ -10,16 +10,10 @@
 #include "riprap/linear/pcg.hpp"
 #include "riprap/solid/implicit_dda/block_terms.hpp"
 #include "riprap/solid/implicit_dda/open_close.hpp"
+#include "riprap/solid/implicit_dda/settings.hpp"
 #include "riprap/solid/implicit_dda/spring_sums.hpp"
 
 namespace riprap::solid::implicit_dda {
-
-enum class Solver : std::uint8_t {
-    pcg_jacobi,    ///< conjugate gradients, diagonal blocks as preconditioner
-    pcg_cholesky,  ///< conjugate gradients, incomplete Cholesky factors
-    sor,           ///< block successive over-relaxation, the source's solver [Ding2021, eq. 4.120]
-    cholmod        ///< factors of CHOLMOD, in builds that have it
-};
 
 /// A contact point as the equations see it.
 struct ContactTerm {
@@ -72,13 +66,6 @@ void link_rows(std::int64_t rows, const std::vector<ContactTerm>& contacts, Equa
 /// locked, and fills their blocks and the rows of matrix and right-hand side that they are in. Rows gather the sums of
 /// their pairs, so the bits do not depend on threads.
 void assemble(const std::vector<ContactTerm>& contacts, Equations& equations);
-
-struct SolveSettings {
-    Solver solver{Solver::pcg_jacobi};
-    double tolerance{1e-10};  ///< |F - K D|/|F| [-]
-    int max_iterations{2000};
-    double relaxation{1.3};  ///< of SOR [-]
-};
 
 /// Solves from the guess in equations.solution.
 linear::SolveReport solve(const SolveSettings& settings, Equations& equations);

@@ -8,12 +8,10 @@
 
 #include "riprap/geometry/outcome.hpp"
 #include "riprap/geometry/planar_polygon.hpp"
+#include "riprap/solid/planar_dda/settings.hpp"
 #include "riprap/solid/planar_dda/unknowns.hpp"
 
 namespace riprap::solid::planar_dda {
-
-/// Which strain or stress vanishes across the plane.
-enum class PlaneState : std::uint8_t { stress, strain };
 
 /// An isotropic elastic material.
 struct Material {
@@ -98,25 +96,6 @@ struct Model {
     /// Sets the joint of two materials in both orders.
     void set_joint(std::int32_t material_a, std::int32_t material_b, const Joint& joint);
 };
-
-/// Settings of contact search, open-close iteration and steps. Lengths follow the size of the scene; see
-/// settings_for().
-struct Settings {
-    double displacement_limit{0.01};  ///< largest displacement of a corner in one step [m]; contacts are sought 2.5
-                                      ///< times as far
-    double close_tolerance{1e-9};     ///< an open contact closes below -this gap [m]
-    double open_tolerance{1e-9};      ///< a closed contact opens when its spring is stretched by more [m]
-    double angle_tolerance{0.0523598775598};  ///< by which a corner may lean into an edge, 3 degrees [rad]
-    int max_iterations{8};                    ///< open-close iterations of one step
-    double friction_tolerance{1e-6};    ///< change of friction between iterations over the largest normal force [-]
-    double dynamic_factor{1};           ///< kappa: share of the velocity that the next step begins with; 0 = static
-    bool has_multipliers{false};        ///< augmented Lagrange instead of the penalty alone
-    double multiplier_tolerance{1e-9};  ///< overlap left by the augmented Lagrange loop [m]
-    int max_augmentations{20};          ///< of that loop
-};
-
-/// Settings for a scene with the half extent w0 [m] when corners may move by `displacement_ratio` w0 in a step.
-Settings settings_for(double half_extent, double displacement_ratio = 0.005);
 
 /// A point of a block.
 struct Pose2 {

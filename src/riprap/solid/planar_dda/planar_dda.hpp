@@ -6,42 +6,21 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/account.hpp"
-#include "riprap/core/key.hpp"
 #include "riprap/core/shown.hpp"
 #include "riprap/material/property.hpp"
 #include "riprap/solid/planar_dda/scene_bridge.hpp"
+#include "riprap/solid/planar_dda/settings.hpp"
+#include "riprap/solid/planar_dda/state.hpp"
 #include "riprap/solid/planar_dda/step.hpp"
 
 namespace riprap::solid {
-
-/// Keys of `solid.method = "planar_dda"`.
-struct PlanarDdaSettings {
-    static constexpr std::string_view method_name = "planar_dda";
-    static MethodKeys<PlanarDdaSettings> keys();
-    planar_dda::Settings engine;  ///< its lengths follow the smallest block
-    planar_dda::PlaneState plane{planar_dda::PlaneState::stress};
-    affine::Elasticity elasticity;
-    double max_displacement{0.1};  ///< displacement limit over the side of the smallest block [-]
-    double step{1e-3};  ///< that the method wants; shorter where the open-close iteration does not settle [s]
-};
 
 /// Deformable polygons moved by Shi's planar DDA, bound to Model, State and Scratch for one step: SolidMethod. The
 /// whole step is that of planar_dda::advance; works and losses are those of planar_dda::Accounts.
 class PlanarDda {
  public:
     using Settings = PlanarDdaSettings;
-    struct Fields {
-        planar_dda::State blocks;
-        std::vector<std::uint8_t> was_held;  ///< per block: not moved by forces in the last piece
-        std::vector<double> around;          ///< centre and radius of the bodies at the start: see make_blocks [m]
-
-        template <class Self, class Visit>
-        static void visit_fields(Self& self, Visit&& visit) {
-            planar_dda::State::visit_fields(self.blocks, visit);
-            visit("was_held", self.was_held);
-            visit("around", self.around);
-        }
-    };
+    using Fields = PlanarDdaFields;
     struct Scratch {
         planar_dda::SceneBlocks scene;
         planar_dda::Settings settings;  ///< with the lengths of the scene

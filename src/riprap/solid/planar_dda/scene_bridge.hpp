@@ -6,6 +6,7 @@
 
 #include "riprap/core/step.hpp"
 #include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/planar_dda/model.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
 
 // Between the bodies of a planar scene and the blocks of planar DDA: one body, one block, in the same order.

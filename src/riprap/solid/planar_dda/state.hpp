@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "riprap/solid/planar_dda/model.hpp"
+#include "riprap/solid/planar_dda/unknowns.hpp"
+
 
 namespace riprap::solid::planar_dda {
 
@@ -104,3 +105,21 @@ Unknowns rates_of(const State& state, std::int32_t block);
 Vec2 velocity_of(const State& state, std::int32_t block, const Vec2& local);
 
 }  // namespace riprap::solid::planar_dda
+
+namespace riprap::solid {
+
+/// State of planar DDA: the blocks, and what its pieces hand on.
+struct PlanarDdaFields {
+    planar_dda::State blocks;
+    std::vector<std::uint8_t> was_held;  ///< per block: not moved by forces in the last piece
+    std::vector<double> around;          ///< centre and radius of the bodies at the start: see make_blocks [m]
+
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        planar_dda::State::visit_fields(self.blocks, visit);
+        visit("was_held", self.was_held);
+        visit("around", self.around);
+    }
+};
+
+}  // namespace riprap::solid

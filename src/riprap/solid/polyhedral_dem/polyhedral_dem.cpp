@@ -8,6 +8,7 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/solid/explicit_dem.hpp"
 
 namespace riprap::solid {
 

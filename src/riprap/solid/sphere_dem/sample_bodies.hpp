@@ -3,6 +3,7 @@
 
 #include "riprap/solid/solid_scene.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+#include "riprap/solid/sphere_dem/sphere_model.hpp"
 
 namespace riprap::solid::sphere_dem {
 

@@ -11,6 +11,7 @@
 #include "riprap/solid/faces_on_faces.hpp"
 #include "riprap/solid/solid_scene.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
+#include "riprap/solid/sphere_dem/sphere_model.hpp"
 #include "riprap/solid/sphere_dem/sphere_physics.hpp"
 #include "riprap/solid/sphere_dem/sphere_scratch.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"

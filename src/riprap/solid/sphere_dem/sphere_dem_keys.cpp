@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/core/chosen_keys.hpp"
+#include "riprap/core/key.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 
 namespace riprap::solid {

@@ -4,14 +4,20 @@
 #include <optional>
 #include <string_view>
 
-#include "riprap/solid/sphere_dem/sphere_model.hpp"
+#include "riprap/solid/sphere_dem/sphere_settings.hpp"
 
 namespace riprap {
 template <class S>
 struct MethodKeys;  // core/key.hpp
 }
 
+namespace riprap::solid::sphere_dem {
+struct SphereState;  // sphere_state.hpp
+}
+
 namespace riprap::solid {
+
+class SphereDem;
 
 /// Spheres that stand for a body that can move freely.
 enum class SphereSampling {
@@ -22,6 +28,8 @@ enum class SphereSampling {
 
 /// Explicit DEM of bodies that meet by spheres.
 struct SphereDemSettings {
+    using Method = SphereDem;
+    using Fields = sphere_dem::SphereState;
     static constexpr std::string_view method_name = "sphere_dem";
     static MethodKeys<SphereDemSettings> keys();
 
