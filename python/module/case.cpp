@@ -75,7 +75,8 @@ void define_case(py::module_& module) {
     using namespace py::literals;
     py::class_<Case>(module, "Case", "A case that was read and checked, ready to run. Made by load, loads and build.")
         .def_property_readonly(
-            "title", [](const Case& self) { return self.loaded.model.title; }, "One line that says what the case shows.")
+            "title", [](const Case& self) { return self.loaded.model.title; },
+            "One line that says what the case shows.")
         .def_property_readonly(
             "folder", [](const Case& self) { return self.loaded.folder; }, "Where the paths in the case start.")
         .def_property_readonly(
