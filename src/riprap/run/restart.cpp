@@ -12,6 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include "riprap/sim/ledger_account.hpp"
+#include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/time_step.hpp"
 
 namespace riprap::run {
@@ -139,10 +141,14 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     const bool is_open = water != nullptr;  // what splashes out of the domain is let go
     const auto has_fixed_length = [is_open](std::string_view name) {
         return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
-               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
-               name == "open.layers" || name == "open.entered" || name == "open.left";
+               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "open.layers" ||
+               name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, state, has_fixed_length, prefix);
+    if (!take_up_old_totals(accounts_of(model), state.ledger)) {
+        refuse(checkpoint, fmt::format("section '{}ledger.totals' has {} entries, the case needs {}", prefix,
+                                       state.ledger.totals.size(), initial.ledger.totals.size()));
+    }
     const NonFinite wrong = find_non_finite(state);
     if (!wrong.name.empty()) {
         refuse(checkpoint, fmt::format("{}{}[{}] is not a finite number", prefix, wrong.name, wrong.entry));

@@ -12,6 +12,7 @@
 #include "riprap/run/settle.hpp"
 #include "riprap/run/state_hash.hpp"
 #include "riprap/run/step_choice.hpp"
+#include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
@@ -83,6 +84,9 @@ StepOutcome Simulation::step(sim::Measure measure, Use use) {
         counts_ = good_.last().counts;
         good_.go_back();
         return take_back(good_.last().state, problem);
+    }
+    if (state_.step == first_steps) {
+        keep_first_residual(accepted_miss(report.ledger, model(), state_), accounts_of(model()), state_.ledger);
     }
     stop_problem_ = is_stop && !is_judged ? problem_at_stop(report) : "";
     good_.add_step(next_.dt);
