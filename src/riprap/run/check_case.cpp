@@ -11,6 +11,7 @@
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
+#include "riprap/run/end_causes.hpp"
 #include "riprap/run/ensemble.hpp"
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
@@ -219,7 +220,9 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::State state = initial;
     check.is_tried = !bound.is_wanted || check.bodies <= most_solved_by_check;
     const sim::StepReport report = check.is_tried ? advance(model, state, scratch, check.time_step) : sim::StepReport{};
-    check.refusal = report.status.ok() ? certain_crush(loaded) : report.status.with_remedy();
+    check.refusal = report.status.ok()
+                        ? certain_crush(loaded)
+                        : with_advice({model, initial, state, scratch, report, report.status}).with_remedy();
     check.substeps = report.substeps;
     if (report.substeps > 1) {
         check.substeps_reason = bound.reason;

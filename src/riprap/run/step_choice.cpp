@@ -34,7 +34,9 @@ sim::TimeStep choose_step(const sim::Model& model, sim::State& state, sim::Scrat
         return step;
     }
     const double approach = solid::fastest_approach(model.bodies, model.shapes, state.bodies);
-    const double bound = solid::most_approach * thinnest_of(model) / approach;
+    // A step that was refused is halved whatever had bounded it.
+    const double bound =
+        std::ldexp(solid::most_approach * thinnest_of(model) / approach, -static_cast<int>(state.stepping.halvings));
     if (step.dt > bound) {
         const double span = step.dt * static_cast<double>(step.steps_left);
         step.steps_left = sim::steps_across(span, bound);
