@@ -115,6 +115,16 @@ std::vector<Ending> endings() {
          gravity + "end = 0.5\n" + rock("1e5") + ground + falling_cube("position = [0, 0, 0.5]") +
              body("second", "cube = 1", "position = [0, 0, 1.5]") + body("third", "cube = 1", "position = [0, 0, 2.5]"),
          "normal_stiffness = "},
+        {"deep_contact", "a slab that comes down on a stack",
+         gravity + "end = 1\n" + rock("1e5") + ground + falling_cube("position = [0, 0, 0.5]") +
+             body("second", "cube = 1", "position = [0, 0, 1.5]") +
+             body("slab", "box = [2, 2, 0.5]", "position = [0, 0, 4.5]"),
+         "normal_stiffness = "},
+        {"deep_contact", "a cube that comes down on its edge",
+         gravity + "end = 1\n" + rock("2e4") + ground +
+             falling_cube(
+                 "position = [0, 0, 2.5]\norientation = { axis_angle = { axis = [1, 0, 0], angle = 0.785398 } }"),
+         "normal_stiffness = "},
         {"deep_contact", "a bullet of implicit DDA",
          weightless + "end = 0.01\n" + solids("implicit_dda", "contact_stiffness = 1e3\nyoungs_modulus = 1e9") +
              rock("1e7") + bullet(30),
@@ -148,6 +158,11 @@ std::vector<Ending> endings() {
          gravity + "end = 1\n" + solids("sphere_dem", "normal_law = 'linear'\nspring_stiffness = 100") + rock("1e7") +
              ground + body("ball", "sphere = 0.1", "position = [0, 0, 0.5]"),
          "solid.spring_stiffness = "},
+        {"deep_spheres", "a cube of spheres that comes down on its corner",
+         gravity + "end = 1\n" + solids("sphere_dem", "youngs_modulus = 2e4") + rock("1e7") + ground +
+             falling_cube(
+                 "position = [0, 0, 2.5]\norientation = { axis_angle = { axis = [1, -1, 0], angle = 0.9553 } }"),
+         "solid.youngs_modulus = "},
         {"unseen", "a bullet that could pass a plate",
          weightless + "end = 0.02\ntime_step = 2e-4\nforce_time_step = true\n" + rock("1e10") +
              body("plate", "box = [1, 1, 0.02]", "fixed = true") +
@@ -252,6 +267,21 @@ TEST_P(EndCauses, TheRemedyThatIsNamedMakesTheRunPass) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheList, EndCauses, ::testing::ValuesIn(endings()),
                          [](const auto& made) { return fmt::format("{}_{}", made.param.cause, made.index); });
+
+TEST(EndCauseList, NamesAStiffnessWithAReserveOfFour) {
+    // 2 m g/K, K = A k/r, is 0.75 r: k = 8/3 m g/A.
+    const double just = 8.0 / 3 * 2500 * 9.81;
+    const auto block = [](double stiffness) {
+        return gravity + "end = 1\n" + rock(fmt::format("{}", stiffness)) + ground +
+               falling_cube("position = [0, 0, 0.5]");
+    };
+    EXPECT_THAT(end_of(block(0.9 * just)).text, HasSubstr("deep in each other"));
+    const std::string named = assignments_in(end_of(block(0.05 * just)).remedy).front();
+    const double stiffness = std::stod(named.substr(named.find('=') + 1));
+    // Four times, and as much again as the field that was met falls off towards the edges of the foot.
+    EXPECT_GT(stiffness, 7 * just);
+    EXPECT_LT(stiffness, 13 * just);
+}
 
 TEST(EndCauseList, HasACaseForEachRow) {
     const std::vector<Ending> tried = endings();

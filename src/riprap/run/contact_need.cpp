@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "riprap/body/may_move.hpp"
@@ -15,7 +16,7 @@
 #include "riprap/run/predicted_contact.hpp"
 #include "riprap/run/remedy_text.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/shown.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
@@ -23,8 +24,9 @@ namespace riprap::run {
 
 namespace {
 
-/// Factor on the stiffness that just carries the load: an impact off the middle of a face has less of it to press on.
-constexpr double reserve = 2;
+/// Factor on the stiffness that just carries a block let go on its face: what comes down on a corner, or on a stack
+/// that it takes along, presses harder.
+constexpr double reserve = 4;
 
 /// The deepest contact of a step.
 struct Deepest {
@@ -124,6 +126,12 @@ double touched_at(const Refused& refused, const std::vector<contact::ShownContac
     return std::max(0.1 * refused.after.time, refused.after.time - 0.9 * pressed / speed);
 }
 
+/// Returns the factor on the stiffness that what comes next needs: bodies that fall or fly yet, and feet of stacks.
+double needed_later(const Refused& refused, double allowed_share) {
+    const std::optional<PredictedOverlap> next = largest_overlap(refused.model, refused.before, allowed_share);
+    return next ? next->factor : 0;
+}
+
 }  // namespace
 
 std::string stiffness_advice(const Refused& refused, double allowed_share) {
@@ -148,8 +156,9 @@ std::string stiffness_advice(const Refused& refused, double allowed_share) {
                                             touched_at(refused, rows, driven)))
                    : "";
     }
+    const double thin = std::min(thickness_of(refused.model, contact.a), thickness_of(refused.model, contact.b));
     const double allowed =
-        allowed_share * std::min(thickness_of(refused.model, contact.a), thickness_of(refused.model, contact.b));
+        allowed_share * (contact.is_of_faces ? thin : std::min(thin, sim::smallest_stand_in(refused.model)));
     const bool is_a = is_free(refused.model.bodies, contact.a, refused.after.time);
     const BodyId mover = is_a ? contact.a : contact.b, stop = is_a ? contact.b : contact.a;
     const double force = norm(contact.force);
@@ -161,13 +170,15 @@ std::string stiffness_advice(const Refused& refused, double allowed_share) {
                                       : 0;
         return flat > 0 ? std::min(found, flat) : found;
     };
-    const double brought = side.energy + side.mass * norm(refused.model.gravity.at(refused.after.time)) * allowed +
-                           energy_at(contact.overlap);
+    const double brought =
+        side.energy +
+        side.mass * norm(refused.model.gravity.at(refused.after.time)) * std::max(0.0, allowed - contact.overlap) +
+        energy_at(contact.overlap);
     const double holds = energy_at(allowed);
     if (!(holds > 0) || !std::isfinite(brought / holds)) {
         return "";
     }
-    const double factor = std::max(reserve, reserve * brought / holds);
+    const double factor = reserve * std::max({1.0, brought / holds, needed_later(refused, allowed / thin)});
     return fmt::format("{} carries what '{}' brings",
                        stiffness_text(refused.model, contact.a, contact.b, contact.is_of_faces, factor),
                        refused.model.bodies.name(mover));

@@ -10,7 +10,7 @@ namespace riprap::run {
 /// Names the stiffness that carries what the deepest contact of a refused step has to carry, "key = value", or what
 /// else has to change where no stiffness would do:
 ///
-///     factor = reserve E/C(d),   E = sum of m |v|^2/2 + M g d + C(s).
+///     factor = reserve E/C(d),   E = sum of m |v|^2/2 + M g max(0, d - s) + C(s).
 ///
 /// E is what the bodies on the lighter side of the contact bring against the other side, with all free bodies that they
 /// touch, v against the other side, M their mass, and what the contact has stored already at its overlap s [J]; d is

@@ -21,6 +21,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Share of the inscribed radius within which corners touch together, and bodies have not met yet [-].
+constexpr double touching = 0.01;
+
 /// Bodies times parts that are looked at for first meetings.
 constexpr double most_pairs = 2e7;
 
@@ -46,18 +49,15 @@ struct Spring {
     double energy(double overlap) const {
         return linear > 0 ? 0.5 * linear * overlap * overlap : 0.4 * hertz * std::pow(overlap, 2.5);
     }
-    /// Factor on the stiffness with which an overlap becomes another.
-    double factor(double overlap, double wanted, bool is_impact) const {
-        const double power = linear > 0 ? (is_impact ? 2 : 1) : (is_impact ? 2.5 : 1.5);
-        return std::pow(overlap / wanted, power);
-    }
+    double force(double overlap) const { return linear > 0 ? linear * overlap : hertz * std::pow(overlap, 1.5); }
 };
 
 /// Contact of a body with what is below it or in its way.
 struct Touch {
     BodyId body, other;
+    Vec3 way;              ///< unit vector from the body to what it touches [-]
     double area;           ///< projected, or of the foot [m^2]
-    std::int64_t corners;  ///< of the face that touches
+    std::int64_t corners;  ///< that touch together
 };
 
 double radius_of(const sim::Model& model, BodyId body) {
@@ -79,7 +79,7 @@ double spring_of_faces(const sim::Model& model, const Touch& touch) {
 /// Springs of the contacts of a case.
 class Springs {
  public:
-    explicit Springs(const sim::Model& model) : model_(model) {
+    Springs(const sim::Model& model, const sim::State& state) : model_(model), state_(state) {
         if (const auto* spheres = std::get_if<solid::SphereDemSettings>(&model.solid); spheres != nullptr) {
             spheres_ = solid::sphere_dem::sample_bodies(sim::solid_scene(model), *spheres);
         }
@@ -113,7 +113,7 @@ class Springs {
         if (count == 0) {
             return {spring_of_faces(model_, touch), 0, true};
         }
-        const double many = std::max(1, spheres_.flat_count[at(touch.body.value)]);
+        const auto many = static_cast<double>(count_first(touch));
         if (settings.laws.normal != contact::NormalLaw::hertz) {
             return {many * settings.spring_stiffness, 0, false};
         }
@@ -122,7 +122,23 @@ class Springs {
         return {0, 4.0 / 3 * many * modulus * std::sqrt(radius), false};
     }
 
+    /// Spheres of a body that a plane across the way touches first, within a tenth of their radius.
+    std::int64_t count_first(const Touch& touch) const {
+        const Vec3 way = rotate(conjugate(state_.bodies.orientation[at(touch.body.value)]), touch.way);
+        const auto begin = at(spheres_.begin[at(touch.body.value)]), end = at(spheres_.begin[at(touch.body.value) + 1]);
+        double most = -infinity;
+        for (std::size_t s = begin; s < end; ++s) {
+            most = std::max(most, dot(way, spheres_.local[s]) + spheres_.radius[s]);
+        }
+        std::int64_t count = 0;
+        for (std::size_t s = begin; s < end; ++s) {
+            count += dot(way, spheres_.local[s]) + spheres_.radius[s] > most - 0.1 * spheres_.radius[s] ? 1 : 0;
+        }
+        return count;
+    }
+
     const sim::Model& model_;
+    const sim::State& state_;
     solid::sphere_dem::SphereSet spheres_;
 };
 
@@ -132,32 +148,16 @@ struct Impact {
     double speed, mass, pull;
 };
 
-/// Corners of the face of a body that lies most squarely across a direction.
-std::int64_t corners_towards(const sim::Model& model, const sim::State& state, BodyId body, const Vec3& direction) {
-    double best = -1;
-    std::int64_t corners = 1;
-    for (std::int32_t p = model.bodies.part_begin[at(body.value)]; p < model.bodies.part_begin[at(body.value) + 1];
-         ++p) {
-        const body::Part& part = model.bodies.parts[at(p)];
-        const geometry::ConvexView shape = model.shapes.view(part.shape);
-        const Vec3 d = rotate(conjugate(state.bodies.orientation[at(body.value)] * part.local.orientation), direction);
-        for (int f = 0; f < shape.face_count; ++f) {
-            if (dot(shape.normal(f), d) > best) {
-                best = dot(shape.normal(f), d);
-                corners = shape.face_start[f + 1] - shape.face_start[f];
-            }
-        }
-    }
-    return corners;
-}
-
-/// Area of a body as it is seen along a way, and its farthest point that way from the centre of mass.
+/// Area of a body as it is seen along a way, its farthest point that way from the centre of mass, and the corners that
+/// are as far to a hundredth of the inscribed radius.
 struct Outline {
     double area{0}, reach{0};  ///< [m^2], [m]
+    std::int64_t corners{0};
 };
 
 Outline outline_of(const sim::Model& model, const sim::State& state, BodyId body, const Vec3& way) {
     Outline seen;
+    std::vector<double> reaches;
     for (std::int32_t p = model.bodies.part_begin[at(body.value)]; p < model.bodies.part_begin[at(body.value) + 1];
          ++p) {
         const body::Part& own = model.bodies.parts[at(p)];
@@ -167,10 +167,20 @@ Outline outline_of(const sim::Model& model, const sim::State& state, BodyId body
         seen.area += shape.vertex_count > 0 ? 0.5 * dot(d, model.shapes.area_tensor(own.shape) * d) : 0;
         const Vec3 arm = rotate(state.bodies.orientation[at(body.value)], own.local.position);
         for (int v = 0; v < shape.vertex_count; ++v) {
-            seen.reach = std::max(seen.reach, dot(way, arm) + dot(d, shape.vertex(v)));
+            reaches.push_back(dot(way, arm) + dot(d, shape.vertex(v)));
+            seen.reach = std::max(seen.reach, reaches.back());
         }
     }
+    const double near = seen.reach - touching * radius_of(model, body);
+    seen.corners = std::max<std::int64_t>(1, std::ranges::count_if(reaches, [near](double r) { return r >= near; }));
     return seen;
+}
+
+/// Area over which two bodies can touch along a way: that of the smaller, half-spaces aside [m^2].
+double common_area(const sim::Model& model, const sim::State& state, const Outline& seen, BodyId other,
+                   const Vec3& way) {
+    const double behind = outline_of(model, state, other, way).area;
+    return behind > 0 ? std::min(seen.area, behind) : seen.area;
 }
 
 std::optional<Impact> impact_along(const sim::Model& model, const sim::State& state, BodyId body, const Vec3& way) {
@@ -181,13 +191,17 @@ std::optional<Impact> impact_along(const sim::Model& model, const sim::State& st
     const Outline seen = outline_of(model, state, body, way);
     const double along =
         std::max(0.0, dot(state.bodies.velocity[at(body.value)] - state.bodies.velocity[at(met.other.value)], way));
-    const double pull = std::max(0.0, dot(model.gravity.at(0), way)), gap = std::max(0.0, met.distance - seen.reach);
+    const double room = met.distance - seen.reach;
+    if (room < -touching * radius_of(model, body)) {
+        return std::nullopt;  // they have met
+    }
+    const double pull = std::max(0.0, dot(model.gravity.at(0), way)), gap = std::max(0.0, room);
     const double speed = std::sqrt(along * along + 2 * pull * gap);
     const double after = pull > 0 ? (speed - along) / pull : gap / along;
     if (!(speed > 0) || !(after < model.time.end)) {
         return std::nullopt;
     }
-    return Impact{{body, met.other, seen.area, corners_towards(model, state, body, way)},
+    return Impact{{body, met.other, way, common_area(model, state, seen, met.other, way), seen.corners},
                   speed,
                   model.bodies.mass[at(body.value)],
                   pull};
@@ -221,24 +235,25 @@ double flat_contact_energy(const sim::Model& model, const sim::State& state, Bod
                            double overlap) {
     const Vec3 direction = way / norm(way);
     const Outline seen = outline_of(model, state, body, direction);
-    return Springs(model).of({body, other, seen.area, corners_towards(model, state, body, direction)}).energy(overlap);
+    return Springs(model, state)
+        .of({body, other, direction, common_area(model, state, seen, other, direction), seen.corners})
+        .energy(overlap);
 }
 
-std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const sim::State& state) {
-    const Springs springs(model);
+std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const sim::State& state, double wanted) {
+    const Springs springs(model, state);
     std::optional<PredictedOverlap> largest;
-    const auto offer = [&](const Touch& touch, const Spring& spring, double overlap, double speed) {
+    // `needed` is the factor on the stiffness with which the overlap is the wanted one.
+    const auto offer = [&](const Touch& touch, const Spring& spring, double overlap, double speed, const auto& needed) {
         const double thin = std::min(radius_of(model, touch.body), radius_of(model, touch.other));
         const double share = overlap / thin;
         if (std::isfinite(share) && (!largest || share > largest->share)) {
-            const double factor = spring.factor(overlap, large_overlap * thin, speed > 0);
-            largest = PredictedOverlap{touch.body,
-                                       touch.other,
-                                       speed > 0,
-                                       speed,
-                                       overlap,
-                                       share,
-                                       stiffness_text(model, touch.body, touch.other, spring.is_of_faces, factor)};
+            const double factor = needed(wanted * thin);
+            largest = PredictedOverlap{
+                touch.body, touch.other,
+                speed > 0,  speed,
+                overlap,    share,
+                factor,     stiffness_text(model, touch.body, touch.other, spring.is_of_faces, factor)};
         }
     };
     const Vec3 gravity = model.gravity.at(0);
@@ -247,14 +262,19 @@ std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const s
     for (const LoadedFoot& foot : pairs < most_pairs ? feet : std::vector<LoadedFoot>{}) {
         const scene::Meeting met = scene::first_met(model, state, foot.body, gravity / norm(gravity));
         if (met.part >= 0) {
-            const Touch touch{foot.body, met.other, foot.area, foot.corners};
+            const Touch touch{foot.body, met.other, gravity / norm(gravity), foot.area, foot.corners};
             const Spring spring = springs.of(touch);
-            offer(touch, spring, spring.at_rest(foot.weight), 0);
+            offer(touch, spring, spring.at_rest(foot.weight), 0,
+                  [&](double overlap) { return foot.weight / spring.force(overlap); });
         }
     }
     for (const Impact& impact : first_impacts(model, state)) {
         const Spring spring = springs.of(impact.touch);
-        offer(impact.touch, spring, spring.at_impact(impact.mass, impact.speed, impact.pull), impact.speed);
+        offer(impact.touch, spring, spring.at_impact(impact.mass, impact.speed, impact.pull), impact.speed,
+              [&](double overlap) {
+                  return impact.mass * (0.5 * impact.speed * impact.speed + impact.pull * overlap) /
+                         spring.energy(overlap);
+              });
     }
     return largest;
 }
@@ -270,7 +290,7 @@ std::optional<ImpactStep> shortest_impact(const sim::Model& model, const sim::St
         model.solid);
     std::optional<ImpactStep> least;
     if (step > 0) {
-        const Springs springs(model);
+        const Springs springs(model, state);
         for (const Impact& impact : first_impacts(model, state)) {
             const double omega = std::sqrt(springs.of(impact.touch).linear / impact.mass);
             const double back = std::exp(-M_PI * omega * step / 4);

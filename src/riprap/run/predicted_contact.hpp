@@ -25,12 +25,15 @@ struct PredictedOverlap {
     double speed{0};        ///< of the impact [m/s]
     double overlap{0};      ///< [m]
     double share{0};        ///< of the inscribed radius of the thinner of the two [-]
-    std::string stiffness;  ///< "key = value" with which it is large_overlap
+    double factor{1};       ///< on the stiffness with which the share is the wanted one [-]
+    std::string stiffness;  ///< "key = value" of that stiffness
 };
 
 /// Returns the overlap that is the largest share. Impacts are those of first meetings (scene::first_met), before the
 /// end and without water, which would carry bodies; a foot carries all that is stacked on it.
-std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const sim::State& state);
+/// @param wanted  share for which it names the stiffness
+std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const sim::State& state,
+                                                double wanted = large_overlap);
 
 /// Returns what a flat contact of two bodies stores at an overlap, by the same springs [J].
 /// @param way  from the one to the other, of any length
