@@ -83,7 +83,7 @@ void check_orientations(const io::Checkpoint& checkpoint, const sim::State& stat
     }
 }
 
-void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
+void check_record(const io::Checkpoint& checkpoint, const sim::Model& model, const RunRecord& record) {
     if (!(record.end > 0) || !std::isfinite(record.end)) {
         refuse(checkpoint, "the end of the run is not a positive number");
     }
@@ -92,6 +92,9 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
     }
     if (!(record.approached >= 0) || !(record.told_excess >= 0)) {
         refuse(checkpoint, "what the verdicts remember is below zero or not a number");
+    }
+    if (!record.deep.fits(model)) {
+        refuse(checkpoint, "the pairs that are deep in each other do not belong to this case");
     }
     const auto is_length = [](double dt) { return dt > 0 && std::isfinite(dt); };
     if (!std::all_of(record.good.steps().begin(), record.good.steps().end(), is_length)) {
@@ -217,7 +220,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     Restart restart{restore_state(checkpoint, model, initial, {}), {}, {}};
     const auto any_length = [](std::string_view) { return false; };
     io::restore(checkpoint, restart.record, any_length);
-    check_record(checkpoint, restart.record);
+    check_record(checkpoint, model, restart.record);
     const std::vector<double>& steps = restart.record.good.steps();
     if (!steps.empty()) {
         Standing good{restore_state(checkpoint, model, initial, good_prefix), {}, {}};

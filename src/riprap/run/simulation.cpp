@@ -147,6 +147,7 @@ void Simulation::note(RunRecord& record) const {
     record.steps = counts_;
     record.expects = watch_.save();
     record.approached = passages_.approached();
+    record.deep = passages_.deep();
     record.good = good_;
 }
 
@@ -156,7 +157,7 @@ void Simulation::restore(sim::State state, const RunRecord& record) {
     retries_ = record.retries;
     counts_ = record.steps;
     set_end(record.end, record.max_steps);
-    passages_.restore(record.approached);
+    passages_.restore(record.approached, record.deep);
     good_ = record.good;
     if (good_.steps().empty()) {
         keep_standing();
