@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -68,6 +69,11 @@ void judge(const Simulation& simulation, MatrixEntry& entry) {
         if (is_missed(answer)) {
             entry.why += (entry.why.empty() ? "" : "; ") + miss_of(answer);
         }
+    }
+    const auto late = std::ranges::count_if(entry.answers, std::not_fn(is_judged));
+    if (late > 0) {  // where `end` is shorter than that of the file, say
+        entry.why += fmt::format("{}{} of {} answers not judged: due after the end at {:.6g} s",
+                                 entry.why.empty() ? "" : "; ", late, entry.answers.size(), simulation.end());
     }
 }
 
