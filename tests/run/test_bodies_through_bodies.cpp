@@ -244,6 +244,18 @@ TEST(BodiesThroughBodies, ABlockThatRollsOverAnEdgeOrLiesDeepOnItsFloorIsLeftAlo
     EXPECT_LT(roller.state.bodies.position[1].y, -0.5);
 }
 
+TEST(BodiesThroughBodies, ABlockThatItsWeightPressesDeepIntoItsFloorSlidesOverASeam) {
+    for (const std::string method : {"distance_potential_dem", "sphere_dem"}) {
+        const std::string solid = "[solid]\nmethod = '" + method + "'\n";
+        const End end = end_of("end = 0.6\n" + planar("").replace(planar("").find("2e7"), 3, "2e5") + solid +
+                               polygon("left", "box = [4, 1]", "position = [-2, -0.5]\nfixed = true") +
+                               polygon("right", "box = [4, 1]", "position = [2, -0.5]\nfixed = true") +
+                               polygon("block", "box = [0.6, 0.4]", "position = [-0.7, 0.19]\nvelocity = [2, 0]"));
+        EXPECT_THAT(end.reason, IsEmpty()) << method;
+        EXPECT_GT(end.state.bodies.position[2].x, 0.4) << method;
+    }
+}
+
 TEST(BodiesThroughBodies, AnyMethodSeesAPlateThatATablePutsBehindABlock) {
     struct Method {
         std::string word, more;

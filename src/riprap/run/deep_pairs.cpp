@@ -40,6 +40,15 @@ Vec3 velocity_at(const sim::Model& model, const sim::State& state, std::int32_t 
            cross(angular_velocity(model.bodies, state.bodies, body), point - state.bodies.position[b]);
 }
 
+/// Tells whether another deep contact pushes a body against `push`, within 60 degrees.
+bool is_held(const sim::Model& model, std::span<const DeepPairs::Meeting> meetings, BodyId body, const Vec3& push) {
+    return std::any_of(meetings.begin(), meetings.end(), [&](const DeepPairs::Meeting& other) {
+        const double along = dot(other.push, push);
+        return (model.bodies.parts[at(other.parts.a)].body == body && -along < -0.5) ||
+               (model.bodies.parts[at(other.parts.b)].body == body && along < -0.5);
+    });
+}
+
 }  // namespace
 
 std::string DeepPairs::look(const sim::Model& model, const sim::State& state, std::span<const Meeting> meetings) {
@@ -67,7 +76,8 @@ std::string DeepPairs::look(const sim::Model& model, const sim::State& state, st
                                      dot(way, rotate(b.orientation, normal_b_.back())));
         const double radius = now.depth / now.share;
         if (problem.empty() && gone > solid::most_overlap * radius && is_inside(model, state, part_a, on_b) &&
-            is_inside(model, state, part_b, on_a)) {
+            is_inside(model, state, part_b, on_a) &&
+            (is_held(model, meetings, part_a.body, -now.push) || is_held(model, meetings, part_b.body, now.push))) {
             problem = fmt::format(
                 "{} and {} have gone {:.3g} m into each other against the push with which they met, {:.3g} of an "
                 "inscribed radius, at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s: their contact cannot carry what they "
@@ -96,20 +106,20 @@ std::vector<DeepPairs::Meeting> deep_meetings(const sim::Model& model, const sim
     for (std::size_t first = 0, last = 0; first < std::min(rows.size(), contacts.size()); first = last) {
         const std::uint64_t pair = contacts.pair[first];
         DeepPairs::Meeting meeting{
-            {static_cast<std::int32_t>(pair >> 32), static_cast<std::int32_t>(pair & 0xFFFFFFFFU)}, {}, {}, 0, 0};
+            {static_cast<std::int32_t>(pair >> 32), static_cast<std::int32_t>(pair & 0xFFFFFFFFU)}, {}, {}, {}, 0, 0};
         for (; last < std::min(rows.size(), contacts.size()) && contacts.pair[last] == pair; ++last) {
             meeting.point += rows[last].point;
             if (rows[last].potential > meeting.share) {
                 meeting.share = rows[last].potential;
                 meeting.depth = rows[last].overlap;
-                meeting.normal = contacts.normal[last];
+                meeting.push = contacts.normal[last];
             }
         }
         meeting.point = meeting.point / static_cast<double>(last - first);
         if (meeting.share > deep_overlap) {
             const Vec3 way = dt * (velocity_at(model, state, meeting.parts.b, meeting.point) -
                                    velocity_at(model, state, meeting.parts.a, meeting.point));
-            meeting.normal = norm(way) > meeting.depth ? -way / norm(way) : meeting.normal;
+            meeting.normal = norm(way) > meeting.depth ? -way / norm(way) : meeting.push;
             meetings.push_back(meeting);
         }
     }
@@ -120,7 +130,8 @@ std::vector<DeepPairs::Meeting> deep_meetings(const sim::Model& model, const sim
     std::vector<DeepPairs::Meeting> meetings;
     for (const scene::PartOverlap& overlap : scene::find_part_overlaps(model, state, deep_overlap)) {
         if (norm_squared(overlap.normal) > 0) {
-            meetings.push_back({overlap.parts, overlap.point, overlap.normal, overlap.depth, overlap.share});
+            meetings.push_back(
+                {overlap.parts, overlap.point, overlap.normal, overlap.normal, overlap.depth, overlap.share});
         }
     }
     return meetings;

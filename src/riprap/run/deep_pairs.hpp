@@ -23,7 +23,9 @@ inline constexpr double deep_overlap = 0.02;
 /// So the way counts that two parts have gone against the push of their first contact: where the points of both that
 /// met have passed each other by solid::most_overlap of an inscribed radius, along the normal then, as either of them
 /// has carried it since, and still lie in the other part, one has gone through the other. A block that rolls, slides or
-/// tips over an edge takes its point out of the other part, or its normal along.
+/// tips over an edge takes its point out of the other part, or its normal along; one that slides over a seam while its
+/// weight presses it deep into its floor is not held from the other side: only a body that is pressed from two sides
+/// goes through a gap.
 ///
 /// Part of a checkpoint: a run that goes on must end as the whole one does.
 class DeepPairs {
@@ -31,7 +33,8 @@ class DeepPairs {
     /// Two parts as they lie in each other at one time.
     struct Meeting {
         contact::PartPair parts;
-        Vec3 point, normal;  ///< somewhere in the overlap [m]; of the push, from A to B [-]
+        Vec3 point, normal;  ///< somewhere in the overlap [m]; against the way that they came, from A to B [-]
+        Vec3 push;           ///< normal of the contact, from A to B [-]
         double depth;        ///< [m]
         double share;        ///< depth over an inscribed radius [-]
     };
