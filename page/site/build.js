@@ -1,133 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
-// usage: node page/site/build.js OUT [GALLERY.json]
-// The pages of docs/ and the others of the repository as HTML, offline: links lead from page to page, formulas are MathML,
-// which browsers draw without fonts or scripts. GALLERY.json lists pictures: [{"title", "picture", "page"}], made by scripts/docs.
+// usage: node page/site/build.js OUT [PICTURES]
+// The documentation as a site of static files: pages of docs/ and of the repository in the order of docs/README.md, a page
+// for every case, references of Python and of headers, a gallery, a search. Nothing in it asks a server for anything, so it
+// works from a disk. PICTURES is a list by scripts/docs: number, run folder and name of the shipped case, if any, of each picture;
+// picture and page of the run lie beside the list as NUMBER.png and NUMBER.html.
 
-import {cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
-import {dirname, join, relative, resolve} from 'node:path';
+import {cpSync, existsSync, mkdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {dirname, join, normalize} from 'node:path';
 import {fileURLToPath} from 'node:url';
-import katex from 'katex';
-import {Marked} from 'marked';
+import {TABLE, htmlOf, pagesOf, read, readCases, readContents, root, titleOf} from './contents.js';
+import {headerPage, headersOfArchitecture} from './header_reference.js';
+import {Layout, way} from './layout.js';
+import {casePage, copyPictures, galleryPage} from './gallery.js';
+import {entriesOf, indexScript} from './search_index.js';
+import {pythonPage} from './python_reference.js';
+import {render} from './markdown.js';
 
-const root = fileURLToPath(new URL('../../', import.meta.url));
-const [out, galleryFile] = process.argv.slice(2);
+const [out, picturesFile] = process.argv.slice(2);
 if (!out) {
-  console.error('usage: node page/site/build.js OUT [GALLERY.json]');
+  console.error('usage: node page/site/build.js OUT [PICTURES]');
   process.exit(2);
 }
+function complain(text) {
+  console.error(text);
+  process.exitCode = 1;
+}
 
-const SECTIONS = [['Start', ['README.md', 'docs/README.md', 'CHANGELOG.md', 'CONTRIBUTING.md']], ['How to', 'docs/howto'],
-                  ['Reference', ['docs/conventions.md', 'docs/reference/errors.md', 'docs/reference/case-file.md', 'docs/promises.md',
-                                 'docs/architecture.md']],
-                  ['Theory', 'docs/theory'], ['Decisions', 'docs/decisions'], ['Validation', 'validation']];
+const PYTHON = 'reference/python.html', HEADERS = 'reference/headers';
+const headerFile = name => `${HEADERS}/${name.replaceAll('/', '-').replace(/\.hpp$/, '')}.html`;
+const contents = readContents(), cases = readCases();
+const {headers, missing} = headersOfArchitecture();
+const pages = new Set([TABLE, ...pagesOf(contents)]);
+missing.forEach(name => complain(`docs/architecture.md: there is no src/riprap/${name}`));
 
-const below = folder => readdirSync(join(root, folder), {withFileTypes: true}).flatMap(one =>
-  one.isDirectory() ? below(join(folder, one.name)) : one.name.endsWith('.md') ? [join(folder, one.name)] : []);
-const depth = file => file.split('/').length;
-const inOrder = (a, b) => depth(a) - depth(b) || a.localeCompare(b);
-const sections = SECTIONS.map(([name, what]) => [name, (Array.isArray(what) ? what : below(what).sort(inOrder)).filter(file => existsSync(join(root, file)))]);
-const pages = [...new Set(sections.flatMap(([, files]) => files))];
-const escaped = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
-const target = file => file.replace(/\.md$/, '.html');
-const anchor = text => text.toLowerCase().replace(/<[^>]*>/g, '').replace(/&[a-z]+;/g, '').replace(/[^\p{L}\p{N} _-]/gu, '').trim().replaceAll(' ', '-');
-const titleOf = text => (text.match(/^# (.*)$/m)?.[1] ?? '').replace(/[`*]/g, '');
-const titles = new Map(pages.map(file => [file, titleOf(readFileSync(join(root, file), 'utf8')) || file]));
-const copied = new Set();
+rmSync(out, {recursive: true, force: true});
+const pictures = picturesFile ? copyPictures(picturesFile, out) : [];
+const copies = new Set(), index = [];
 
-/** A link of a page: to a page of the site where there is one, else to a copy of the file. */
+const titleAt = file => titleOf(read(file)) || file;
+const sections = contents.map(({name, groups}, k) => ({
+  name, isOpen: k < 3,
+  groups: groups.map(group => ({name: group.name, pages: group.pages.map(file => ({file: htmlOf(file), title: titleAt(file)}))})),
+}));
+sections.splice(3, 0, {name: 'Cases', groups: [{name: '', pages: [{file: 'gallery.html', title: 'Gallery'}, ...cases.map(one => ({file: `cases/${one.name}.html`, title: one.title}))]}]});
+const reference = sections.find(section => section.name === 'Reference');
+reference.groups.at(-1).pages.push({file: PYTHON, title: 'Python reference'});
+reference.groups.push({name: 'Headers', pages: headers.map(name => ({file: headerFile(name), title: name}))});
+const layout = new Layout(sections);
+
+/** A link of a page of the repository: to a page of the site where there is one, else to a copy of the file. */
 function linkFrom(file, href) {
   if (/^([a-z]+:|#)/.test(href)) {
     return href;
   }
-  const [path, hash] = href.split('#'), full = resolve(dirname(join(root, file)), decodeURI(path)), from = dirname(join(root, file));
-  if (!full.startsWith(root) || !existsSync(full)) {
-    console.error(`${file}: there is no ${href}`);
-    process.exitCode = 1;
+  const [path, hash] = href.split('#'), inside = normalize(join(dirname(file), decodeURI(path))).replace(/\/$/, '');
+  if (inside.startsWith('..') || !existsSync(join(root, inside))) {
+    complain(`${file}: there is no ${href}`);
     return href;
   }
-  const inside = relative(root, full);
-  const page = pages.includes(inside) ? inside : pages.includes(join(inside, 'README.md')) ? join(inside, 'README.md') : null;
-  if (!page && statSync(full).isFile()) {
-    copied.add(inside);
+  const shipped = cases.find(one => inside === one.folder || inside === 'cases');
+  const readme = join(inside, 'README.md');
+  const to = pages.has(inside) ? htmlOf(inside) : pages.has(readme) ? htmlOf(readme) :
+      inside === 'cases' ? 'gallery.html' : shipped ? `${inside}.html` : statSync(join(root, inside)).isFile() ? inside : null;
+  if (to === inside) {
+    copies.add(inside);
   }
-  return page || statSync(full).isFile() ? (relative(from, join(root, target(page ?? inside))) || target(page)) + (hash ? '#' + hash : '') : null;
+  return to && way(htmlOf(file), to) + (hash ? `#${hash}` : '');
 }
-
-/** Formulas between $ and $$, outside of code. */
-const mathematics = {
-  // A paragraph ends where a block may start: at a line that begins with $$, not at a formula within it.
-  extensions: [['block', /^\$\$([\s\S]+?)\$\$/, true, '\n$$'], ['inline', /^\$([^$\s](?:[^$]*[^$\s\\])?)\$(?!\d)/, false, '$']].map(([level, rule, isDisplay, begin]) => ({
-    name: `formula-${level}`, level, start: source => source.indexOf(begin),
-    tokenizer: source => {
-      const match = rule.exec(source);
-      return match ? {type: `formula-${level}`, raw: match[0], formula: match[1]} : undefined;
-    },
-    renderer: ({formula}) => katex.renderToString(formula, {output: 'mathml', displayMode: isDisplay, throwOnError: false}),
-  }))};
-
-function render(file, text) {
-  const marked = new Marked(mathematics, {gfm: true, renderer: {
-    heading({tokens, depth: level}) {
-      const html = this.parser.parseInline(tokens);
-      return `<h${level} id="${escaped(anchor(html))}">${html}</h${level}>\n`;
-    },
-    link({href, tokens}) {
-      const html = this.parser.parseInline(tokens), to = linkFrom(file, href);
-      return to === null ? html : `<a href="${escaped(to)}">${html}</a>`;
-    },
-    image({href, text: words}) {
-      return `<img src="${escaped(linkFrom(file, href))}" alt="${escaped(words)}" loading="lazy">`;
-    },
-  }});
-  return marked.parse(text).replaceAll('<table>', '<div class="wide"><table>').replaceAll('</table>', '</table></div>');
-}
-
-function navigation(file) {
-  const to = other => escaped(relative(dirname(file), target(other)));
-  const gallery = galleryFile ? `<a href="${escaped(relative(dirname(file), 'gallery.html'))}">Gallery</a>` : '';
-  return `<nav><details class="menu" open><summary>Contents</summary>${gallery}` + sections.map(([name, files]) => {
-    const isOpen = files.includes(file) || name === 'Start' || name === 'How to';
-    return `<details${isOpen ? ' open' : ''}><summary>${name}</summary>` + files.map(other =>
-      `<a href="${to(other)}"${other === file ? ' aria-current="page"' : ''}>${escaped(titles.get(other))}</a>`).join('') + '</details>';
-  }).join('') + '</details></nav>';
-}
-
-const frame = (file, title, html) => `<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${escaped(title)}</title><link rel="stylesheet" href="${escaped(relative(dirname(file), 'style.css'))}"></head>
-<body>${navigation(file)}<script>if (innerWidth <= 800) document.querySelector('.menu').open = false;</script><main>${html}</main></body></html>
-`;
 
 function write(file, text) {
   mkdirSync(dirname(join(out, file)), {recursive: true});
   writeFileSync(join(out, file), text);
 }
 
-function gallery(list) {
-  const figures = list.map(({title, picture, page}, k) => {
-    const name = `gallery/${k + 1}.png`;
-    mkdirSync(join(out, 'gallery'), {recursive: true});
-    cpSync(picture, join(out, name));
-    const link = page ? `gallery/${k + 1}.html` : name;
-    if (page) {
-      cpSync(page, join(out, link));
-    }
-    return `<figure><a href="${link}"><img src="${name}" alt="${escaped(title)}" loading="lazy"></a><figcaption>${escaped(title)}</figcaption></figure>`;
-  });
-  write('gallery.html', frame('gallery.md', 'Gallery', `<h1>Gallery</h1><p>Each picture opens the page of its run, which plays offline.</p><div class="gallery">${figures.join('\n')}</div>`));
+function publish(file, page, isSearched = true) {
+  write(file, layout.page(file, page));
+  if (isSearched) {
+    index.push(...entriesOf(file, page.title, page.html));
+  }
 }
 
-rmSync(out, {recursive: true, force: true});
 for (const file of pages) {
-  write(target(file), frame(file, titles.get(file), render(file, readFileSync(join(root, file), 'utf8'))));
+  const code = text => headers.includes(text) ? way(htmlOf(file), headerFile(text)) : null;
+  const page = {title: titleAt(file), from: file, ...render(read(file), {link: href => linkFrom(file, href), code})};
+  publish(htmlOf(file), page);
+  if (file === 'README.md') {
+    publish('index.html', {...page, title: 'Riprap'}, false);
+  }
 }
-for (const file of copied) {
+for (const one of cases) {
+  publish(`cases/${one.name}.html`, casePage(one, pictures));
+  [...one.files, 'case.toml'].forEach(file => copies.add(join(one.folder, file)));
+}
+publish('gallery.html', galleryPage(cases, pictures));
+publish(PYTHON, {title: 'Python reference', from: 'python/', ...render(pythonPage(), {link: href => way(PYTHON, join('docs', htmlOf(href)))})});
+for (const name of headers) {
+  publish(headerFile(name), {title: name, from: `src/riprap/${name}`, ...render(headerPage(name), {link: href => href})});
+}
+
+for (const file of copies) {
   mkdirSync(dirname(join(out, file)), {recursive: true});
-  cpSync(join(root, file), join(out, file));
+  cpSync(join(root, file), join(out, file), {recursive: true});
 }
-cpSync(fileURLToPath(new URL('style.css', import.meta.url)), join(out, 'style.css'));
-if (galleryFile) {
-  gallery(JSON.parse(readFileSync(galleryFile, 'utf8')));
+write('search.js', indexScript(index));
+for (const name of ['style.css', 'client.js']) {
+  cpSync(fileURLToPath(new URL(name, import.meta.url)), join(out, name));
 }
-cpSync(join(out, 'README.html'), join(out, 'index.html'));
-console.log(`${join(out, 'index.html')}: ${pages.length} pages`);
+console.log(`${join(out, 'index.html')}: ${layout.order.length} pages, ${pictures.length} pictures`);

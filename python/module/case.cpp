@@ -74,8 +74,11 @@ TOML (Case.text) and read by the same reader: problems name lines of that text. 
 void define_case(py::module_& module) {
     using namespace py::literals;
     py::class_<Case>(module, "Case", "A case that was read and checked, ready to run. Made by load, loads and build.")
-        .def_property_readonly("title", [](const Case& self) { return self.loaded.model.title; })
-        .def_property_readonly("folder", [](const Case& self) { return self.loaded.folder; })
+        .def_property_readonly(
+            "title", [](const Case& self) { return self.loaded.model.title; },
+            "One line that says what the case shows.")
+        .def_property_readonly(
+            "folder", [](const Case& self) { return self.loaded.folder; }, "Where the paths in the case start.")
         .def_property_readonly(
             "text", [](const Case& self) { return self.loaded.source_text; }, "The case file as it was read.")
         .def_property_readonly(

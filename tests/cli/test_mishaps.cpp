@@ -139,13 +139,12 @@ TEST_F(Mishaps, AnAdviceIsAboutTheReasonOfTheRefusal) {
                                  "fluid.max_iterations=1", "--set", "fluid.tolerance=1e-12"});
     EXPECT_EQ(unsolved.code, 4);
     EXPECT_THAT(unsolved.err, HasSubstr("after 1 iterations, residual "));
-    EXPECT_THAT(unsolved.err, HasSubstr("\n  more fluid.max_iterations or a larger fluid.tolerance; "));
+    EXPECT_THAT(unsolved.err, HasSubstr("\n  what helps: fluid.max_iterations = 1000\n"));
     EXPECT_THAT(unsolved.err, Not(HasSubstr("leaves the domain")));
-    EXPECT_THAT(unsolved.err, Not(HasSubstr("usually helps")));
     const Ending fast = run(
         {"run", write_case("fast.toml", falling_blocks_text() + "\n[solid]\nmax_speed = 0.5\n"), "--out", out("b")});
     EXPECT_EQ(fast.code, 4);
-    EXPECT_THAT(fast.err, HasSubstr("\n  a smaller time_step, a stiffer material or more damping usually helps"));
+    EXPECT_THAT(fast.err, HasSubstr("\n  what helps: solid.max_speed = "));
 }
 
 TEST_F(Mishaps, AGaugeAlongALineWithoutEndIsRefusedAndALongOneHoldsNothingUp) {

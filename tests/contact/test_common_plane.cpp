@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/common_plane_support.hpp"
+#include "riprap/contact/narrowphase/plane_section.hpp"
 
 namespace riprap::contact {
 namespace {
@@ -218,6 +219,45 @@ TEST(PlaneContacts, every_feature_is_named_once) {
         }
         std::sort(names.begin(), names.end());
         ASSERT_EQ(std::adjacent_find(names.begin(), names.end()), names.end()) << k;
+    }
+}
+
+TEST(PlaneContacts, ridges_and_tips_that_are_deep_in_each_other_still_meet_where_they_are_deepest) {
+    // Beyond half of their height the sides of two bars that cross touch the plane as well, and lie apart there.
+    const double half = 0.025 * std::sqrt(2.0);
+    const Hull lower(box({0.05, 1, 0.05}), {{}, turn({0, 1, 0}, std::numbers::pi / 4)});
+    for (const double depth : {0.002, 0.02, 0.03, 0.05}) {
+        const Hull upper(box({1, 0.05, 0.05}), {{0.03, 0.02, 2 * half - depth}, turn({1, 0, 0}, std::numbers::pi / 4)});
+        const PlaneContacts found = contacts_of(lower, upper);
+        ASSERT_EQ(found.count, 1) << depth;
+        EXPECT_NEAR(found.contacts[0].gap, -depth, 1e-12);
+        EXPECT_NEAR(found.contacts[0].on_a.x, 0, 1e-12);
+        EXPECT_NEAR(found.contacts[0].on_b.y, 0.02, 1e-12);
+    }
+    // A tip so flat that the corners around it touch too.
+    const auto flat = geometry::convex_hull(
+        std::vector<Vec3>{{0, 0, -0.02}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 1}});
+    const Hull floor(box({4, 4, 1}), {{0, 0, -0.5}, {}});
+    const PlaneContacts tip = contacts_of(floor, Hull(flat.value(), {{0, 0, 0.005}, {}}));
+    ASSERT_GE(tip.count, 1);
+    EXPECT_NEAR(tip.contacts[0].gap, -0.015, 1e-12);
+}
+
+TEST(PlaneSection, grows_with_the_square_of_the_depth_where_ridges_cross_and_with_the_depth_of_an_edge_on_a_face) {
+    const double half = std::sqrt(0.5);
+    const Hull lower(box({1, 8, 1}), {{}, turn({0, 1, 0}, std::numbers::pi / 4)});
+    const std::vector<Vec3> up{{0, 0, 1}};
+    const PlacedHull ground{nullptr, {}, up, {}, half};
+    for (const double angle : {30.0, 60.0, 90.0}) {
+        const Quat crossed = turn({0, 0, 1}, std::numbers::pi / 180 * angle);
+        const Hull upper(box({1, 8, 1}), {{0, 0, 2 * half - 0.01}, crossed * turn({0, 1, 0}, std::numbers::pi / 4)});
+        for (const double depth : {0.01, 0.1}) {
+            // Half of the depth below its edge a ridge is as wide as the depth.
+            EXPECT_NEAR(common_section(lower.view(), upper.view(), {0, 0, 1}, depth),
+                        depth * depth / std::sin(std::numbers::pi / 180 * angle), 1e-12);
+            EXPECT_NEAR(common_section(ground, upper.view(), {0, 0, 1}, depth), 8 * depth, 1e-12);
+            EXPECT_NEAR(common_section(upper.view(), ground, {0, 0, -1}, depth), 8 * depth, 1e-12);
+        }
     }
 }
 

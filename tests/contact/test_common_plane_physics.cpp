@@ -97,6 +97,30 @@ TEST_F(CommonPlanePhysicsTest, friction_holds_against_spin_as_a_disc_of_each_poi
     }
 }
 
+/// Two unit cubes that cross edge on edge, the edges along y and x, so deep in each other.
+TEST_F(CommonPlanePhysicsTest, a_soft_contact_of_two_edges_is_as_stiff_as_the_section_that_they_share) {
+    add({0, 0, 10}, cube_);
+    add({0, 0, 0}, cube_);
+    state_.orientation[1] = from_rotation_vector(Vec3{0, M_PI / 4, 0});
+    state_.orientation[2] = from_rotation_vector(Vec3{M_PI / 4, 0, 0});
+    double work = 0, before = 0;
+    constexpr int steps = 400;
+    constexpr double deepest = 0.2;
+    for (int k = 1; k <= steps; ++k) {
+        const double depth = deepest * k / steps;
+        state_.position[2].z = 10 + std::sqrt(2.0) - depth;
+        history_ = {};
+        find(PlaneLaw::soft);
+        ASSERT_EQ(pipeline_.rows().size(), 1U) << depth;
+        const double force = force_on(2).z;
+        // Half of the depth below its edge each cube is as wide as the depth; a hundredth of r^2 is always there.
+        ASSERT_NEAR(force, 4e7 * (depth * depth + 0.01 * 0.25) * depth, 1e-7 * force) << depth;
+        work += 0.5 * (force + before) * deepest / steps;
+        before = force;
+    }
+    EXPECT_NEAR(pipeline_.rows()[0].elastic_energy, work, 1e-4 * work);
+}
+
 TEST_F(CommonPlanePhysicsTest, a_pair_apart_has_no_contact_and_is_remembered_as_apart) {
     add({0, 0, 10}, cube_);
     add({0.1, 0, 11.01}, cube_);

@@ -51,7 +51,7 @@ struct Plain {
 TEST(FillSolids, in_cells_contain_and_are_near_the_same_as_asked_one_by_one) {
     std::mt19937 random(7);
     const test::Scene scene = rubble(random);
-    const FillSolids solids(scene.shapes, scene.bodies, scene.state, farthest);
+    const FillSolids solids(scene.shapes, scene.bodies, scene.state, {}, farthest);
     const Plain plain{scene};
     std::uniform_real_distribution<double> place(-1.5, 1.5);
     int inside = 0, near = 0;
@@ -67,6 +67,48 @@ TEST(FillSolids, in_cells_contain_and_are_near_the_same_as_asked_one_by_one) {
     EXPECT_GT(inside, 1000);
     EXPECT_GT(near, inside + 200);
     EXPECT_LT(near, 4000);
+}
+
+/// Blocks turned at random that lie across the sides of a domain, its edges and corners, and farther out than a period,
+/// over a floor without end.
+test::Scene across_sides(std::mt19937& random) {
+    std::uniform_real_distribution<double> turn(-3, 3);
+    test::Scene scene;
+    const auto put = [&](const Vec3& x, double size) {
+        scene.add(geometry::cube(size), {x, from_rotation_vector({turn(random), turn(random), turn(random)})});
+    };
+    put({0.02, 0.5, 0.3}, 0.2);
+    put({0.98, 0.01, 0.5}, 0.3);
+    put({0.5, 2.35, 0.7}, 0.3);
+    put({-1.4, -0.95, 0.4}, 0.25);
+    scene.add_half_space({0, 0, 1}, 0.1);
+    return scene;
+}
+
+TEST(FillSolids, repeat_across_periodic_sides) {
+    std::mt19937 random(11);
+    const test::Scene scene = across_sides(random);
+    const fluid::Domain domain{{0, 0, 0}, {1, 1, 1}, {true, true, false}, 3};
+    const FillSolids solids(scene.shapes, scene.bodies, scene.state, domain, farthest);
+    const Plain plain{scene};
+    std::uniform_real_distribution<double> place(0, 1);
+    int inside = 0, of_images = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const Vec3 x{place(random), place(random), place(random)};
+        for (const double distance : {0.0, farthest}) {
+            bool expected = false;
+            for (int i = -3; i <= 3; ++i) {
+                for (int j = -3; j <= 3; ++j) {
+                    expected = expected || plain.contain(x + Vec3{1.0 * i, 1.0 * j, 0}, distance);
+                }
+            }
+            ASSERT_EQ(distance > 0 ? solids.are_near(x, distance) : solids.contain(x), expected);
+            inside += distance == 0 && expected ? 1 : 0;
+            of_images += distance == 0 && expected && !plain.contain(x, 0) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, of_images + 500);
+    EXPECT_GT(of_images, 100);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace riprap::io {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 struct AllTypes {
@@ -112,7 +113,10 @@ std::string with_header_value(std::string bytes, std::size_t at, std::uint32_t v
 }
 
 TEST(Checkpoint, AnotherFormatVersionIsNamed) {
-    EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 99)), HasSubstr("format version 99"));
+    EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 99)),
+                AllOf(HasSubstr("format version 99, that of a later Riprap"), HasSubstr("--force")));
+    EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 1)),
+                AllOf(HasSubstr("format version 1, that of Riprap 0.1 and 0.2"), HasSubstr("--force")));
 }
 
 TEST(Checkpoint, AnAbsurdSectionCountIsRefused) {

@@ -53,6 +53,15 @@ TEST(CheckCase, volume_that_stays_empty_has_a_unit) {
                 HasSubstr("0.001 m^2 (1 %) of the room outside of solids is too narrow for particles"));
 }
 
+TEST(CheckCase, contacts_that_were_not_tried_have_no_number) {
+    CaseCheck check = check_of(tank);
+    EXPECT_THAT(check_json(check), HasSubstr("\"contacts\": 0,"));
+    check.is_tried = false;
+    for (const char* key : {"contacts", "max_overlap", "max_potential"}) {
+        EXPECT_THAT(check_json(check), HasSubstr(fmt::format("\"{}\": null", key)));
+    }
+}
+
 TEST(CheckCase, the_face_of_a_gauge_is_reported) {
     const CaseCheck check = check_of(tank +
                                      "[[output.gauge]]\nname = \"transducer\"\nkind = \"wall_pressure\"\n"

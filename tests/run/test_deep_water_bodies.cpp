@@ -82,6 +82,7 @@ struct Release {
     double density;   ///< over that of water [-]
     double after{0};  ///< when the 0.1 s begin that are looked at [s]
 };
+void PrintTo(const Release& release, std::ostream* out) { *out << release.fluid << ' ' << release.density; }
 
 class DeepWater : public ::testing::TestWithParam<Release> {};
 

@@ -23,6 +23,7 @@ struct ShippedCase {
     std::vector<std::string> coarser;  ///< overrides of the short run, so that many steps cost little
     std::int64_t steps;                ///< of the short run; five times as many in the full one
 };
+void PrintTo(const ShippedCase& shipped, std::ostream* out) { *out << shipped.name; }
 
 std::vector<ShippedCase> shipped_cases() {
     return {{"arch", {}, 1500},
@@ -55,6 +56,7 @@ struct MethodCase {
     std::vector<std::string> overrides;
     std::int64_t steps;
 };
+void PrintTo(const MethodCase& method, std::ostream* out) { *out << method.name; }
 
 std::vector<MethodCase> method_cases() {
     const std::vector<std::string> release{"body.lone.fixed=true", "body.lone.release_time=0.004",

@@ -37,6 +37,7 @@ TEST(Matrix, shows_the_quantity_at_the_end_where_its_answer_is_not_due_yet) {
     const double way = 0.5 * (4.905 - 8.496 * std::tan(20 * M_PI / 180)) * 0.1 * 0.1;  // [m]
     EXPECT_EQ(first.quantity, "block.displacement.x");
     EXPECT_EQ(first.finding, Finding::unjudged);
+    EXPECT_EQ(first.why, "1 of 1 answers not judged: due after the end at 0.1 s");
     EXPECT_NEAR(first.value, way, 0.05 * way);
 }
 

@@ -69,8 +69,8 @@ TEST(NothingPasses, AsSpheresAreTooSoft) {
     };
     const End hertz = end("youngs_modulus = 1e3\n"), springs = end("normal_law = 'linear'\nspring_stiffness = 100\n");
     EXPECT_THAT(hertz.reason, AllOf(HasSubstr("ball"), HasSubstr("ground"), HasSubstr("overlap")));
-    EXPECT_THAT(hertz.remedy, HasSubstr("solid.youngs_modulus above 1000 Pa"));
-    EXPECT_THAT(springs.remedy, HasSubstr("solid.spring_stiffness above 100 N/m"));
+    EXPECT_THAT(hertz.remedy, HasSubstr("solid.youngs_modulus = "));
+    EXPECT_THAT(springs.remedy, HasSubstr("solid.spring_stiffness = "));
 }
 
 TEST(NothingPasses, AsItIsTooFastForTheStep) {

@@ -60,6 +60,7 @@ velocity = [0.0, -1.6]
 struct Pairing {
     const char *name, *solid, *fluid, *shape;
 };
+void PrintTo(const Pairing& pairing, std::ostream* out) { *out << pairing.name; }
 
 class Pairings : public ::testing::TestWithParam<Pairing> {
  protected:

@@ -12,6 +12,8 @@
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/sim/ledger_account.hpp"
+#include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
 namespace {
@@ -232,6 +234,71 @@ TEST(LedgerVerdict, EndsARunInWhichTheBalanceOfAGridMakesEnergy) {
     EXPECT_THAT(tank.problem(0, 5 * lift), IsEmpty());  // lost
     EXPECT_THAT(tank.problem(0, -0.099 * lift), IsEmpty());
     EXPECT_THAT(tank.problem(0, -0.101 * lift), HasSubstr("the numerics made"));
+}
+
+TEST(LedgerVerdict, SeesEnergyThatAGridMakesAfterItHasLostMore) {
+    const StillTank tank;
+    const sim::Accounts accounts = accounts_of(tank.simulation.model());
+    sim::State state = tank.simulation.state();
+    reset(accounts, state.ledger);
+    sim::Ledger ledger = tank.ledger;
+    ledger.turnover = ledger.kinetic = 0;
+    const auto measure = [&](double kinetic) {
+        coupling::FluidStep step;
+        step.fluid.kinetic = kinetic * tank.lift();
+        step.fluid.mass = tank.ledger.fluid.mass;
+        step.own = {0};
+        account_fluid({step, 0, 0}, accounts, state.ledger, ledger);
+        ledger.residual = 0;
+        return ledger_problem(ledger, tank.simulation.model(), state, 20);
+    };
+    for (const double kinetic : {0.5, 0.1, 0.195, 0.1}) {  // over lift
+        EXPECT_THAT(measure(kinetic), IsEmpty()) << kinetic;
+    }
+    EXPECT_GT(ledger.fluid.own.front(), 0.3 * tank.lift());
+    EXPECT_NEAR(largest_rise(accounts, state.ledger), 0.095 * tank.lift(), 1e-9 * tank.lift());
+    EXPECT_THAT(measure(0.205), HasSubstr("the numerics made"));
+    EXPECT_GT(ledger.fluid.own.front(), 0);  // in all it has lost
+}
+
+TEST(LedgerVerdict, CountsNotAgainWhatTheFirstStepsMissed) {
+    const StillTank tank;
+    const sim::Accounts accounts = accounts_of(tank.simulation.model());
+    sim::State state = tank.simulation.state();
+    const double counted = std::max(tank.ledger.turnover, tank.ledger.kinetic + tank.ledger.fluid.kinetic);
+    const auto problem = [&](double residual, std::int64_t step) {
+        sim::Ledger changed = tank.ledger;
+        changed.residual = residual;
+        return ledger_problem(changed, tank.simulation.model(), state, step);
+    };
+    keep_first_residual(3 * counted, accounts, state.ledger);
+    EXPECT_THAT(problem(3.049 * counted, 11), IsEmpty());  // it grows no more
+    EXPECT_THAT(problem(3.051 * counted, 11), HasSubstr("the energy ledger misses"));
+    EXPECT_THAT(problem(2.949 * counted, 11), HasSubstr("the energy ledger misses"));
+    // No more than what the first steps may miss of what a short fall brings.
+    sim::Ledger large = tank.ledger, least = tank.ledger;
+    large.residual = 1e9;
+    least.residual = -1e9;
+    const double most = accepted_miss(large, tank.simulation.model(), state);
+    EXPECT_GT(most, 0.049 * counted);
+    EXPECT_LT(most, 1);
+    EXPECT_EQ(accepted_miss(least, tank.simulation.model(), state), -most);
+    keep_first_residual(most, accounts, state.ledger);
+    EXPECT_THAT(problem(1e9, 11), HasSubstr("the energy ledger misses"));
+}
+
+TEST(LedgerVerdict, KeepsWhatTheFirstStepsMissedInTheState) {
+    StillTank tank;
+    const sim::Accounts accounts = accounts_of(tank.simulation.model());
+    Simulation short_run(scene::read_case_text(
+        riprap::run::tank("planar_dda", body("block", "box = [0.2, 0.16]", "position = [0.5, 0.08]"), 1900, 0.05),
+        "case.toml", "."));
+    while (short_run.state().step < first_steps) {
+        ASSERT_TRUE(short_run.step(sim::Measure::energy).is_accepted());
+    }
+    EXPECT_EQ(first_residual(accounts, short_run.state().ledger), short_run.report().ledger.residual);
+    EXPECT_EQ(first_residual(accounts, tank.simulation.state().ledger),
+              first_residual(accounts, short_run.state().ledger));
 }
 
 TEST(LedgerVerdict, TakesRoundOffOfGreatEnergiesForNothing) {

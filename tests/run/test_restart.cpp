@@ -136,6 +136,9 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
                 HasSubstr("not a rotation"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.push_back(0); }),
                 HasSubstr("ledger.totals"));
+    // A version before the rise of the water's energy and the miss of the first steps were kept.
+    EXPECT_EQ(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.resize(s.ledger.totals.size() - 3); }),
+              "accepted");
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.step = -1; }), HasSubstr("negative"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.stepping.halvings = 60; }), HasSubstr("halved 60 times"));
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.end = 0; }), HasSubstr("end of the run"));

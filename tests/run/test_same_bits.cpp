@@ -105,6 +105,7 @@ struct Scene {
     std::int64_t steps;         ///< in the short run; 1000 in the full one
     std::size_t most_contacts;  ///< that must be there at one time, or the scene says nothing
 };
+void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name; }
 
 /// A run of a scene, hashed on the way, so that a difference shows near where it began.
 class Walk {

@@ -40,6 +40,7 @@ std::string wave(const std::string& keys) { return tank + "[[fluid.wave]]\ntowar
 struct Refusal {
     std::string name, text, message, allowed;
 };
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.name; }
 
 TEST(GridWaves, a_sea_by_a_file_has_the_height_and_the_period_of_its_spectrum) {
     const TemporaryFolder folder;

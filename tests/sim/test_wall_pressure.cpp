@@ -148,7 +148,7 @@ TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_nam
     basin.model.output.gauges.push_back(gauge);
     const State initial = basin.state;
     Scratch scratch;
-    const StepReport report = basin.steps(40, scratch);
+    const StepReport report = basin.steps(100, scratch);
     ASSERT_TRUE(report.status.ok());
     const Moment moment{basin.model, initial, basin.state, &scratch, &report};
     const Pose pose{basin.state.bodies.position[0], basin.state.bodies.orientation[0]};

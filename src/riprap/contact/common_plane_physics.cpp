@@ -6,6 +6,7 @@
 
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+#include "riprap/contact/narrowphase/plane_section.hpp"
 #include "riprap/contact/respond.hpp"
 
 namespace riprap::contact {
@@ -54,6 +55,20 @@ double stiffness_per_area(const PairSide& a, const PairSide& b) {
            b.material.normal_stiffness / b.shape.inscribed_radius;
 }
 
+/// Area under a spring that depends on how deep it is pressed: A(d) now, and `stored`, the mean that gives its energy,
+/// int_0^d A(s) s ds = stored d^2/2 [m^2].
+struct SpringArea {
+    double now{0}, stored{0};
+};
+
+/// What edges and corners stand for that meet without a face: the section common to both bodies, an equal share a
+/// point. It grows with d^2 where edges cross, with d where an edge lies on a face; Simpson's rule is exact for both.
+SpringArea area_of_section(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, int count) {
+    const double now = common_section(a, b, plane.normal, -plane.gap);
+    const double before = common_section(a, b, plane.normal, -0.5 * plane.gap);
+    return {now / count, (2 * before + now) / 3 / count};
+}
+
 }  // namespace
 
 std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes) {
@@ -85,18 +100,21 @@ void CommonPlanePhysics::meet(const Candidate& pair, SeparatingCache& cache, Fou
     PlaneContacts points;
     find_plane_contacts(hull_a, hull_b, plane, contact_tolerance(hull_a, hull_b, plane), points);
     const double radius = std::min(a.shape.inscribed_radius, b.shape.inscribed_radius), square = radius * radius;
+    const bool by_section = law == PlaneLaw::soft && points.count > 0 && !(points.area > 0);
+    const SpringArea section = by_section ? area_of_section(hull_a, hull_b, plane, points.count) : SpringArea{};
     for (int k = 0; k < points.count; ++k) {
         const PlaneContact& point = points.contacts[at(k)];
         if (point.gap >= 0) {
             continue;
         }
-        const double depth = -point.gap, area = law == PlaneLaw::penalty ? square : point.area + 0.01 * square;
+        const double depth = -point.gap, own = law == PlaneLaw::penalty ? square : point.area + 0.01 * square;
+        const SpringArea area{own + section.now, own + section.stored};
         NormalContact normal{};
-        normal.stiffness = area * stiffness_per_area(a, b);
+        normal.stiffness = area.now * stiffness_per_area(a, b);
         normal.force = -normal.stiffness * depth * points.normal;
         normal.point = 0.5 * (point.on_a + point.on_b);
         normal.area = point.area;
-        normal.energy = 0.5 * normal.stiffness * depth * depth;
+        normal.energy = 0.5 * area.stored * stiffness_per_area(a, b) * depth * depth;
         normal.depth = depth;
         normal.potential = depth / radius;
         normal.spin_moment = 2.0 / 3 * norm(normal.force) * std::sqrt(point.area / M_PI);

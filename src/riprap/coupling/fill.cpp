@@ -122,7 +122,7 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
         return filling;
     }
     filling.lattice_corner = lattice_corner(cut, settings.domain);
-    const FillSolids solids(shapes, bodies, initial, settings.spacing);
+    const FillSolids solids(shapes, bodies, initial, settings.domain, settings.spacing);
     const double distance = (nearest - lattice_slack) * settings.spacing;
     Lattice lattice = lattice_over(cut, settings, filling.lattice_corner, up);
     const Owner owner{cut, lattice, solids, up, distance};

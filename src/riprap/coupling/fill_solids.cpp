@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
+#include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {
 
 FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-                       double farthest)
+                       const fluid::Domain& domain, double farthest)
     : farthest_(farthest), grounds_(body::find_grounds(bodies, shapes)) {
     const auto at = [](BodyId body) { return static_cast<std::size_t>(body.value); };
     std::vector<std::uint8_t> is_ground(static_cast<std::size_t>(bodies.size()), 0);
@@ -29,7 +30,33 @@ FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bo
         parts_.push_back({shapes.view(part.shape),
                           {to_world(pose, part.local.position), pose.orientation * part.local.orientation}});
     }
+    add_images(domain);
     sort_into_cells();
+}
+
+/// Adds the images of parts that reach into the domain across its periodic sides: water that starts in one of them
+/// would burst out of the body. Half-spaces have no image of their own: they repeat, or stand across the period.
+void FillSolids::add_images(const fluid::Domain& domain) {
+    const fluid::PeriodicImages images(domain);
+    const Vec3 middle = 0.5 * (domain.low + domain.high);
+    const std::size_t count = images.shifts().size() > 1 ? parts_.size() : 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double reach = parts_[k].shape.circumradius + farthest_;
+        if (!std::isfinite(reach)) {
+            continue;
+        }
+        const Vec3 nearest = images.nearest(parts_[k].pose.position, middle);
+        parts_[k].pose.position = nearest;
+        for (const Vec3& shift : images.shifts()) {
+            const Vec3 x = nearest + shift;
+            const auto meets = [&](int axis) {
+                return shift[axis] == 0 || (x[axis] + reach > domain.low[axis] && x[axis] - reach < domain.high[axis]);
+            };
+            if (shift != Vec3{} && meets(0) && meets(1) && meets(2)) {
+                parts_.push_back({parts_[k].shape, {x, parts_[k].pose.orientation}});
+            }
+        }
+    }
 }
 
 /// Parts much larger than most would make every cell as large as they are: they are asked one by one.

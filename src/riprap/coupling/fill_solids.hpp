@@ -7,17 +7,19 @@
 #include "riprap/body/ground.hpp"
 #include "riprap/core/quat.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/domain.hpp"
 #include "riprap/geometry/shape_set.hpp"
 
 namespace riprap::coupling {
 
-/// The solids of a scene as filling sees them: all parts of all bodies, and the surfaces of ground. Small parts are in
-/// cells, so that what a question costs does not grow with the blocks far away.
+/// The solids of a scene as filling sees them: all parts of all bodies, with their images across periodic sides, and
+/// the surfaces of ground. Small parts are in cells, so that what a question costs does not grow with the blocks far
+/// away.
 class FillSolids {
  public:
     /// @param farthest  no distance is asked for beyond it [m]
     FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-               double farthest);
+               const fluid::Domain& domain, double farthest);
     bool contain(const Vec3& x) const;
     /// True inside of a solid, and outside where a surface is less than `distance` away [m].
     bool are_near(const Vec3& x, double distance) const;
@@ -27,6 +29,7 @@ class FillSolids {
         geometry::ConvexView shape;
         Pose pose;
     };
+    void add_images(const fluid::Domain& domain);
     void sort_into_cells();
     template <class Is>
     bool is_any(const Vec3& x, const Is& is) const;

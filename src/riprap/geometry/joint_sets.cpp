@@ -186,9 +186,15 @@ Outcome<JointedRock> cut_by_joint_sets(const Polyhedron& region, std::span<const
     if (auto problems = check(region, sets, options); !problems.empty()) {
         return problems;
     }
+    // Joints of sets that cross all others cut so many blocks; sets of like directions cut fewer.
+    double blocks = 1;
+    for (const JointSet& set : sets) {
+        const Range range = range_along(region, set.normal);
+        blocks *= 1 + set.persistence * std::floor((range.high - range.low) / set.spacing);
+    }
     const auto too_many = [&](std::size_t s, const char* what) {
         return GeometryProblem{
-            fmt::format("joint set {}: {}", s + 1, what),
+            fmt::format("joint set {}: {}; all sets together make up to {:.2g}", s + 1, what, blocks),
             fmt::format("at most {} blocks; a wider spacing or a smaller region", options.maximum_blocks)};
     };
     Jointing jointing(region, options);

@@ -105,6 +105,12 @@ class Unpacker {
     std::size_t at_{0};
 };
 
+/// Says which version of Riprap writes a format that this one does not read, and what is new in the one it reads.
+std::string writer_of(std::uint32_t version) {
+    return version == 1 ? "that of Riprap 0.1 and 0.2, without what verdicts remember"
+                        : "that of " + std::string(version > checkpoint_version ? "a later Riprap" : "no Riprap");
+}
+
 FieldType to_field_type(const Unpacker& in, std::uint8_t code) {
     if (code < static_cast<std::uint8_t>(FieldType::float64) || code > static_cast<std::uint8_t>(FieldType::uint8)) {
         in.refuse("unknown field type " + std::to_string(code));
@@ -181,8 +187,9 @@ Checkpoint Checkpoint::parse(std::string bytes, const std::string& name) {
     checkpoint.header_.time = in.get<double>("header");
     in.check(0, "header");
     if (version != checkpoint_version) {
-        throw CheckpointError("checkpoint '" + name + "' has format version " + std::to_string(version) +
-                              "; this Riprap reads version " + std::to_string(checkpoint_version));
+        throw CheckpointError("checkpoint '" + name + "' has format version " + std::to_string(version) + ", " +
+                              writer_of(version) + "; this Riprap reads version " + std::to_string(checkpoint_version) +
+                              ": continue the run with the version that wrote it, or begin it anew with --force");
     }
     if (file_bytes != checkpoint.bytes_.size()) {
         in.refuse(std::string(checkpoint.bytes_.size() < file_bytes ? "truncated" : "bytes follow its end") +

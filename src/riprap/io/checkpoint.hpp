@@ -27,7 +27,7 @@
 
 namespace riprap::io {
 
-inline constexpr std::uint32_t checkpoint_version = 2;  ///< 2: with what verdicts remember
+inline constexpr std::uint32_t checkpoint_version = 3;  ///< 3: with deep pairs
 
 /// Header of a checkpoint.
 struct CheckpointHeader {

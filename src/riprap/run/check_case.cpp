@@ -11,6 +11,7 @@
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
+#include "riprap/run/end_causes.hpp"
 #include "riprap/run/ensemble.hpp"
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
@@ -21,6 +22,7 @@
 #include "riprap/sim/quantity.hpp"
 #include "riprap/sim/shown.hpp"
 #include "riprap/sim/time_step.hpp"
+#include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
 
@@ -82,7 +84,7 @@ std::string certain_crush(const scene::LoadedCase& loaded) {
     return "";
 }
 
-std::optional<CaseCheck::EarlyTipping> early_tipping(const sim::Model& model, const sim::State& state) {
+std::optional<CaseCheck::EarlyTipping> early_tipping_of(const sim::Model& model, const sim::State& state) {
     // The foot is that of overlaps, whose stiffness is a property of the material.
     const std::optional<TippingBias> bias =
         sim::tells_depth(model) ? largest_tipping_bias(model, state) : std::optional<TippingBias>();
@@ -91,8 +93,48 @@ std::optional<CaseCheck::EarlyTipping> early_tipping(const sim::Model& model, co
     }
     constexpr double degree = M_PI / 180;
     const MaterialId material = model.bodies.material[static_cast<std::size_t>(bias->body.value)];
-    return CaseCheck::EarlyTipping{model.bodies.name(bias->body), bias->above, bias->rigid / degree,
-                                   bias->elastic / degree, bias->factor * model.materials[material].normal_stiffness};
+    std::vector<std::string_view> others;
+    sim::Solids::for_each([&]<class Solid>() {
+        const bool tells = requires { requires Solid::tells_depth; };
+        bool is_of_shapes = true;
+        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, typename Solid::Settings{}); }) {
+            is_of_shapes = std::isinf(Solid::smallest_stand_in(model.bodies, model.shapes, typename Solid::Settings{}));
+        }
+        const bool is_of_plane = requires(typename Solid::Settings settings) { settings.plane; };
+        if (!tells && is_of_shapes && (model.bodies.is_planar || !is_of_plane)) {
+            others.push_back(Solid::Settings::method_name);
+        }
+    });
+    return CaseCheck::EarlyTipping{model.bodies.name(bias->body),
+                                   bias->above,
+                                   bias->rigid / degree,
+                                   bias->elastic / degree,
+                                   bias->factor * model.materials[material].normal_stiffness,
+                                   std::move(others)};
+}
+
+/// Predicts what contacts will do, and warns where that is much.
+void predict_contacts(const scene::LoadedCase& loaded, CaseCheck& check) {
+    const sim::Model& model = loaded.model;
+    check.tipping = early_tipping_of(model, loaded.state);
+    if (const auto found = largest_overlap(model, loaded.state)) {
+        check.overlap = CaseCheck::Overlap{model.bodies.name(found->body), model.bodies.name(found->other), *found};
+    }
+    if (const auto found = shortest_impact(model, loaded.state)) {
+        check.impact = CaseCheck::Impact{model.bodies.name(found->body), model.bodies.name(found->other), *found};
+    }
+    if (check.tipping && check.tipping->rigid - check.tipping->elastic > early_tipping) {
+        check.warnings.push_back(text_of(*check.tipping));
+    }
+    // Reading warns of impacts that a contact of the distance potential cannot hold at all.
+    const bool is_told = sim::tells_depth(model) && check.overlap && check.overlap->found.is_impact &&
+                         check.overlap->found.share > solid::most_overlap;
+    if (check.overlap && check.overlap->found.share > large_overlap && !is_told) {
+        check.warnings.push_back(text_of(*check.overlap));
+    }
+    if (check.impact && check.impact->found.back < least_back) {
+        check.warnings.push_back(text_of(*check.impact));
+    }
 }
 
 }  // namespace
@@ -141,7 +183,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
             check.mass += model.bodies.mass[static_cast<std::size_t>(i)];
         }
     }
-    check.tipping = early_tipping(model, loaded.state);
+    predict_contacts(loaded, check);
     if (model.particles() != nullptr) {
         check.particles = loaded.state.fluid.size();
         check.samples = model.particles()->samples.size();
@@ -178,7 +220,9 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     sim::State state = initial;
     check.is_tried = !bound.is_wanted || check.bodies <= most_solved_by_check;
     const sim::StepReport report = check.is_tried ? advance(model, state, scratch, check.time_step) : sim::StepReport{};
-    check.refusal = report.status.ok() ? certain_crush(loaded) : report.status.with_remedy();
+    check.refusal = report.status.ok()
+                        ? certain_crush(loaded)
+                        : with_advice({model, initial, state, scratch, report, report.status}).with_remedy();
     check.substeps = report.substeps;
     if (report.substeps > 1) {
         check.substeps_reason = bound.reason;

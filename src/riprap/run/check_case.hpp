@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "riprap/run/predicted_contact.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/scene/warnings/narrow_gaps.hpp"
 
@@ -42,10 +44,21 @@ struct CaseCheck {
         std::int64_t above;     ///< bodies that stand on it
         double rigid, elastic;  ///< slopes at which a rigid body and one with the stiffness of the case tip [deg]
         double stiffness;       ///< normal_stiffness with which the two agree to 0.1 degrees [Pa]
+        std::vector<std::string_view> others;  ///< solid methods whose bodies tip about their edges
     };
     std::optional<EarlyTipping> tipping;  ///< of the body that tips earliest by the elasticity of its foot
-    double time_step{0};                  ///< [s]
-    double time_step_limit{0};            ///< [s]
+    struct Overlap {
+        std::string body, other;
+        PredictedOverlap found;
+    };
+    std::optional<Overlap> overlap;  ///< the largest that the stiffness allows
+    struct Impact {
+        std::string body, other;
+        ImpactStep found;
+    };
+    std::optional<Impact> impact;  ///< that the step of an implicit method damps most
+    double time_step{0};           ///< [s]
+    double time_step_limit{0};     ///< [s]
     std::string limited_by;
     double end{0};  ///< [s]
     std::int64_t steps{0};
@@ -73,6 +86,11 @@ struct CaseCheck {
 /// and gigabytes.
 inline constexpr std::int64_t most_solved_by_check = 10'000;
 
+/// Angle by which a body tips early above which `check` warns [deg].
+inline constexpr double early_tipping = 0.25;
+/// Share of the speed of an impact that comes back below which `check` warns [-].
+inline constexpr double least_back = 0.95;
+
 /// Sides of the domain that absorb waves, with the range in which they do.
 std::vector<std::string> sides_of(const sim::Model& model);
 
@@ -82,6 +100,11 @@ CaseCheck check_case(const scene::LoadedCase& loaded);
 /// For people, warnings in colour if asked, and as one JSON object.
 std::string check_text(const CaseCheck& check, bool is_coloured = false);
 std::string check_json(const CaseCheck& check);
+
+/// Lines of `check`, which are warnings where they are of much.
+std::string text_of(const CaseCheck::EarlyTipping& tipping);
+std::string text_of(const CaseCheck::Overlap& overlap);
+std::string text_of(const CaseCheck::Impact& impact);
 
 /// "1.5 GB", "20 kB"
 std::string size_text(double bytes);

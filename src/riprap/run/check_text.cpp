@@ -8,6 +8,7 @@
 
 #include "riprap/core/tint.hpp"
 #include "riprap/run/check_case.hpp"
+#include "riprap/run/remedy_text.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/sim/shown.hpp"
 
@@ -52,16 +53,6 @@ std::string gaps_text(const CaseCheck& check) {
         low == high ? low : low + " to " + high);
 }
 
-/// "column" and 3 above tip 0.85 degrees early ...
-std::string tipping_text(const CaseCheck::EarlyTipping& tipping) {
-    const std::string who = tipping.above > 0 ? fmt::format("'{}' and the {} above it tip", tipping.body, tipping.above)
-                                              : fmt::format("'{}' tips", tipping.body);
-    return fmt::format(
-        "{} at {:.3g} deg, {:.2g} deg before a rigid body ({:.3g}), as contacts are elastic; for 0.1 deg set "
-        "normal_stiffness = {:.2g} Pa",
-        who, tipping.elastic, tipping.rigid - tipping.elastic, tipping.rigid, tipping.stiffness);
-}
-
 /// What was found at time 0.
 std::string start_text(const CaseCheck& check) {
     return check.is_tried ? fmt::format("{} contact{}, deepest overlap {:.3g} m ({:.2g} % of the inscribed radius)",
@@ -71,6 +62,37 @@ std::string start_text(const CaseCheck& check) {
 }
 
 }  // namespace
+
+/// "column" and 3 above tip 0.85 degrees early ...
+std::string text_of(const CaseCheck::EarlyTipping& tipping) {
+    const std::string who = tipping.above > 0 ? fmt::format("'{}' and the {} above it tip", tipping.body, tipping.above)
+                                              : fmt::format("'{}' tips", tipping.body);
+    return fmt::format(
+        "{} at {:.3g} deg, {:.2g} deg before a rigid body ({:.3g}), as contacts are elastic; for 0.1 deg set "
+        "normal_stiffness = {:.2g} Pa; {} turn blocks about their edges",
+        who, tipping.elastic, tipping.rigid - tipping.elastic, tipping.rigid, tipping.stiffness,
+        fmt::join(tipping.others, ", "));
+}
+
+std::string text_of(const CaseCheck::Overlap& overlap) {
+    const PredictedOverlap& found = overlap.found;
+    const std::string how =
+        found.is_impact
+            ? fmt::format("'{}' comes to '{}' with {:.3g} m/s and sinks in", overlap.body, overlap.other, found.speed)
+            : fmt::format("'{}' sinks into '{}', on which it stands,", overlap.body, overlap.other);
+    return fmt::format(
+        "{} by {:.3g} m, {:.2g} % of an inscribed radius{}", how, found.overlap, 100 * found.share,
+        found.share > large_overlap ? fmt::format("; {} makes it {:g} %", found.stiffness, 100 * large_overlap) : "");
+}
+
+std::string text_of(const CaseCheck::Impact& impact) {
+    const ImpactStep& found = impact.found;
+    return fmt::format("'{}' comes to '{}' with {:.3g} m/s and goes back with {:.2g} of it, for its step alone{}",
+                       impact.body, impact.other, found.speed, found.back,
+                       found.back < least_back ? fmt::format("; {} gives back {:g}",
+                                                             assignment_below("solid.step", found.step), well_resolved)
+                                               : "");
+}
 
 bool CaseCheck::has_countable_steps() const { return steps <= plausible_steps; }
 
@@ -114,7 +136,13 @@ std::string check_text(const CaseCheck& check, bool is_coloured) {
                             check.substeps, check.substep, check.substeps_reason);
     }
     if (check.tipping) {
-        text += fmt::format("  tipping       {}\n", tipping_text(*check.tipping));
+        text += fmt::format("  tipping       {}\n", text_of(*check.tipping));
+    }
+    if (check.overlap) {
+        text += fmt::format("  overlap       {}\n", text_of(*check.overlap));
+    }
+    if (check.impact) {
+        text += fmt::format("  impact        {}\n", text_of(*check.impact));
     }
     if (check.gaps.pairs > 0) {
         text += fmt::format("  gaps          {}\n", gaps_text(check));
@@ -184,7 +212,27 @@ std::string check_json(const CaseCheck& check) {
                            {"above", check.tipping->above},
                            {"rigid_slope", check.tipping->rigid},
                            {"elastic_slope", check.tipping->elastic},
-                           {"stiffness_for_0.1_deg", check.tipping->stiffness}};
+                           {"stiffness_for_0.1_deg", check.tipping->stiffness},
+                           {"without_it", check.tipping->others}};
+    }
+    json["predicted_overlap"] = nullptr;
+    if (check.overlap) {
+        json["predicted_overlap"] = {{"body", check.overlap->body},         {"other", check.overlap->other},
+                                     {"speed", check.overlap->found.speed}, {"overlap", check.overlap->found.overlap},
+                                     {"share", check.overlap->found.share}, {"remedy", check.overlap->found.stiffness}};
+    }
+    json["impact"] = nullptr;
+    if (check.impact) {
+        json["impact"] = {{"body", check.impact->body},
+                          {"other", check.impact->other},
+                          {"speed", check.impact->found.speed},
+                          {"share_back", check.impact->found.back},
+                          {"step", check.impact->found.step}};
+    }
+    if (!check.is_tried) {
+        for (const char* key : {"contacts", "max_overlap", "max_potential"}) {
+            json[key] = nullptr;
+        }
     }
     json["waves"] = nlohmann::ordered_json::array();
     for (const scene::PaddleWave& wave : check.waves) {

@@ -315,27 +315,16 @@ int Driver::interrupt(const Progress& progress, const std::string& reason, int c
     return code;
 }
 
-std::string Driver::remedy_of(const StepOutcome& refused) {
-    if (!refused.why.remedy.empty()) {
-        return refused.why.remedy;
-    }
-    if (model().particles() == nullptr) {
-        return "a smaller time_step, a stiffer material or more damping usually helps";
-    }
-    return simulation_.fixed_step_problem().empty() ? "a smaller fluid.courant or fluid.spacing usually helps"
-                                                    : "the water moves faster now than when the case was checked";
-}
-
 int Driver::fail(const Progress& progress, const StepOutcome& refused) {
     checkpoint(progress);
     const std::string reason = refused.why.with_remedy();
     summarise(progress, "failed", reason, simulation_.judge(false));
     log_->add("end", "failed: " + reason, {{"step", static_cast<double>(state().step)}, {"time", state().time}});
     if (voice_ != Voice::none) {
-        fmt::print(stderr,
-                   "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n  {}\n",
+        fmt::print(stderr, "\n{} step {} was refused: {}\n  the last good state (step {}, t = {:.6g} s) is in {}\n{}",
                    tinted("riprap:", Tint::bad, shows_colours(stderr)), state().step + 1, refused.why.text,
-                   state().step, state().time, printable(folder_.checkpoint_latest().string()), remedy_of(refused));
+                   state().step, state().time, printable(folder_.checkpoint_latest().string()),
+                   refused.why.remedy.empty() ? "" : fmt::format("  what helps: {}\n", refused.why.remedy));
     }
     return static_cast<int>(ExitCode::numerical);
 }

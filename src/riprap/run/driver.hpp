@@ -50,8 +50,6 @@ class Driver {
     double predicted_seconds(const Progress& progress) const;
     int finish(const Progress& progress);
     int interrupt(const Progress& progress, const std::string& reason, int code);
-    /// Says what to change after a step that was refused for good.
-    std::string remedy_of(const StepOutcome& refused);
     int fail(const Progress& progress, const StepOutcome& refused);
     int verdict(const std::vector<ExpectResult>& results) const;
     void note(const Progress& progress);

@@ -29,10 +29,16 @@ inline constexpr double most_artificial = 0.1;
 /// A residual within 1e-9 of the energies that are there is round-off. Methods that do not book all that they dissipate
 /// step by step (DDA, spheres, MPS, grids) are judged after the first steps only. Then, too, what the artificial terms
 /// of the fluid made in all may be no more than most_artificial of what counts: a ledger that books it closes all the
-/// same.
+/// same. Of an account that is what the balance lacks (sim::rest_name) its largest rise counts, not its sum.
+/// What the first steps missed and were allowed (accepted_miss) is not counted again with less room: a miss that grows
+/// no more ends no run.
 /// @param step  number of the step that the ledger is of, from 1
 std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
                            std::int64_t step);
+
+/// Returns the miss at the end of the first steps, no more than these may have [J]; kept in the State
+/// (sim::keep_first_residual).
+double accepted_miss(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state);
 
 /// Returns how much of the energy turned over the artificial terms of the fluid took, largest first: diffusion of
 /// density, shifting, the exchange with walls; viscosity has an account of its own. Beside little turnover counts what

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,6 +25,7 @@ namespace riprap::run {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t steps_between_looks = 16;  // at the clock: a look costs as much as a block's step
 
 bool is_judged(const ExpectResult& answer) { return answer.verdict != Verdict::not_judged; }
 bool is_missed(const ExpectResult& answer) { return answer.verdict == Verdict::failed; }
@@ -69,6 +71,11 @@ void judge(const Simulation& simulation, MatrixEntry& entry) {
             entry.why += (entry.why.empty() ? "" : "; ") + miss_of(answer);
         }
     }
+    const auto late = std::ranges::count_if(entry.answers, std::not_fn(is_judged));
+    if (late > 0) {  // where `end` is shorter than that of the file, say
+        entry.why += fmt::format("{}{} of {} answers not judged: due after the end at {:.6g} s",
+                                 entry.why.empty() ? "" : "; ", late, entry.answers.size(), simulation.end());
+    }
 }
 
 /// Processor time of this program so far: a busy machine may not turn a run wrong [s].
@@ -84,7 +91,8 @@ void run_to_end(Simulation& simulation, const MatrixOptions& options, MatrixEntr
             simulation.step(simulation.next_is_last() ? sim::Measure::energy : sim::Measure::flow);
         if (outcome.kind == StepOutcome::Kind::refused) {
             entry.why = fmt::format("ended at {:.4g} s: {}", simulation.state().time, outcome.why.with_remedy());
-        } else if (processor_seconds() - start > options.most_seconds) {
+        } else if (simulation.state().step % steps_between_looks == 0 &&
+                   processor_seconds() - start > options.most_seconds) {
             entry.why = fmt::format("stopped at {:.4g} s, after {:.0f} s of computing", simulation.state().time,
                                     options.most_seconds);
         }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "riprap/core/index.hpp"
 #include "riprap/coupling/particle_walls/strays.hpp"
@@ -11,6 +12,8 @@
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/shown.hpp"
+#include "riprap/solid/dem_settings.hpp"
+#include "riprap/solid/driven_travel.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
@@ -61,13 +64,17 @@ std::string splash_text(const sim::Model& model, const sim::State& state) {
 
 namespace {
 
-/// The deepest contact of the distance potential, where that is too deep.
-std::string crossing_rows(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
-                          const sim::StepReport& report) {
-    if (!(report.max_potential > solid::most_overlap)) {
-        return "";
-    }
-    const std::vector<contact::ShownContact> rows = shown_contacts(model, state, scratch);
+/// Does every overlap of the method have a contact that tells how deep it is? Points across a common plane, however
+/// deep the bodies are, need not lie opposite each other.
+bool is_field_deep(const sim::Model& model) {
+    const auto* settings = std::get_if<solid::DemSettings>(&model.solid);
+    return sim::tells_depth(model) &&
+           (settings == nullptr || settings->pair_contact == solid::PairContact::distance_potential);
+}
+
+/// The deepest contact, where that is too deep.
+std::string crossing_rows(const sim::Model& model, const sim::State& state,
+                          const std::vector<contact::ShownContact>& rows) {
     std::size_t deepest = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         deepest = rows[i].potential > rows[deepest].potential ? i : deepest;
@@ -103,18 +110,43 @@ std::string PassageWatch::look_now(const sim::Model& model, const sim::State& st
 
 std::string PassageWatch::look(const sim::Model& model, const sim::State& state, const sim::Scratch& scratch,
                                const sim::StepReport& report, bool is_last) {
-    if (std::string problem = sim::tells_depth(model) ? crossing_rows(model, state, scratch, report) : "";
-        !problem.empty() || !sim::meets_by_shapes(model)) {
-        return problem;
+    if (sim::tells_depth(model)) {
+        std::string problem = look_at_contacts(model, state, scratch, report);
+        if (!problem.empty()) {
+            return problem;
+        }
+    }
+    if (!sim::meets_by_shapes(model)) {
+        return "";
     }
     const double near = solid::most_approach * solid::smallest_radius(model.bodies, model.shapes);
-    approached_ += report.dt * solid::approach_limit(model.bodies, model.shapes, state.bodies);
-    const bool is_held = sim::tells_depth(model) && model.time.is_automatic();  // by the depth of its contacts
+    approached_ += std::max(report.dt * solid::approach_limit(model.bodies, model.shapes, state.bodies),
+                            solid::driven_travel(model.bodies, model.shapes, state.time - report.dt, state.time));
+    const bool is_held = is_field_deep(model) && model.time.is_automatic();  // by the depth of its contacts
     if (!is_last && (is_held || approached_ < near)) {
         return "";
     }
     approached_ = 0;
+    // Spheres that stand for a body let its shape sink into others.
+    if (!sim::tells_depth(model) && !std::isfinite(sim::smallest_stand_in(model))) {
+        const std::vector<DeepPairs::Meeting> meetings = deep_meetings(model, state);
+        if (std::string problem = deep_.look(model, state, meetings); !problem.empty()) {
+            return problem;
+        }
+    }
     return crossing_shapes(model, state);
+}
+
+std::string PassageWatch::look_at_contacts(const sim::Model& model, const sim::State& state,
+                                           const sim::Scratch& scratch, const sim::StepReport& report) {
+    if (!(report.max_potential > deep_overlap)) {
+        deep_.clear();
+        return "";
+    }
+    const std::vector<contact::ShownContact> rows = shown_contacts(model, state, scratch);
+    std::string passed = deep_.look(model, state, deep_meetings(model, state, rows, report.dt));
+    std::string problem = crossing_rows(model, state, rows);
+    return problem.empty() ? passed : problem;
 }
 
 }  // namespace riprap::run

@@ -12,6 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include "riprap/sim/ledger_account.hpp"
+#include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/time_step.hpp"
 
@@ -74,7 +76,7 @@ void check_orientations(const io::Checkpoint& checkpoint, const sim::State& stat
     }
 }
 
-void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
+void check_record(const io::Checkpoint& checkpoint, const sim::Model& model, const RunRecord& record) {
     if (!(record.end > 0) || !std::isfinite(record.end)) {
         refuse(checkpoint, "the end of the run is not a positive number");
     }
@@ -83,6 +85,9 @@ void check_record(const io::Checkpoint& checkpoint, const RunRecord& record) {
     }
     if (!(record.approached >= 0) || !(record.told_excess >= 0)) {
         refuse(checkpoint, "what the verdicts remember is below zero or not a number");
+    }
+    if (!record.deep.fits(model)) {
+        refuse(checkpoint, "the pairs that are deep in each other do not belong to this case");
     }
     const auto is_length = [](double dt) { return dt > 0 && std::isfinite(dt); };
     if (!std::all_of(record.good.steps().begin(), record.good.steps().end(), is_length)) {
@@ -132,10 +137,14 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     const bool is_open = water != nullptr;  // what splashes out of the domain is let go
     const auto has_fixed_length = [is_open](std::string_view name) {
         return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
-               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "ledger.totals" ||
-               name == "open.layers" || name == "open.entered" || name == "open.left";
+               (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "open.layers" ||
+               name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, state, has_fixed_length, prefix);
+    if (!take_up_old_totals(accounts_of(model), state.ledger)) {
+        refuse(checkpoint, fmt::format("section '{}ledger.totals' has {} entries, the case needs {}", prefix,
+                                       state.ledger.totals.size(), initial.ledger.totals.size()));
+    }
     const NonFinite wrong = find_non_finite(state);
     if (!wrong.name.empty()) {
         refuse(checkpoint, fmt::format("{}{}[{}] is not a finite number", prefix, wrong.name, wrong.entry));
@@ -204,7 +213,7 @@ Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& m
     Restart restart{restore_state(checkpoint, model, initial, {}), {}, {}};
     const auto any_length = [](std::string_view) { return false; };
     io::restore(checkpoint, restart.record, any_length);
-    check_record(checkpoint, restart.record);
+    check_record(checkpoint, model, restart.record);
     const std::vector<double>& steps = restart.record.good.steps();
     if (!steps.empty()) {
         Standing good{restore_state(checkpoint, model, initial, good_prefix), {}, {}};

@@ -34,6 +34,7 @@ struct RunRecord {
     std::vector<double> frame_times;            ///< times of the frames written [s]
     std::vector<double> expects;                ///< running figures of the expected answers
     double approached{PassageWatch::infinite};  ///< since bodies were last looked at, PassageWatch::approached [m]
+    DeepPairs deep;                             ///< PassageWatch::deep
     double told_excess{0};                      ///< StepWatch::told_excess [-]
     GoodState good;                             ///< where a run goes back to; no steps: to the State of the checkpoint
 
@@ -53,6 +54,7 @@ struct RunRecord {
         visit("run.frame_times", self.frame_times);
         visit("run.expects", self.expects);
         visit("run.approached", self.approached);
+        DeepPairs::visit_fields(self.deep, visit);
         visit("run.told_excess", self.told_excess);
         GoodState::visit_fields(self.good, visit);
     }

@@ -7,11 +7,13 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/run/end_causes.hpp"
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/settle.hpp"
 #include "riprap/run/state_hash.hpp"
 #include "riprap/run/step_choice.hpp"
+#include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/ledger_table.hpp"
 
 namespace riprap::run {
@@ -59,7 +61,8 @@ StepOutcome Simulation::step(sim::Measure measure, Use use) {
         keep_standing();
     }
     if (std::string problem = step_problem(model(), state_, next_.dt); !problem.empty()) {
-        return {StepOutcome::Kind::refused, {std::move(problem), {}}};
+        const sim::StepStatus why{std::move(problem), {}};
+        return {StepOutcome::Kind::refused, with_advice({model(), state_, state_, scratch_, report_, why})};
     }
     const bool is_end = next_ends(), is_stop = next_is_last(), is_measured = measure == sim::Measure::energy;
     const bool is_judged = is_end || (is_measured && use == Use::record) || state_.step < first_steps ||
@@ -71,7 +74,7 @@ StepOutcome Simulation::step(sim::Measure measure, Use use) {
     }
     if (!report.status.ok()) {
         sim::State before = good_.now(model());
-        return take_back(std::move(before), report.status);
+        return take_back(std::move(before), report);
     }
     sim::StepStatus problem{is_judged ? judge_step(report) : "", {}};
     if (problem.ok()) {
@@ -82,7 +85,11 @@ StepOutcome Simulation::step(sim::Measure measure, Use use) {
         watch_.load(good_.last().expects);
         counts_ = good_.last().counts;
         good_.go_back();
-        return take_back(good_.last().state, problem);
+        report.status = std::move(problem);
+        return take_back(good_.last().state, report);
+    }
+    if (state_.step == first_steps) {
+        keep_first_residual(accepted_miss(report.ledger, model(), state_), accounts_of(model()), state_.ledger);
     }
     stop_problem_ = is_stop && !is_judged ? problem_at_stop(report) : "";
     good_.add_step(next_.dt);
@@ -110,16 +117,27 @@ std::string Simulation::problem_at_stop(const sim::StepReport& report) const {
 
 void Simulation::keep_standing() { good_.keep({state_, watch_.save(), counts_}); }
 
-StepOutcome Simulation::take_back(sim::State to, const sim::StepStatus& why) {
-    state_ = std::move(to);
-    const bool is_retried = halve_time_step(model(), state_);
+StepOutcome Simulation::take_back(sim::State to, const sim::StepReport& report) {
+    constexpr double as_long = 0.75;  // a step this long would be the same again: where it meets the end, say
+    const double refused_dt = next_.dt;
+    const sim::State after = std::exchange(state_, std::move(to));
+    const sim::StepControl stepping = state_.stepping;
+    sim::Scratch fresh;
+    bool is_retried = halve_time_step(model(), state_);
+    while (is_retried && !(choose_step(model(), state_, fresh).dt < as_long * refused_dt)) {
+        is_retried = halve_time_step(model(), state_);
+    }
+    sim::StepStatus why = report.status;
     if (is_retried) {
         keep_standing();
         retries_ += 1;
+    } else {
+        state_.stepping = stepping;
+        why = with_advice({model(), state_, after, scratch_, report, report.status});
     }
     forget_scratch();  // it may hold what is not a number
     next_ = choose_step(model(), state_, scratch_);
-    return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused, why};
+    return {is_retried ? StepOutcome::Kind::retried : StepOutcome::Kind::refused, std::move(why)};
 }
 
 void Simulation::note(RunRecord& record) const {
@@ -129,6 +147,7 @@ void Simulation::note(RunRecord& record) const {
     record.steps = counts_;
     record.expects = watch_.save();
     record.approached = passages_.approached();
+    record.deep = passages_.deep();
     record.good = good_;
 }
 
@@ -138,7 +157,7 @@ void Simulation::restore(sim::State state, const RunRecord& record) {
     retries_ = record.retries;
     counts_ = record.steps;
     set_end(record.end, record.max_steps);
-    passages_.restore(record.approached);
+    passages_.restore(record.approached, record.deep);
     good_ = record.good;
     if (good_.steps().empty()) {
         keep_standing();

@@ -103,8 +103,9 @@ class Simulation {
     /// Returns what a run that max_steps stops in a step that is not judged would have been judged by.
     std::string problem_at_stop(const sim::StepReport& report) const;
     void keep_standing();
-    /// Goes back to a State and on from there with half the step, where that is left to try.
-    StepOutcome take_back(sim::State to, const sim::StepStatus& why);
+    /// Goes back to a State and on from there with a shorter step, where one is left to try: never with the same again.
+    /// @param report  of the step that was refused, with the reason
+    StepOutcome take_back(sim::State to, const sim::StepReport& report);
 
     scene::LoadedCase loaded_;
     sim::State initial_, state_;

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
-#include "riprap/core/index.hpp"
-#include "riprap/scene/warnings/hard_impacts.hpp"
+#include "riprap/run/swept_bodies.hpp"
 #include "riprap/sim/method_traits.hpp"
+#include "riprap/solid/driven_travel.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {
@@ -20,56 +22,64 @@ double thinnest_of(const sim::Model& model) {
     return std::min(solid::smallest_radius(model.bodies, model.shapes), sim::smallest_stand_in(model));
 }
 
-/// Tells whether bodies may approach each other in a step by more than is allowed; in doubt true.
-bool can_come_near(const sim::Model& model, const sim::State& state, double dt) {
-    return dt * solid::approach_limit(model.bodies, model.shapes, state.bodies) >
-           solid::most_approach * thinnest_of(model);
+/// Tells whether bodies may approach each other in a step by more than `allowed`; in doubt true.
+bool can_come_near(const sim::Model& model, const sim::State& state, double dt, double allowed) {
+    return dt * solid::approach_limit(model.bodies, model.shapes, state.bodies) > allowed;
+}
+
+/// Longest way of a driven body in a step from here [m].
+double driven_way(const sim::Model& model, const sim::State& state, double dt) {
+    return solid::driven_travel(model.bodies, model.shapes, state.time, state.time + dt);
+}
+
+/// Cuts a step, in equal parts to the end of the run.
+void cut(sim::TimeStep& step, double bound) {
+    if (step.dt > bound) {
+        const double span = step.dt * static_cast<double>(step.steps_left);
+        step.steps_left = sim::steps_across(span, bound);
+        step.dt = span / static_cast<double>(step.steps_left);
+    }
 }
 
 }  // namespace
 
 sim::TimeStep choose_step(const sim::Model& model, sim::State& state, sim::Scratch& scratch) {
     sim::TimeStep step = sim::choose_time_step(model, state, scratch);
-    if (!model.time.is_automatic() || step.steps_left == 0 || !can_come_near(model, state, step.dt)) {
+    if (!model.time.is_automatic() || step.steps_left == 0) {
         return step;
     }
-    const double approach = solid::fastest_approach(model.bodies, model.shapes, state.bodies);
-    const double bound = solid::most_approach * thinnest_of(model) / approach;
-    if (step.dt > bound) {
-        const double span = step.dt * static_cast<double>(step.steps_left);
-        step.steps_left = sim::steps_across(span, bound);
-        step.dt = span / static_cast<double>(step.steps_left);
+    const double allowed = solid::most_approach * thinnest_of(model);
+    if (can_come_near(model, state, step.dt, allowed)) {
+        // A step that was refused is halved whatever had bounded it.
+        const double bound = allowed / solid::fastest_approach(model.bodies, model.shapes, state.bodies);
+        cut(step, std::ldexp(bound, -static_cast<int>(state.stepping.halvings)));
+    }
+    // A table may move a body that rests now: halved until the step ends before that, or within it.
+    const double least = 16 * std::numeric_limits<double>::epsilon() * (state.time + step.dt);
+    for (double dt = step.dt; dt > least && driven_way(model, state, step.dt) > 2 * allowed; cut(step, dt)) {
+        dt *= 0.5;
     }
     return step;
 }
 
 std::string step_problem(const sim::Model& model, const sim::State& state, double dt) {
-    if (model.time.is_automatic() || !can_come_near(model, state, dt)) {
+    if (model.time.is_automatic() && model.bodies.driven_bodies.empty()) {
         return "";
     }
     const double thinnest = thinnest_of(model);
-    if (!(dt * solid::fastest_approach(model.bodies, model.shapes, state.bodies) > thinnest)) {
+    const bool is_fast = !model.time.is_automatic() && can_come_near(model, state, dt, thinnest) &&
+                         dt * solid::fastest_approach(model.bodies, model.shapes, state.bodies) > thinnest;
+    if (!is_fast && !(driven_way(model, state, dt) > thinnest)) {
         return "";
     }
-    for (std::int32_t b = 0; b < model.bodies.size(); ++b) {
-        const double speed = norm(state.bodies.velocity[at(b)]);
-        if (!(speed * dt > thinnest) || model.bodies.part_begin[at(b)] == model.bodies.part_begin[at(b) + 1]) {
-            continue;
-        }
-        const scene::Meeting met = scene::first_met(model, state, BodyId{b}, state.bodies.velocity[at(b)] / speed);
-        const auto radius_of = [&](std::int32_t part) {
-            return model.shapes.view(model.bodies.parts[at(part)].shape).inscribed_radius;
-        };
-        const double own = radius_of(model.bodies.part_begin[at(b)]);
-        if (met.part >= 0 && std::isfinite(own) && speed * dt > std::min(own, radius_of(met.part)) &&
-            met.distance < speed * dt + own) {
-            return fmt::format(
-                "in a time_step of {:.4g} s {} moves {:.3g} m towards {}, more than the inscribed radius "
-                "of one of them, at t = {:.6g} s: it could pass unseen",
-                dt, model.bodies.name(BodyId{b}), speed * dt, model.bodies.name(met.other), state.time);
-        }
+    const std::optional<Sweep> sweep = find_sweep(model, state, dt);
+    if (!sweep) {
+        return "";
     }
-    return "";
+    return fmt::format(
+        "in a time_step of {:.4g} s {} moves {:.3g} m, through {} or deep into it: more than the inscribed radius of "
+        "one of them, at t = {:.6g} s: it could pass unseen",
+        dt, model.bodies.name(sweep->body), sweep->way, model.bodies.name(sweep->other), state.time);
 }
 
 }  // namespace riprap::run

@@ -25,6 +25,8 @@ struct Standing {
     double stiffness;                     ///< k/r of the body [N/m^3]
     double low, high;                     ///< extent of the body along -gravity [m]
     double near_x, far_x, near_y, far_y;  ///< extents in the plane across gravity [m]
+    double area{0};                       ///< of the foot [m^2]
+    std::int64_t corners{0};              ///< of the foot
 };
 
 struct Extent {
@@ -89,6 +91,10 @@ Standing stand(const sim::Model& model, const sim::State& state, const body::Par
         foot.push_back(place(shape.vertex(shape.face_vertex[k])));
     }
     measure_foot(foot, model.bodies.is_planar, standing);
+    standing.corners = static_cast<std::int64_t>(foot.size());
+    for (std::size_t k = 1; k + 1 < foot.size(); ++k) {
+        standing.area += 0.5 * dot(standing.up, cross(foot[k + 1] - foot[0], foot[k] - foot[0]));
+    }
     standing.level = dot(foot.front(), standing.up);
     standing.stiffness = model.materials[model.bodies.material[b]].normal_stiffness / shape.inscribed_radius;
     const Vec3 e1 = across(down, model.bodies.is_planar), e2 = cross(down, e1);
@@ -149,14 +155,8 @@ std::vector<Stack> stacks_of(const sim::Model& model, const sim::State& state, c
     return stacks;
 }
 
-}  // namespace
-
-std::optional<TippingBias> largest_tipping_bias(const sim::Model& model, const sim::State& state) {
-    const double gravity = norm(model.gravity.value);
-    if (gravity == 0) {
-        return {};
-    }
-    const Vec3 down = (1 / gravity) * model.gravity.value;
+/// Free bodies that stand, from the lowest up.
+std::vector<Standing> standing_bodies(const sim::Model& model, const sim::State& state, const Vec3& down) {
     std::vector<Standing> ordered;
     for (const body::Part& part : model.bodies.parts) {
         const bool is_free = model.bodies.drive[static_cast<std::size_t>(part.body.value)] == body::Drive::free;
@@ -175,6 +175,32 @@ std::optional<TippingBias> largest_tipping_bias(const sim::Model& model, const s
     }
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const Standing& a, const Standing& b) { return a.low < b.low; });
+    return ordered;
+}
+
+}  // namespace
+
+std::vector<LoadedFoot> loaded_feet(const sim::Model& model, const sim::State& state) {
+    const double gravity = norm(model.gravity.value);
+    if (gravity == 0) {
+        return {};
+    }
+    const std::vector<Standing> ordered = standing_bodies(model, state, (1 / gravity) * model.gravity.value);
+    const std::vector<Stack> stacks = stacks_of(model, state, ordered);
+    std::vector<LoadedFoot> feet;
+    for (std::size_t k = 0; k < ordered.size(); ++k) {
+        feet.push_back({ordered[k].body, stacks[k].above, gravity * stacks[k].mass, std::abs(ordered[k].area),
+                        ordered[k].corners});
+    }
+    return feet;
+}
+
+std::optional<TippingBias> largest_tipping_bias(const sim::Model& model, const sim::State& state) {
+    const double gravity = norm(model.gravity.value);
+    if (gravity == 0) {
+        return {};
+    }
+    const std::vector<Standing> ordered = standing_bodies(model, state, (1 / gravity) * model.gravity.value);
     const std::vector<Stack> stacks = stacks_of(model, state, ordered);
     std::optional<TippingBias> largest;
     for (std::size_t k = 0; k < ordered.size(); ++k) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -20,6 +21,18 @@ struct TippingBias {
     double bias() const { return rigid - elastic; }       ///< [rad]
     double share() const { return 1 - elastic / rigid; }  ///< of the slope at which a rigid body tips [-]
 };
+
+/// A free body that stands flat, on the face that is most aligned with gravity, no more than 60 degrees off it.
+struct LoadedFoot {
+    BodyId body;
+    std::int64_t above{0};  ///< bodies that stand on it, directly or on others
+    double weight{0};       ///< of it and of them [N]
+    double area{0};         ///< of its foot [m^2]
+    std::int64_t corners{0};
+};
+
+/// Returns the feet of all bodies that stand, from the lowest up. None without gravity.
+std::vector<LoadedFoot> loaded_feet(const sim::Model& model, const sim::State& state);
 
 inline constexpr double tolerated_tipping_bias = 0.1 * 3.14159265358979323846 / 180;  ///< [rad]
 

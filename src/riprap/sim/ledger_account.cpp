@@ -39,8 +39,15 @@ enum Total : std::size_t {
     fluid_reference_momentum,
     fluid_kinetic_low = fluid_reference_momentum + 3,
     fluid_kinetic_high,
-    own_accounts  ///< of the solid method, then those of the fluid
+    own_accounts  ///< of the solid method, then those of the fluid, then Late
 };
+
+/// Entries behind the own accounts: a ledger written before there were these begins like one with them.
+enum Late : std::size_t { rest_highest, rest_rise, residual_of_first_steps, late_count };
+
+std::size_t late(const Accounts& accounts, Late entry) {
+    return own_accounts + accounts.solid.size() + accounts.fluid.size() + entry;
+}
 
 Vec3 get(const std::vector<double>& totals, std::size_t first) {
     return {totals[first], totals[first + 1], totals[first + 2]};
@@ -138,8 +145,25 @@ std::ptrdiff_t rest_account(const Accounts& accounts) {
     return found == accounts.fluid.end() ? -1 : found - accounts.fluid.begin();
 }
 
-void reset(const Accounts& accounts, LedgerState& state) {
-    state.totals.assign(own_accounts + accounts.solid.size() + accounts.fluid.size(), 0.0);
+void reset(const Accounts& accounts, LedgerState& state) { state.totals.assign(late(accounts, late_count), 0.0); }
+
+double largest_rise(const Accounts& accounts, const LedgerState& state) {
+    return state.totals[late(accounts, rest_rise)];
+}
+
+void keep_first_residual(double residual, const Accounts& accounts, LedgerState& state) {
+    state.totals[late(accounts, residual_of_first_steps)] = residual;
+}
+
+double first_residual(const Accounts& accounts, const LedgerState& state) {
+    return state.totals[late(accounts, residual_of_first_steps)];
+}
+
+bool take_up_old_totals(const Accounts& accounts, LedgerState& state) {
+    if (state.totals.size() == late(accounts, rest_highest)) {
+        state.totals.resize(late(accounts, late_count), 0.0);
+    }
+    return state.totals.size() == late(accounts, late_count);
 }
 
 Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerState& state) {
@@ -237,6 +261,11 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
         fluid.own[static_cast<std::size_t>(rest)] += missed;
         own.lost += missed;
         sum += missed;
+        const double dissipated = fluid.own[static_cast<std::size_t>(rest)];
+        double& highest = totals[late(accounts, rest_highest)];
+        double& rise = totals[late(accounts, rest_rise)];
+        highest = std::max(highest, dissipated);
+        rise = std::max(rise, highest - dissipated);
     }
     double &low = totals[fluid_kinetic_low], &high = totals[fluid_kinetic_high];
     if (is_first) {

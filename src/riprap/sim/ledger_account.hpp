@@ -44,4 +44,15 @@ void account_passage(const fluid::Passage& passage, LedgerState& state);
 /// Empties the ledger: the next kick becomes its reference.
 void reset(const Accounts& accounts, LedgerState& state);
 
+/// Returns by how much the account rest_name of a fluid has fallen below a value that it had before, at most [J]: the
+/// energy that came from nowhere in one go, which a net sum hides behind what was lost before. Zero without it.
+double largest_rise(const Accounts& accounts, const LedgerState& state);
+
+/// Residual of the first steps, which is judged with them and not again with what is turned over later [J].
+void keep_first_residual(double residual, const Accounts& accounts, LedgerState& state);
+double first_residual(const Accounts& accounts, const LedgerState& state);
+
+/// Lengthens totals that a version without these three wrote; tells whether they fit then.
+bool take_up_old_totals(const Accounts& accounts, LedgerState& state);
+
 }  // namespace riprap::sim

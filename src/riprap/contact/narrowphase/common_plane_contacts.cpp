@@ -227,8 +227,11 @@ double contact_tolerance(const PlacedHull& a, const PlacedHull& b, const CommonP
     return std::min(2 * std::abs(plane.gap) + 1e-4 * size, 0.1 * size);
 }
 
-void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance,
-                         PlaneContacts& found) {
+namespace {
+
+/// Fills the contacts of the features within `tolerance`.
+void find_within(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance,
+                 PlaneContacts& found) {
     found.type = ContactType::none;
     found.normal = plane.normal;
     found.area = 0;
@@ -256,6 +259,32 @@ void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonP
     }
     if (found.count > 0) {
         found.type = type_of(count_a, count_b);
+    }
+}
+
+/// Returns the least gap of the contacts; 0 where none overlaps [m].
+double deepest_gap(const PlaneContacts& found) {
+    double least = 0;
+    for (int k = 0; k < found.count; ++k) {
+        least = std::min(least, found.contacts[at(k)].gap);
+    }
+    return least;
+}
+
+}  // namespace
+
+void find_plane_contacts(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane, double tolerance,
+                         PlaneContacts& found) {
+    find_within(a, b, plane, tolerance, found);
+    // Corners beside a ridge or a tip that touch as well make an outline around it, and what lies deepest has no part
+    // in that. Features within a quarter of the depth are at least half as deep where they meet.
+    const double shallow = 0.25 * -plane.gap;
+    if (shallow > 0 && shallow < tolerance && deepest_gap(found) > 0.5 * plane.gap) {
+        PlaneContacts deep;
+        find_within(a, b, plane, shallow, deep);
+        if (deep.count > 0) {
+            found = deep;
+        }
     }
 }
 

@@ -65,12 +65,16 @@ SideForces::SideForces(const WaterAtFace& water, const fluid::BoundaryParticles&
     }
 }
 
-/// Finds B of the particles, whose supports lie within the reach where it matters.
+/// Finds B of the particles behind the plane, whose supports lie within the reach where it matters.
 void SideForces::correct_gradients(const fluid::SphSettings& settings) {
     const int dimension = settings.domain.dimension;
     const fluid::WendlandC2 kernel(settings.smoothing_length(), dimension);
     const fluid::PeriodicImages images(settings.domain);
+    const double support = 2 * settings.smoothing_length();
     const auto add = [&](const Vec3& d, double volume, fluid::Symmetric& moments) {
+        if (norm_squared(d) > support * support) {
+            return;
+        }
         const double slope = volume * kernel.slope_over_r(norm(d));
         moments[0] -= slope * d.x * d.x;
         moments[1] -= slope * d.y * d.y;
@@ -87,6 +91,9 @@ void SideForces::correct_gradients(const fluid::SphSettings& settings) {
         }
     }
     for (Near& one : near_) {
+        if (one.is_in_front) {
+            continue;  // correction_by() reads those behind alone
+        }
         fluid::Symmetric moments{};
         for (const Near& other : near_) {
             add(one.place - other.place, other.volume, moments);

@@ -52,19 +52,28 @@ double depth_below_plane(const ConvexView& shape, const Frame& frame, const Conv
     return depth;
 }
 
-double overlap_depth(const ConvexView& a, const Frame& frame_a, const ConvexView& b, const Frame& frame_b) {
-    if (a.vertex_count == 0 || b.vertex_count == 0) {
-        return a.vertex_count == 0 ? depth_below_plane(b, frame_b, a, frame_a)
-                                   : depth_below_plane(a, frame_a, b, frame_b);
-    }
-    double depth = 0;
+/// Fills depth, point and normal of a pair.
+void measure(const ConvexView& a, const Frame& frame_a, const ConvexView& b, const Frame& frame_b,
+             PartOverlap& overlap) {
     contact::SeparatingCache cache;
     contact::NormalContact found{};
-    if (contact::find_contact(a, frame_a, 1, b, frame_b, 1, {}, cache, found)) {
-        depth = found.depth;
+    contact::DistancePotentialOptions options;
+    options.with_energy = false;
+    const bool have_faces = a.face_count > 0 && b.face_count > 0;  // ground has none
+    if (have_faces && contact::find_contact(a, frame_a, 1, b, frame_b, 1, options, cache, found)) {
+        const double force = norm(found.force);
+        overlap.depth = found.depth;
+        overlap.point = found.point;
+        overlap.normal = force > 0 ? -found.force / force : Vec3{};
+    }
+    if (a.vertex_count == 0 || b.vertex_count == 0) {
+        overlap.depth =
+            a.vertex_count == 0 ? depth_below_plane(b, frame_b, a, frame_a) : depth_below_plane(a, frame_a, b, frame_b);
+        return;
     }
     // The origin of a shape is its centre of mass.
-    return std::max({depth, depth_of_point(b, frame_b, frame_a.origin), depth_of_point(a, frame_a, frame_b.origin)});
+    overlap.depth = std::max(
+        {overlap.depth, depth_of_point(b, frame_b, frame_a.origin), depth_of_point(a, frame_a, frame_b.origin)});
 }
 
 /// Radius about the centre of mass that holds all of a shape [m].
@@ -117,7 +126,7 @@ class DepthBound {
 
 }  // namespace
 
-std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
+std::vector<PartOverlap> find_part_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
     contact::PlacedParts placed;
     contact::place_parts(model.shapes, model.bodies, state.bodies, placed);
     const auto view = [&model](std::int64_t part) { return model.shapes.view(model.bodies.parts[at(part)].shape); };
@@ -130,7 +139,7 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
     contact::MultilevelGrid().find_pairs(placed.bounds(), placed.giants, 0, solid::DemSettings{}.grid_factor, pairs);
 
     const DepthBound bound(model);
-    std::vector<InitialOverlap> of_pair(pairs.size());
+    std::vector<PartOverlap> of_pair(pairs.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(pairs.size()), 64, [&](std::int64_t i) {
         const contact::PartPair pair = pairs[at(i)];
         const ConvexView a = view(pair.a), b = view(pair.b);
@@ -138,22 +147,34 @@ std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const
         // Balls that touch each other or a face are told apart without a look at all their faces.
         if (bound(model.bodies.parts[at(pair.a)].shape, a, placed.frames[at(pair.a)],
                   model.bodies.parts[at(pair.b)].shape, b, placed.frames[at(pair.b)]) < 0.999 * max_share * thinner) {
-            of_pair[at(i)] = {BodyId{placed.body[at(pair.a)]}, BodyId{placed.body[at(pair.b)]}, 0, 0};
+            of_pair[at(i)] = {pair, 0, 0};
             return;
         }
-        const double depth = overlap_depth(a, placed.frames[at(pair.a)], b, placed.frames[at(pair.b)]);
-        const std::int32_t body_a = placed.body[at(pair.a)], body_b = placed.body[at(pair.b)];
-        of_pair[at(i)] = {BodyId{std::min(body_a, body_b)}, BodyId{std::max(body_a, body_b)}, depth, depth / thinner};
+        of_pair[at(i)] = {pair, 0, 0};
+        measure(a, placed.frames[at(pair.a)], b, placed.frames[at(pair.b)], of_pair[at(i)]);
+        of_pair[at(i)].share = of_pair[at(i)].depth / thinner;
     });
-    std::erase_if(of_pair, [max_share](const InitialOverlap& overlap) { return !(overlap.share > max_share); });
-    std::stable_sort(of_pair.begin(), of_pair.end(), [](const InitialOverlap& x, const InitialOverlap& y) {
+    std::erase_if(of_pair, [max_share](const PartOverlap& overlap) { return !(overlap.share > max_share); });
+    std::sort(of_pair.begin(), of_pair.end(),
+              [](const PartOverlap& x, const PartOverlap& y) { return x.parts < y.parts; });
+    return of_pair;
+}
+
+std::vector<InitialOverlap> find_initial_overlaps(const sim::Model& model, const sim::State& state, double max_share) {
+    std::vector<InitialOverlap> overlaps;
+    for (const PartOverlap& of_parts : find_part_overlaps(model, state, max_share)) {
+        const BodyId a = model.bodies.parts[at(of_parts.parts.a)].body,
+                     b = model.bodies.parts[at(of_parts.parts.b)].body;
+        overlaps.push_back({a.value < b.value ? a : b, a.value < b.value ? b : a, of_parts.depth, of_parts.share});
+    }
+    std::stable_sort(overlaps.begin(), overlaps.end(), [](const InitialOverlap& x, const InitialOverlap& y) {
         return std::tuple(x.a.value, x.b.value, y.share) < std::tuple(y.a.value, y.b.value, x.share);
     });
     const auto is_same_pair = [](const InitialOverlap& x, const InitialOverlap& y) {
         return x.a.value == y.a.value && x.b.value == y.b.value;
     };
-    of_pair.erase(std::unique(of_pair.begin(), of_pair.end(), is_same_pair), of_pair.end());
-    return of_pair;
+    overlaps.erase(std::unique(overlaps.begin(), overlaps.end(), is_same_pair), overlaps.end());
+    return overlaps;
 }
 
 }  // namespace riprap::scene

@@ -11,6 +11,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
 #include "riprap/solid/affine/renamed_points.hpp"
+#include "riprap/solid/affine/round_blocks.hpp"
 #include "riprap/solid/affine/seams.hpp"
 
 namespace riprap::solid::affine {
@@ -70,6 +71,24 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
                     rows_at(state.deformation, at(ground)), placed.hull(system, state, block), pair, is_first,
                     surface.is_per_area || surface.cohesion > 0 || surface.tension > 0},
                    history, begin, end, reach, near, found);
+}
+
+/// Appends the contact point of one pair where a block of it is a ball. @returns whether one is
+bool find_in_round_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
+                        const contact::PartPair& pair, RowsOfPairs& rows, double reach,
+                        std::vector<BlockContact>& found) {
+    const double of_a = ball_radius(system.shape_of(pair.a)), of_b = ball_radius(system.shape_of(pair.b));
+    if (of_a == 0 && of_b == 0) {
+        return false;
+    }
+    const RoundSide a{placed.hull(system, state, pair.a), rows_at(state.deformation, at(pair.a)), of_a};
+    const RoundSide b{placed.hull(system, state, pair.b), rows_at(state.deformation, at(pair.b)), of_b};
+    if (auto contact = find_at_ball(pair, a, b, reach)) {
+        const auto [begin, end] = rows.of(pair);
+        contact->old = begin < end ? static_cast<std::int64_t>(begin) : -1;
+        found.push_back(*contact);
+    }
+    return true;
 }
 
 /// Appends the contact points of one pair; remembers in `separating` what keeps it apart.
@@ -235,6 +254,9 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
                 if (apart > radius_[at(pair.a)] + radius_[at(pair.b)]) {
                     continue;
                 }
+            }
+            if (find_in_round_pair(system, state, placed, pair, rows, reach, chunk)) {
+                continue;
             }
             find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, rows,
                          reach, seams, separating_[at(p)], chunk);

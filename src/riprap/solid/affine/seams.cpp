@@ -67,6 +67,15 @@ double breadth_of(const PlacedHull& hull) {
     return least;
 }
 
+/// Twice the distance of the farthest corner from the centre [m].
+double length_of(const PlacedHull& hull) {
+    double square = 0;
+    for (const Vec3& x : hull.vertices) {
+        square = std::max(square, norm_squared(x - hull.centre));
+    }
+    return 2 * std::sqrt(square);
+}
+
 /// Contact points of a face on a face spread over it; those at a seam lie along a line.
 bool is_spread(const contact::PlaneContacts& points, double breadth) {
     double length = 0;
@@ -138,7 +147,8 @@ bool Seams::open_plane(const contact::PartPair& pair, const contact::PlaneContac
 
 bool Seams::is_hidden(const Meeting& meeting, std::int32_t third, CommonPlane& plane) const {
     const PlacedHull hull = placed_.hull(system_, state_, third);
-    if (!is_near(hull, meeting.points[0].first, (joint_share + soft_step_share) * meeting.breadth)) {
+    bool is_wide = !is_near(hull, meeting.points[0].first, (joint_share + soft_step_share) * meeting.breadth);
+    if (is_wide && !may_bridge(meeting, hull)) {
         return false;
     }
     const CommonPlane under = contact::common_plane(hull, meeting.standing, {}, reach_);
@@ -149,29 +159,63 @@ bool Seams::is_hidden(const Meeting& meeting, std::int32_t third, CommonPlane& p
                  most = soft_step_share * meeting.breadth;
     const double step = std::max(least, std::min(2 * overlap, most));
     double set_back = 0;
+    const auto covers_over = [&](double joint) {
+        return covers(meeting, hull, under.normal, overlap, step, joint, set_back);
+    };
+    is_wide = is_wide || !covers_over(joint_share * meeting.breadth);
+    if (is_wide && !(may_bridge(meeting, hull) && covers_over(0.5 * length_of(meeting.standing)) &&
+                     !has_dipped(meeting, hull, under, least))) {
+        return false;
+    }
     CommonPlane turned = plane;
-    if (!covers(meeting, hull, under.normal, overlap, step, set_back) ||
-        !turn(meeting, under.normal, overlap + most, turned)) {
+    if (!turn(meeting, under.normal, overlap + most, turned)) {
         return false;
     }
     // Where the other block may slide along the third one as well, it is their motion that tells who passes whom.
     const bool is_held = system_.is_fixed[at(meeting.other)] != 0 && system_.is_fixed[at(third)] != 0;
-    if (!is_held && set_back <= step && !slides_along(meeting, turned.normal)) {
+    if (!is_held && !is_wide && set_back <= step && !slides_along(meeting, turned.normal)) {
         return false;
     }
     plane = turned;
     return true;
 }
 
+/// Tells whether a block may stand on a third one with its front over a joint: the point that it meets lies before a
+/// face of the third one, in its plane, and no farther than half of the block's length, beyond which the block tips.
+bool Seams::may_bridge(const Meeting& meeting, const PlacedHull& third) const {
+    const Vec3& x = meeting.points[0].first;
+    const double height = 2 * soft_step_share * meeting.breadth;
+    for (std::size_t f = 0; f < third.normals.size(); ++f) {
+        const Vec3& n = third.normals[f];
+        const double level = offset_of(third, f);
+        if (std::abs(dot(n, x) - level) <= height && dot(n, meeting.standing.centre) > level &&
+            std::abs(dot(n, meeting.normal)) <= same_plane) {
+            return is_near(third, x, 0.5 * length_of(meeting.standing));
+        }
+    }
+    return false;
+}
+
+/// Tells whether the front of a block over a joint is lower than the springs of both supports let it sink: at most
+/// twice the overlap at the end of the face that it stands on.
+bool Seams::has_dipped(const Meeting& meeting, const PlacedHull& third, const CommonPlane& under, double least) const {
+    contact::PlaneContacts points;
+    find_plane_contacts(third, meeting.standing, under, contact_tolerance(third, meeting.standing, under), points);
+    double support = 0;
+    for (int k = 0; k < points.count; ++k) {
+        support = std::max(support, -points.contacts[at(k)].gap);
+    }
+    return points.count == 0 || -under.gap > std::max(least, 2 * support);
+}
+
 /// Tells whether a third body lies before the side of `other` wherever it is touched, up to a step below its edge.
 bool Seams::covers(const Meeting& meeting, const PlacedHull& third, const Vec3& up, double overlap, double step,
-                   double& set_back) const {
+                   double joint, double& set_back) const {
     const Vec3 climb = up - dot(up, meeting.normal) * meeting.normal;
     const Vec3 away = meeting.normal - dot(up, meeting.normal) * up;
     const double slope = norm(climb);  // of the side against the face stood on: a sine, and that of `away` too
     const Vec3 along = climb / slope, out = away / slope;
     const double apart = contact::plane_gap(meeting.next, meeting.standing, out);
-    const double joint = joint_share * meeting.breadth;
     set_back = std::numeric_limits<double>::infinity();
     for (const auto& [x, gap] : meeting.points) {
         double rise = std::numeric_limits<double>::infinity();

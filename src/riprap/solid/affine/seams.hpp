@@ -47,7 +47,10 @@ class Seams {
     };
     bool is_hidden(const Meeting& meeting, std::int32_t third, contact::CommonPlane& plane) const;
     bool covers(const Meeting& meeting, const contact::PlacedHull& third, const Vec3& up, double overlap, double step,
-                double& set_back) const;
+                double joint, double& set_back) const;
+    bool may_bridge(const Meeting& meeting, const contact::PlacedHull& third) const;
+    bool has_dipped(const Meeting& meeting, const contact::PlacedHull& third, const contact::CommonPlane& under,
+                    double least) const;
     bool turn(const Meeting& meeting, const Vec3& up, double deepest, contact::CommonPlane& plane) const;
     bool slides_along(const Meeting& meeting, const Vec3& normal) const;
 

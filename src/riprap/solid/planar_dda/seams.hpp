@@ -25,7 +25,8 @@ class Seams {
         enum class Kind {
             none,   ///< no seam
             clear,  ///< the other entrance is hidden
-            weak    ///< both would be hidden, by what either block stands on
+            weak    ///< the other entrance is hidden unless it is closed already: both would be hidden, by what either
+                    ///< block stands on, or the corner hangs over a joint
         };
         Kind kind{Kind::none};
         bool is_first{false};
@@ -37,23 +38,31 @@ class Seams {
  private:
     /// A third block on which `stander` stands, and which the block of `other` continues.
     struct Seam {
-        bool is_there{false}, is_closed{false};
+        bool is_there{false}, is_closed{false}, hangs{false};
         Vec2 normal{};         ///< of the face stood on, outward [-]
         std::int32_t top{-1};  ///< edge at `other` that continues it
         double past{0};        ///< of `stander` beyond the end of that face [m]
         double step{0};        ///< of `other` above that face [m]
         double tolerance{0};   ///< of the step [m]
     };
+    /// What carries a corner that hangs beyond the end of a face: the end, under an edge of the corner's block.
+    struct Bridge {
+        bool is_there{false}, is_closed{false};
+        double overlap{0};  ///< there [m]
+    };
+    Bridge bridge_over(std::int32_t stander, std::int32_t face, bool is_at_end) const;
     Seam find(std::int32_t stander, std::int32_t other) const;
     void look_at(std::int32_t third, std::int32_t stander, std::int32_t other, Seam& seam) const;
     bool leads_along(const Seam& seam, std::int32_t stander, const Key& first, const Key& second) const;
     Vec2 outward(std::int32_t edge) const;
     bool may_stand(std::int32_t corner, std::int32_t edge) const;
+    void find_give();
     bool is_near(std::int32_t corner, std::int32_t block) const;
 
     const Scene* scene_;
     const ContactSearch* search_;
     std::vector<std::int32_t> begin_, neighbour_;
+    std::vector<double> give_;  ///< largest overlap of every block at the end of the last step [m]
 };
 
 }  // namespace riprap::solid::planar_dda

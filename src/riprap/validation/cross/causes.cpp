@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
@@ -29,8 +30,20 @@ std::vector<std::string> texts_of(const scene::Value& table, std::string_view ke
     return texts;
 }
 
-bool contains(const std::vector<std::string>& list, const std::string& word) {
-    return std::ranges::find(list, word) != list.end();
+/// A misspelt key would make an entry speak of more cells than it means.
+void note_unknown(const scene::Value& table, std::vector<Diagnostic>& problems) {
+    constexpr std::array<std::string_view, 6> known{"scenes", "solids", "fluids", "variations", "cause", "energy"};
+    for (const scene::Entry& entry : table.entries) {
+        if (std::ranges::find(known, entry.key) == known.end()) {
+            problems.push_back({entry.value.place, fmt::format("a [[red]] has no key '{}'", entry.key),
+                                fmt::format("one of {}", fmt::join(known, ", "))});
+        }
+    }
+}
+
+/// Tells whether a word is one of a list, or none is asked for.
+bool fits(const std::vector<std::string>& list, const std::string& word) {
+    return list.empty() || std::ranges::find(list, word) != list.end();
 }
 
 bool is_set(const scene::Value& table, std::string_view key) {
@@ -48,9 +61,9 @@ Causes::Causes(const std::filesystem::path& file) {
     const scene::Value root = scene::parse_toml(io::read_file(file, text_limit), file.string(), problems);
     const scene::Value* list = root.find("red");
     for (const scene::Value& table : list != nullptr ? list->items : std::vector<scene::Value>{}) {
-        Red red{texts_of(table, "scenes"),    text_of(table, "solid"),       text_of(table, "fluid"),
-                text_of(table, "cause"),      texts_of(table, "variations"), is_set(table, "energy"),
-                is_set(table, "may_be_right")};
+        note_unknown(table, problems);
+        Red red{texts_of(table, "scenes"),     texts_of(table, "solids"), texts_of(table, "fluids"),
+                texts_of(table, "variations"), text_of(table, "cause"),   is_set(table, "energy")};
         if (red.scenes.empty() || red.cause.empty()) {
             problems.push_back({table.place, "a [[red]] without scenes or cause", "both"});
         }
@@ -62,12 +75,9 @@ Causes::Causes(const std::filesystem::path& file) {
 }
 
 bool Causes::is_about(const Red& red, const Cell& cell) {
-    const auto fits = [](const std::string& asked, const std::string& given) {
-        return asked.empty() || asked == given;
-    };
-    const bool is_variation = red.variations.empty() || contains(red.variations, cell.variation);
-    return contains(red.scenes, cell.scene) && fits(red.solid, cell.solid) && fits(red.fluid, cell.fluid) &&
-           is_variation && red.is_energy == cell.is_energy;
+    const std::string variation = cell.variation.empty() ? "as it is" : cell.variation;
+    return fits(red.scenes, cell.scene) && fits(red.solids, cell.solid) && fits(red.fluids, cell.fluid) &&
+           fits(red.variations, variation) && red.is_energy == cell.is_energy;
 }
 
 void Causes::note(Cell& cell) const {
@@ -78,7 +88,7 @@ void Causes::note(Cell& cell) const {
     if (cell.finding == "wrong") {
         cell.cause = red->cause;
     }
-    cell.is_stale = cell.finding == "right" && !red->may_be_right;
+    cell.is_stale = cell.finding == "right";
 }
 
 }  // namespace riprap::validation::cross

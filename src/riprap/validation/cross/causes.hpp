@@ -10,8 +10,8 @@
 namespace riprap::validation::cross {
 
 /// Cells that are known to be wrong, each with its cause: entries [[red]] of a file with `scenes`, `cause` and, where
-/// they are not about all cells of these, `solid`, `fluid`, `variations` and `energy` (true: about what the ledger
-/// misses).
+/// they are not about all cells of these, `solids`, `fluids`, `variations` ("as it is": none) and `energy` (true: about
+/// what the ledger misses). Every cell that an entry names has to be wrong.
 class Causes {
  public:
     /// No cell is known to be wrong where there is no such file. @throws CaseError
@@ -23,11 +23,9 @@ class Causes {
 
  private:
     struct Red {
-        std::vector<std::string> scenes;
-        std::string solid, fluid, cause;
-        std::vector<std::string> variations;  ///< of which it is one; any when empty
+        std::vector<std::string> scenes, solids, fluids, variations;  ///< of which a cell is one; any when empty
+        std::string cause;
         bool is_energy{false};
-        bool may_be_right{false};  ///< differs from machine to machine
     };
     static bool is_about(const Red& red, const Cell& cell);
 

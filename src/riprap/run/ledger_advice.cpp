@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/ledger_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "riprap/run/contact_need.hpp"
+#include "riprap/run/remedy_text.hpp"
+#include "riprap/sim/methods.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+constexpr double shorter = 0.25;
+
+/// Overlap over the inscribed radius above which the law of a contact is far from that of a shallow one [-], and the
+/// one that is aimed at.
+constexpr double deep = 0.3, shallow = 0.1;
+
+bool is_above_bound(const Refused& refused) {
+    return refused.model.time.force_time_step ||
+           refused.report.dt > std::min(refused.report.dt_bound, refused.report.water_dt_bound);
+}
+
+std::string automatic_step(const sim::Model& model) {
+    return assignment("time_step", "auto") + (model.time.force_time_step ? " and force_time_step = false" : "");
+}
+
+/// Is water pressed together by more than a weakly compressible model may?
+bool is_compressed(const Refused& refused) {
+    constexpr double most = 1.05;
+    const coupling::ParticleFluid* const water = refused.model.particles();
+    return water != nullptr &&
+           std::any_of(refused.before.fluid.density.begin(), refused.before.fluid.density.end(),
+                       [limit = most * water->settings().rest_density](double density) { return density > limit; });
+}
+
+double courant_of(const sim::Model& model) {
+    if (const coupling::ParticleFluid* const water = model.particles(); water != nullptr) {
+        return water->settings().courant;
+    }
+    return std::visit(
+        [](const auto& settings) {
+            if constexpr (requires { settings.courant; }) {
+                return settings.courant;
+            }
+            return 0.0;
+        },
+        model.fluid);
+}
+
+std::string shorter_water_step(const Refused& refused) {
+    const double courant = courant_of(refused.model);
+    return !refused.model.time.is_automatic() ? automatic_step(refused.model)
+           : courant > 0                      ? assignment_below("fluid.courant", 0.5 * courant)
+                                              : shorter_step(refused);
+}
+
+}  // namespace
+
+double fastest_water(const Refused& refused) {
+    double fastest = 0;
+    for (const Vec3& v : refused.before.fluid.velocity) {
+        fastest = std::max(fastest, norm(v));
+    }
+    return std::isfinite(refused.report.max_water_speed) ? std::max(fastest, refused.report.max_water_speed) : fastest;
+}
+
+std::string faster_sound(const Refused& refused) {
+    const fluid::ParticleSettings& settings = refused.model.particles()->settings();
+    const Vec3 gravity = refused.model.gravity.at(refused.before.time);
+    Vec3 low = settings.domain.high, high = settings.domain.low;
+    for (const Vec3& x : refused.before.fluid.position) {
+        low = min(low, x);
+        high = max(high, x);
+    }
+    const double square = std::pow(fastest_water(refused), 2) + 2 * std::abs(dot(gravity, high - low));
+    const double speed = std::max(10 * std::sqrt(square), 2 * settings.sound_speed);
+    return assignment("fluid.sound_speed", speed) + ", ten times the speed that the water may come to";
+}
+
+std::string shorter_step(const Refused& refused) {
+    const sim::Model& model = refused.model;
+    if (!model.time.is_automatic()) {
+        return is_above_bound(refused) ? automatic_step(model)
+                                       : assignment_below("time_step", shorter * model.time.time_step);
+    }
+    return std::visit(
+        [&](const auto& settings) {
+            if constexpr (requires { settings.step; }) {
+                return assignment_below("solid.step", shorter * settings.step);
+            }
+            return assignment_below("time_step_factor", shorter * model.time.factor);
+        },
+        model.solid);
+}
+
+std::string made_advice(const Refused& refused) {
+    return is_compressed(refused) ? faster_sound(refused) : shorter_water_step(refused);
+}
+
+std::string ledger_advice(const Refused& refused) {
+    const sim::Ledger& ledger = refused.report.ledger;
+    if (!refused.model.time.is_automatic() && is_above_bound(refused)) {
+        return automatic_step(refused.model);
+    }
+    if (refused.report.max_potential > deep) {
+        if (std::string advice = stiffness_advice(refused, shallow); !advice.empty()) {
+            return advice;
+        }
+    }
+    const double share = std::abs(ledger.residual) / std::max(ledger.turnover, ledger.kinetic + ledger.fluid.kinetic);
+    if (const double usual = sim::OutputSettings{}.ledger_tolerance; share < usual && share > 0) {
+        return fmt::format("{}, which the methods keep by default, or a shorter step",
+                           assignment("output.ledger_tolerance", usual));
+    }
+    const double of_water = std::max(std::abs(ledger.fluid.residual), std::abs(ledger.fluid.coupling_gap));
+    if (refused.model.has_fluid() &&
+        of_water > std::abs(ledger.residual - ledger.fluid.residual - ledger.fluid.coupling_gap)) {
+        return is_compressed(refused) ? faster_sound(refused) : shorter_water_step(refused);
+    }
+    return shorter_step(refused);
+}
+
+}  // namespace riprap::run
