@@ -93,24 +93,12 @@ std::optional<CaseCheck::EarlyTipping> early_tipping_of(const sim::Model& model,
     }
     constexpr double degree = M_PI / 180;
     const MaterialId material = model.bodies.material[static_cast<std::size_t>(bias->body.value)];
-    std::vector<std::string_view> others;
-    sim::Solids::for_each([&]<class Solid>() {
-        const bool tells = requires { requires Solid::tells_depth; };
-        bool is_of_shapes = true;
-        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, typename Solid::Settings{}); }) {
-            is_of_shapes = std::isinf(Solid::smallest_stand_in(model.bodies, model.shapes, typename Solid::Settings{}));
-        }
-        const bool is_of_plane = requires(typename Solid::Settings settings) { settings.plane; };
-        if (!tells && is_of_shapes && (model.bodies.is_planar || !is_of_plane)) {
-            others.push_back(Solid::Settings::method_name);
-        }
-    });
     return CaseCheck::EarlyTipping{model.bodies.name(bias->body),
                                    bias->above,
                                    bias->rigid / degree,
                                    bias->elastic / degree,
                                    bias->factor * model.materials[material].normal_stiffness,
-                                   std::move(others)};
+                                   sim::solids_that_tip_about_edges(model)};
 }
 
 /// Predicts what contacts will do, and warns where that is much.

@@ -12,7 +12,7 @@
 #include "riprap/run/contact_need.hpp"
 #include "riprap/run/ledger_advice.hpp"
 #include "riprap/run/remedy_text.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
 namespace riprap::run {

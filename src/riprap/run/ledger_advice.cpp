@@ -9,7 +9,7 @@
 
 #include "riprap/run/contact_need.hpp"
 #include "riprap/run/remedy_text.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
 
 namespace riprap::run {
 

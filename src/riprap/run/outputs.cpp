@@ -149,7 +149,7 @@ void Outputs::write_lists(const sim::Moment* last) const {
         return frames;
     };
     io::write_pvd(folder_.root / "out.pvd", model_.particles() != nullptr ? list({"bodies", "water"})
-                                            : sim::shows_water(model_)         ? list({"bodies", "water", "surface"})
+                                            : sim::shows_water(model_)    ? list({"bodies", "water", "surface"})
                                                                           : list(std::vector<std::string>{"bodies"}));
     if (model_.output.contacts) {
         io::write_pvd(folder_.root / "contacts.pvd", list({"contacts"}));

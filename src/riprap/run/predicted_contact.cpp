@@ -12,7 +12,7 @@
 #include "riprap/run/remedy_text.hpp"
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 
 namespace riprap::run {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-#include "riprap/sim/methods.hpp"
+#include "riprap/sim/settings.hpp"
 
 namespace riprap::run {
 

@@ -2,6 +2,7 @@
 #include "riprap/sim/method_traits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <variant>
 
@@ -94,6 +95,23 @@ bool reads_property(const Model& model, material::Property property) {
 std::vector<std::string_view> solid_words() {
     std::vector<std::string_view> words;
     Solids::for_each([&]<class Solid>() { words.push_back(Solid::Settings::method_name); });
+    return words;
+}
+
+std::vector<std::string_view> solids_that_tip_about_edges(const Model& model) {
+    std::vector<std::string_view> words;
+    Solids::for_each([&]<class Solid>() {
+        using Settings = typename Solid::Settings;
+        const bool tells = requires { requires Solid::tells_depth; };
+        bool is_of_shapes = true;
+        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, Settings{}); }) {
+            is_of_shapes = std::isinf(Solid::smallest_stand_in(model.bodies, model.shapes, Settings{}));
+        }
+        const bool is_of_plane = requires(Settings settings) { settings.plane; };
+        if (!tells && is_of_shapes && (model.bodies.is_planar || !is_of_plane)) {
+            words.push_back(Settings::method_name);
+        }
+    });
     return words;
 }
 
@@ -217,9 +235,8 @@ bool states(SolidAbility asks) {
 }  // namespace
 
 bool does(const Model& model, SolidAbility asks) {
-    return Solids::visit(model.solid, [asks]<class Solid>(const typename Solid::Settings& /*settings*/) {
-        return states<Solid>(asks);
-    });
+    return Solids::visit(
+        model.solid, [asks]<class Solid>(const typename Solid::Settings& /*settings*/) { return states<Solid>(asks); });
 }
 
 std::vector<std::string_view> solids_that(SolidAbility asks) {

@@ -55,6 +55,10 @@ std::vector<std::string_view> solids_that_read(material::Property property);
 /// Returns the words of all solid methods.
 std::vector<std::string_view> solid_words();
 
+/// Returns the words of the solid methods in which bodies tip about their edges, not about a foot of overlaps: those
+/// that meet by their shapes without telling a depth, and that move the bodies of this scene.
+std::vector<std::string_view> solids_that_tip_about_edges(const Model& model);
+
 /// Returns what the solid method with this word reads of materials at its defaults.
 std::vector<material::PropertyUse> property_uses(std::string_view solid_word);
 
@@ -73,7 +77,8 @@ std::vector<std::string_view> solids_that_answer(const solid::UnansweredBody& un
 /// Says why fields of the solid method that were read from a file are not of this scene; empty where they are.
 std::string misfit_of_fields(const Model& model, const State& state);
 
-/// Says how much fluid has left where it was let go, by the fluid's `let_go_text(settings, fields)`; empty where none has.
+/// Says how much fluid has left where it was let go, by the fluid's `let_go_text(settings, fields)`; empty where none
+/// has.
 std::string let_go_text(const Model& model, const State& state);
 
 /// Does the fluid read gauges of a kind? It says so by `reads(kind)`.

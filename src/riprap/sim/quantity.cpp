@@ -107,8 +107,9 @@ std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge
         if (!Fluid::reads(gauge.kind)) {
             return std::array<double, 3>{std::numeric_limits<double>::quiet_NaN()};
         }
-        const auto* const scratch =
-            moment.scratch == nullptr ? nullptr : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().methods->fluid);
+        const auto* const scratch = moment.scratch == nullptr
+                                        ? nullptr
+                                        : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().methods->fluid);
         if constexpr (std::is_same_v<typename Fluid::Fields, NoFields>) {
             return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
         } else {

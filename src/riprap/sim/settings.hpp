@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The methods that a case can choose from, by their settings: one line registers a method. Each settings struct names the
-// class that moves the scene and the fields that this one keeps, neither of which is included here: who reads a scene
-// knows no method (sim/methods.hpp does).
+// The methods that a case can choose from, by their settings: one line registers a method. Each settings struct names
+// the class that moves the scene and the fields that this one keeps, neither of which is included here: who reads a
+// scene knows no method (sim/methods.hpp does).
 
 #include <type_traits>
 #include <variant>

@@ -16,8 +16,8 @@ inline constexpr bool shows = requires {
 };
 
 template <class Fluid>
-inline constexpr bool draws_water =
-    requires(coupling::FluidScene scene, typename Fluid::Settings settings, typename Fluid::Fields fields) {
+inline constexpr bool draws_water = requires(coupling::FluidScene scene, typename Fluid::Settings settings,
+                                             typename Fluid::Fields fields) {
     Fluid::shown(scene, settings, fields);
 };
 

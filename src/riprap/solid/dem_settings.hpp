@@ -11,7 +11,7 @@ namespace riprap {
 template <class S>
 struct MethodKeys;  // core/key.hpp
 struct NoFields;    // core/fields.hpp
-}
+}  // namespace riprap
 
 namespace riprap::solid {
 

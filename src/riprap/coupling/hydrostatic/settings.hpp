@@ -12,7 +12,7 @@ namespace riprap {
 template <class S>
 struct MethodKeys;  // core/key.hpp
 struct NoFields;    // core/fields.hpp
-}
+}  // namespace riprap
 
 namespace riprap::coupling {
 

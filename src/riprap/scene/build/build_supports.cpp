@@ -88,7 +88,8 @@ void read_fixed_point(CaseBuild& build, const Value& table) {
 void read_bolt(CaseBuild& build, const Value& table) {
     const std::vector<Value>&names = get(table, "bodies").items, &ends = get(table, "ends").items;
     body::Bolt bolt{.first = build.body_named(names[0]), .second = build.body_named(names[1])};
-    if (!bolt.first.is_valid() || !bolt.second.is_valid() || !check_method(build, table, "bolts", sim::SolidAbility::bolts)) {
+    if (!bolt.first.is_valid() || !bolt.second.is_valid() ||
+        !check_method(build, table, "bolts", sim::SolidAbility::bolts)) {
         return;
     }
     const body::BodySet& bodies = build.model.bodies;

@@ -6,7 +6,6 @@
 
 #include "riprap/solid/planar_dda/unknowns.hpp"
 
-
 namespace riprap::solid::planar_dda {
 
 /// Of a contact: apart; touching and sliding; touching and held by the shear spring.
