@@ -25,7 +25,7 @@ Taken take(StepScene scene, int steps) {
     sim::Scratch scratch;
     sim::StepReport report;
     for (int k = 0; k < steps && report.status.ok(); ++k) {
-        const double dt = sim::choose_time_step(scene.model, scene.state, scratch).dt;
+        const double dt = sim::full_time_step(scene.model, scene.state, scratch).dt;
         report = sim::advance(scene.model, scene.state, scratch, dt, sim::Measure::flow);
     }
     return {std::move(scene.state), report.status.text};

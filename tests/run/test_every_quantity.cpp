@@ -111,7 +111,7 @@ towards = "x"
 )";
 
 std::vector<Trial> trials() {
-    std::vector<Trial> all{{moved, "block"}, {stream, "block", {}, 12}};
+    std::vector<Trial> all{{moved, "block"}, {stream, "block", {}, 72}};
     for (const char* solid : {"distance_potential_dem", "planar_dda", "implicit_dda", "explicit_dda"}) {
         all.push_back({method_case(std::string("solid-") + solid), "high"});
     }

@@ -86,7 +86,7 @@ class Pairings : public ::testing::TestWithParam<Pairing> {
         }
         return report;
     }
-    static int steps() { return std::string(GetParam().fluid) == "mps" ? 40 : 250; }
+    static int steps() { return std::string(GetParam().fluid) == "mps" ? 40 : 310; }
 };
 
 constexpr const char *box = "{ box = [0.2, 0.1] }", *ball = "{ sphere = 0.06 }";

@@ -154,14 +154,28 @@ TEST(PredictedImpact, NamesTheStepWithWhichItGivesBackNearlyAll) {
     EXPECT_NEAR(comes_back(with_step(check.impact->found.step), false), well_resolved, 0.01);
 }
 
-TEST(PredictedTipping, OfASingleBlockIsWarnedOfWithTheMethodsThatTurnAboutEdges) {
-    const std::string block =
-        "gravity = [0, 0, -9.81]\nend = 1\n[material.rock]\ndensity = 2500\nnormal_stiffness = 1e6\n"
-        "[[body]]\nname = 'floor'\nmaterial = 'rock'\nshape = { half_space = { normal = [0, 0, 1] } }\nfixed = true\n"
-        "[[body]]\nname = 'brick'\nmaterial = 'rock'\nshape = { box = [0.2, 0.4, 0.6] }\nposition = [0, 0, 0.3]\n";
-    EXPECT_THAT(check_of(block).warnings, Contains(AllOf(HasSubstr("'brick' tips at"), HasSubstr("implicit_dda"),
-                                                         Not(HasSubstr("planar_dda")), Not(HasSubstr("sphere_dem")))));
-    EXPECT_THAT(check_of(block + "[solid]\nmethod = 'implicit_dda'\n").warnings, Not(Contains(HasSubstr("tips at"))));
+TEST(PredictedTipping, OfASingleBlockIsWarnedOfWhereGravityLeansWithTheMethodsThatTurnAboutEdges) {
+    const auto block = [](const std::string& gravity, const std::string& more = "") {
+        return gravity +
+               "\nend = 1\n[material.rock]\ndensity = 2500\nnormal_stiffness = 1e6\n"
+               "[[body]]\nname = 'floor'\nmaterial = 'rock'\nshape = { half_space = { normal = [0, 0, 1] } }\n"
+               "fixed = true\n[[body]]\nname = 'brick'\nmaterial = 'rock'\nshape = { box = [0.2, 0.4, 0.6] }\n"
+               "position = [0, 0, 0.3]\n" +
+               more;
+    };
+    const auto tips = Contains(AllOf(HasSubstr("'brick' tips at"), HasSubstr("implicit_dda"),
+                                     Not(HasSubstr("planar_dda")), Not(HasSubstr("sphere_dem"))));
+    // A rigid brick tips at 18.4 degrees, atan(0.1/0.3).
+    const std::string leaning = "gravity = [2.04, 0, -9.6]";  // by 12 degrees
+    EXPECT_THAT(check_of(block(leaning)).warnings, tips);
+    EXPECT_THAT(check_of(block(leaning, "[solid]\nmethod = 'implicit_dda'\n")).warnings,
+                Not(Contains(HasSubstr("tips at"))));
+    const std::string upright = "gravity = [0, 0, -9.81]";
+    EXPECT_THAT(check_of(block(upright)).warnings, Not(Contains(HasSubstr("tips at"))));
+    EXPECT_TRUE(check_of(block(upright)).tipping);
+    EXPECT_THAT(
+        check_of(block("gravity = { value = [0, 0, -9.81], rotation = { axis = [0, 1, 0], rate = 0.2 } }")).warnings,
+        tips);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class Resume : public ::testing::TestWithParam<std::string> {
  protected:
     RunOptions options(const fs::path& out, std::vector<std::string> overrides = {}, int threads = 1) const {
         overrides.emplace_back("output.vtk=false");
-        const fs::path scene = fs::path(__FILE__).parent_path() / "resume" / (GetParam() + ".toml");
+        const fs::path scene = fs::path("tests/run/resume") / (GetParam() + ".toml");
         RunOptions options;
         options.case_path = scene.string();
         options.overrides = std::move(overrides);

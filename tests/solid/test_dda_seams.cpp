@@ -230,6 +230,21 @@ TEST_P(DdaSeams, ABlockHoldsOnASlopeBelowItsAngleOfFriction) {
     }
 }
 
+// The end of a slab farther back, from which the block hangs as over a joint, is not what carries its front.
+TEST_P(DdaSeams, ABlockThatSpansSeveralFreeSlabsPassesTheirJoints) {
+    for (const double width : {0.2, 0.25}) {
+        Scene scene;
+        scene.pieces.push_back({box(-3, -1, 6, 0.5)});
+        for (const int first : {0, 1}) {  // every second slab comes before the others in the list of blocks
+            for (int k = first; k < 12; k += 2) {
+                scene.pieces.push_back({box(-0.85 + k * (width + 2e-5), -0.5, width, 0.5), false});
+            }
+        }
+        scene.pieces.push_back({box(-0.85, 0, 0.7, 0.3), false, speed});
+        EXPECT_NEAR(slide(GetParam(), scene).velocity.x, speed, 1e-2 * speed) << width;
+    }
+}
+
 TEST_P(DdaSeams, ABlockSlidesOverFreeSlabsThatHaveDrifted) {
     Scene scene;
     scene.pieces.push_back({box(-1, -1.2, 4, 1)});

@@ -23,7 +23,7 @@ class Run {
  public:
     explicit Run(StepScene scene) : scene_(std::move(scene)) {}
     void step() {
-        const double dt = sim::choose_time_step(scene_.model, scene_.state, scratch_).dt;
+        const double dt = sim::full_time_step(scene_.model, scene_.state, scratch_).dt;
         report = sim::advance(scene_.model, scene_.state, scratch_, dt, sim::Measure::flow);
         if (!report.status.ok()) {
             throw InternalError(report.status.text);

@@ -98,7 +98,8 @@ std::optional<CaseCheck::EarlyTipping> early_tipping_of(const sim::Model& model,
                                    bias->rigid / degree,
                                    bias->elastic / degree,
                                    bias->factor * model.materials[material].normal_stiffness,
-                                   sim::solids_that_tip_about_edges(model)};
+                                   sim::solids_that_tip_about_edges(model),
+                                   bias->lean / degree};
 }
 
 /// Predicts what contacts will do, and warns where that is much.
@@ -111,7 +112,8 @@ void predict_contacts(const scene::LoadedCase& loaded, CaseCheck& check) {
     if (const auto found = shortest_impact(model, loaded.state)) {
         check.impact = CaseCheck::Impact{model.bodies.name(found->body), model.bodies.name(found->other), *found};
     }
-    if (check.tipping && check.tipping->rigid - check.tipping->elastic > early_tipping) {
+    if (check.tipping && check.tipping->rigid - check.tipping->elastic > early_tipping &&
+        check.tipping->lean > leans * check.tipping->elastic) {
         check.warnings.push_back(text_of(*check.tipping));
     }
     // Reading warns of impacts that a contact of the distance potential cannot hold at all.
@@ -152,7 +154,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.shapes = model.shapes.size();
     check.is_planar = model.bodies.is_planar;
     sim::Scratch scratch;
-    const sim::TimeStep first = choose_time_step(model, first_state, scratch);
+    const sim::TimeStep first = full_time_step(model, first_state, scratch);
     check.time_step = first.dt;
     const sim::TimeStepBound step = sim::step_bound(model, first_state);
     check.time_step_limit = step.limit;

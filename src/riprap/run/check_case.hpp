@@ -45,6 +45,7 @@ struct CaseCheck {
         double rigid, elastic;  ///< slopes at which a rigid body and one with the stiffness of the case tip [deg]
         double stiffness;       ///< normal_stiffness with which the two agree to 0.1 degrees [Pa]
         std::vector<std::string_view> others;  ///< solid methods whose bodies tip about their edges
+        double lean;                           ///< largest of gravity off the normal of its foot during the run [deg]
     };
     std::optional<EarlyTipping> tipping;  ///< of the body that tips earliest by the elasticity of its foot
     struct Overlap {
@@ -86,8 +87,9 @@ struct CaseCheck {
 /// and gigabytes.
 inline constexpr std::int64_t most_solved_by_check = 10'000;
 
-/// Angle by which a body tips early above which `check` warns [deg].
-inline constexpr double early_tipping = 0.25;
+/// Angle by which a body tips early above which `check` warns [deg], where gravity comes to lean by more than a share
+/// of the angle at which it tips [-]: upright blocks that nothing tips are no reason for a warning.
+inline constexpr double early_tipping = 0.25, leans = 0.5;
 /// Share of the speed of an impact that comes back below which `check` warns [-].
 inline constexpr double least_back = 0.95;
 

@@ -178,6 +178,20 @@ std::vector<Standing> standing_bodies(const sim::Model& model, const sim::State&
     return ordered;
 }
 
+/// Largest angle between the inward normal of a foot and upwards, over the run [rad].
+double largest_lean(const sim::Model& model, const Vec3& up) {
+    const body::Gravity& gravity = model.gravity;
+    constexpr int looks = 256;  // at gravity that turns
+    double least = 1;
+    for (int k = 0; k <= (gravity.rate != 0 ? looks : 0); ++k) {
+        const double stop = std::min(model.time.end, gravity.stop);
+        const double time = gravity.start + std::max(0.0, stop - gravity.start) * k / looks;
+        const Vec3 now = gravity.rate != 0 ? gravity.at(std::max(time, gravity.ramp)) : gravity.value;
+        least = std::min(least, -dot(now, up) / norm(now));
+    }
+    return std::acos(std::clamp(least, -1.0, 1.0));
+}
+
 }  // namespace
 
 std::vector<LoadedFoot> loaded_feet(const sim::Model& model, const sim::State& state) {
@@ -214,10 +228,12 @@ std::optional<TippingBias> largest_tipping_bias(const sim::Model& model, const s
         if (!(foot.centre_height > 0)) {
             continue;
         }
-        TippingBias found{s.body, stacks[k].above, std::atan(0.5 * foot.width / foot.centre_height),
-                          contact::tipping_slope(foot), 0};
+        TippingBias found{
+            s.body, stacks[k].above, std::atan(0.5 * foot.width / foot.centre_height), contact::tipping_slope(foot), 0,
+            0};
         if (!largest || found.share() > largest->share()) {
             found.factor = std::pow(found.bias() / tolerated_tipping_bias, 3);
+            found.lean = largest_lean(model, s.up);
             largest = found;
         }
     }

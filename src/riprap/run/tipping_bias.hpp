@@ -17,6 +17,7 @@ struct TippingBias {
     double rigid{0};        ///< slope of its foot at which a rigid body tips [rad]
     double elastic{0};      ///< slope at which it tips with the stiffness of the case [rad]
     double factor{0};       ///< by which normal_stiffness must grow for a bias of tolerated_tipping_bias [-]
+    double lean{0};         ///< largest angle of gravity off the normal of its foot during the run [rad]
 
     double bias() const { return rigid - elastic; }       ///< [rad]
     double share() const { return 1 - elastic / rigid; }  ///< of the slope at which a rigid body tips [-]

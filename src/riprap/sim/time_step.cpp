@@ -175,9 +175,7 @@ double longest_at_start(const Model& model, double time, double allowed_by_water
                  : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
+TimeStep choose(const Model& model, State& state, Scratch& scratch, bool grows_at_start) {
     const Limits limits = limits_of(model, state, scratch.data());
     const double span = (model.time.end - state.time) + state.time_rest;
     if (!model.time.is_automatic()) {
@@ -190,12 +188,22 @@ TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
         limit = starts_with_a_jolt(model, state) ? std::min(limit, limits.solids.longest)
                                                  : std::max(limit, limits.solids.longest);
     }
-    if (limits.fluid_leads) {
+    if (limits.fluid_leads && grows_at_start) {
         limit = std::min(limit, longest_at_start(model, state.time, limits.fluid.longest));
     }
     const double allowed = std::ldexp(limit, -static_cast<int>(state.stepping.halvings));
     const std::int64_t steps = steps_across(span, allowed);
     return {steps > 0 ? span / static_cast<double>(steps) : allowed, steps};
+}
+
+}  // namespace
+
+TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch) {
+    return choose(model, state, scratch, true);
+}
+
+TimeStep full_time_step(const Model& model, State& state, Scratch& scratch) {
+    return choose(model, state, scratch, false);
 }
 
 bool halve_time_step(const Model& model, State& state) {

@@ -63,6 +63,10 @@ struct TimeStep {
 /// @param scratch  keeps the bound, which depends on Model alone
 TimeStep choose_time_step(const Model& model, State& state, Scratch& scratch);
 
+/// The same where bodies were let go long ago, whose first steps in water of particles grow: what most steps of a run
+/// are like.
+TimeStep full_time_step(const Model& model, State& state, Scratch& scratch);
+
 /// Equal steps of at most `dt` needed to cover `span` [s]; round-off in span/dt is forgiven. 0 where span is not
 /// positive; saturates at 9e18.
 std::int64_t steps_across(double span, double dt);

@@ -59,19 +59,6 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     EXPECT_NEAR(basin.scratch.data().water.pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
 }
 
-TEST(MpsConstants, the_pressure_of_water_that_stays_too_dense_grows_by_a_hundredth_of_what_it_lacks_in_a_step) {
-    // p_n = (1 - (1 - gamma)^n) (n - n_0)/(n_0 alpha_c): at rest the density is alpha_c p above n_0
-    Basin basin = box_of_water();
-    basin.settings.spacing *= 1.001;
-    const auto pressure = [&] { return basin.scratch.data().water.pressure[100]; };
-    basin.step(1e-3);
-    const double first = pressure();
-    for (int n = 2; n <= 50; ++n) {
-        basin.step(1e-3);
-        ASSERT_NEAR(pressure(), first * (1 - std::pow(0.99, n)) / 0.01, 0.02 * pressure());
-    }
-}
-
 TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_projection) {
     // laplace(p) - rho alpha/dt^2 p = rho/dt div u for u = U sin(k x), whose divergence is U k cos(k x)
     Basin basin = box_of_water();

@@ -127,21 +127,9 @@ linear::BlockPattern pattern_of(const MpsScratchData& s) {
     return pattern;
 }
 
-double compression_of(const MpsSettings& settings, double dt) {
-    return settings.rest_density * settings.compressibility / (dt * dt);
-}
-
-/// What the pressure of the last step counts on the right-hand side [1/m^2]. Water is compressed by what its pressure
-/// grows, alpha_c (p - p_n), and the density that belongs to p_n is n_0 (1 + alpha_c p_n): water at rest with the
-/// pressure of its depth stays so. As the source has it, alpha_c p, water gives way until it is alpha_c p/gamma too
-/// dense.
-double memory_of_pressure(const MpsSettings& settings, double dt) {
-    return settings.divergence_share * (1 - settings.relaxation) * compression_of(settings, dt);
-}
-
 void fill_matrix(const MpsSettings& settings, const MpsLattice& lattice, double dt, MpsScratchData& s) {
     const double c = lattice.second_order();
-    const double compression = compression_of(settings, dt);
+    const double compression = settings.rest_density * settings.compressibility / (dt * dt);
     parallel::for_each_uneven(s.equation.matrix.rows(), 256, [&](std::int64_t row) {
         const auto i = static_cast<std::size_t>(s.equation.particle[static_cast<std::size_t>(row)]);
         double diagonal = compression;
@@ -297,7 +285,6 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
     const double c = lattice.second_order();
     const double flow = settings.divergence_share * lattice.first_order() * settings.rest_density / dt;
     const double stiffness = settings.relaxation * settings.rest_density / (dt * dt);
-    const double memory = memory_of_pressure(settings, dt);
     s.walls.head.resize(walls.position.size());
     s.walls.start_velocity.resize(walls.position.size());
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
@@ -320,8 +307,7 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
             const double head = -dot(s.walls.head[w], separation(s.around.predicted[i], s.around.predicted_walls[w]));
             flux += s.walls.share[w] * s.around.walls.weight(e) * (head + s.walls.given[w]);
         }
-        s.equation.right[row] =
-            stiffness * (s.around.density[i] - 1) + c * flux + memory * pressure_of(settings, state.density[i]);
+        s.equation.right[row] = stiffness * (s.around.density[i] - 1) + c * flux;
         if (flow > 0) {
             s.equation.right[row] -= flow * divergence(settings, state, s, separation, i);
         }

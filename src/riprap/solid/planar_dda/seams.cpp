@@ -84,6 +84,15 @@ Seams::Bridge Seams::bridge_over(std::int32_t stander, std::int32_t face, bool i
     return {};
 }
 
+/// What a corner lies on carries it, rather than the end of a face farther back that its block bridges; of several ends
+/// the nearest.
+bool Seams::Seam::carries_rather_than(const Seam& other) const {
+    if (!other.is_there || hangs != other.hangs) {
+        return !other.is_there || !hangs;
+    }
+    return hangs ? past < other.past : is_closed && !other.is_closed;
+}
+
 void Seams::look_at(std::int32_t third, std::int32_t stander, std::int32_t other, Seam& seam) const {
     const Model& model = scene_->model;
     const double breadth =
@@ -114,18 +123,17 @@ void Seams::look_at(std::int32_t third, std::int32_t stander, std::int32_t other
         const Vec2 towards = (is_at_end ? 1 : -1) / o.length * (scene_->place(f) - scene_->place(scene_->next(f)));
         const std::int32_t edges[2]{other, scene_->before(other)};
         const bool is_second = dot(outward(edges[1]), n - towards) > dot(outward(edges[0]), n - towards);
-        if (dot(outward(edges[is_second ? 1 : 0]), n) < 0.5 ||
-            (seam.is_there && (seam.is_closed || !under.is_closed))) {
-            continue;
+        const Seam found{true,
+                         under.is_closed,
+                         hangs,
+                         n,
+                         edges[is_second ? 1 : 0],
+                         s.length * (is_at_end ? -s.foot : s.foot - 1),
+                         o.gap,
+                         step};
+        if (dot(outward(found.top), n) >= 0.5 && found.carries_rather_than(seam)) {
+            seam = found;
         }
-        seam = {true,
-                under.is_closed,
-                hangs,
-                n,
-                edges[is_second ? 1 : 0],
-                s.length * (is_at_end ? -s.foot : s.foot - 1),
-                o.gap,
-                step};
     }
 }
 

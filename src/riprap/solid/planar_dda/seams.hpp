@@ -44,6 +44,7 @@ class Seams {
         double past{0};        ///< of `stander` beyond the end of that face [m]
         double step{0};        ///< of `other` above that face [m]
         double tolerance{0};   ///< of the step [m]
+        bool carries_rather_than(const Seam& other) const;
     };
     /// What carries a corner that hangs beyond the end of a face: the end, under an edge of the corner's block.
     struct Bridge {
