@@ -111,5 +111,58 @@ TEST(Hydrostatic, linear_uplift_is_half_of_the_full_one_under_a_dam) {
     EXPECT_NEAR(lift, 0.5 * rho * g * 2, 1e-9 * rho * g * 2);
 }
 
+// Story: fixed and driven bodies felt nothing.
+TEST(Hydrostatic, a_fixed_or_driven_body_under_water_is_lifted_by_the_weight_of_its_water) {
+    for (const body::Drive drive : {body::Drive::fixed, body::Drive::driven}) {
+        StillWater water;
+        water.scene.add(geometry::box({0.3, 0.5, 0.4}), {{1, 2, -1.3}, from_rotation_vector({0.4, -0.7, 1.1})}, drive);
+        water.scene.add(geometry::box({1, 1, 0.4}), {{-2, 0, 0.1}, {}}, drive);
+        const FluidLoads loads = water.loads();
+        EXPECT_NEAR(norm(loads.pressure.force[0] - Vec3{0, 0, rho * g * 0.06}), 0, 1e-9 * rho * g * 0.06);
+        EXPECT_NEAR(norm(loads.pressure.force[1] - Vec3{0, 0, rho * g * 0.1}), 0, 1e-9 * rho * g);
+    }
+}
+
+TEST(Hydrostatic, a_wall_through_a_floor_is_pushed_by_the_water_on_the_floor_alone) {
+    for (const bool by_half_space : {false, true}) {
+        StillWater water;
+        water.scene.add(geometry::box({1, 1, 20}), {{0.5, 0, 0}, {}}, body::Drive::driven);
+        water.settings.basins = {{{-5, -5, by_half_space ? -5.0 : -2.0}, {0, 5, 5}, 0}};
+        if (by_half_space) {
+            water.scene.add_half_space({0, 0, 1}, -2);
+        }
+        const FluidLoads loads = water.loads();
+        const double slack = 5e-3;  // the foot of the water is blurred by a twentieth of a panel
+        EXPECT_NEAR(loads.pressure.force[0].x, 0.5 * rho * g * 4, 1.01 * slack * rho * g * 2);
+        EXPECT_NEAR(loads.pressure.force[0].z, 0, 1e-9 * rho * g);
+    }
+}
+
+TEST(Hydrostatic, a_floor_that_reaches_beyond_the_water_carries_its_weight_once) {
+    StillWater water;
+    water.scene.add(geometry::box({20, 20, 1}), {{0, 0, -2.5}, {}}, body::Drive::fixed);
+    water.settings.basins = {{{-5, -5, -2}, {0.5, 5, 5}, 0}, {{0, -5, -2}, {5, 5, 5}, 0}};  // both overlap
+    const double weight = rho * g * 2 * 100;
+    EXPECT_NEAR(water.loads().pressure.force[0].z, -weight, 3e-3 * weight);
+}
+
+// Story: faces beyond a periodic side were dry, and a float was blown away.
+TEST(Hydrostatic, a_float_across_a_periodic_side_is_carried_as_one_in_the_middle) {
+    for (const body::Drive drive : {body::Drive::free, body::Drive::fixed}) {
+        for (const double x : {0.0, 2.0, 4.0, 9.0}) {
+            StillWater water;
+            FieldScene field;
+            field.domain = {{0, -5, -5}, {4, 5, 5}, {true, false, false}, 3};
+            field.regions.emplace_back();
+            field.regions.back().level = 0;
+            water.settings.basins.clear();
+            water.settings.prepare(field);
+            water.scene.add(geometry::box({1, 1, 0.4}), {{x, 0, 0}, {}}, drive);
+            const Vec3 force = water.loads().pressure.force[0];
+            EXPECT_NEAR(norm(force - Vec3{0, 0, 0.5 * rho * g * 0.4}), 0, 1e-9 * rho * g) << x;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riprap::coupling

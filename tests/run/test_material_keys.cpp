@@ -109,6 +109,8 @@ std::vector<std::string> law_of(Property property, bool is_read) {
         case Property::spring_stiffness:
         case Property::spring_shear_ratio:
             return {"solid.normal_law=\"linear\""};
+        case Property::restitution:  // DDA reads that of two materials that both have one
+            return {"material.rock.restitution=0.5"};
         default:
             return {};
     }

@@ -65,7 +65,8 @@ std::vector<PropertyKey<To>> surface_keys() {
         {Property::damping_ratio, mixed(number(&To::damping_ratio, "damping_ratio", dimension::plain, between(0, 1),
                                                "Share of critical damping of a contact's dashpot."))},
         {Property::restitution, number(&To::restitution, "restitution", dimension::plain, above(0, 1),
-                                       "Coefficient of restitution; that of [solid] when not given.")},
+                                       "Coefficient of restitution; that of [solid] when not given. In DDA it comes "
+                                       "before damping_ratio where both materials, or their pair, have it.")},
         {Property::kinetic_share,
          number(&To::kinetic_share, "kinetic_share", dimension::plain, above(0, 1),
                 "Kinetic over static friction of spheres; that of [solid] when not given. Two materials mix it as "

@@ -117,6 +117,9 @@ TEST(PlanarDda, TheLedgerClosesWhileABlockFallsTiltsSlidesAndStops) {
     blocks.add_box({-5, -1}, {10, 1}, true);
     blocks.add({{-0.5, 0.3}, {0.4, 0.5}, {0.3, 1.3}, {-0.6, 1.1}});
     blocks.state.rates[6] = 2;
+    // Friction is booked as it was in the last round, up to this share of the push away from that of the solution: no
+    // balance is better.
+    blocks.settings.friction_tolerance = 1e-9;
     const double before = energies_of(blocks.model, blocks.state).total();
     ASSERT_TRUE(blocks.run(2000, 5e-4, {0, -g}));
     const Accounts& accounts = blocks.state.accounts;

@@ -5,12 +5,30 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/hydrostatic/held_faces.hpp"
 #include "riprap/coupling/hydrostatic/joint_cover.hpp"
 #include "riprap/coupling/hydrostatic/pressure_on_polygon.hpp"
 
 namespace riprap::coupling {
+
+namespace {
+
+/// Water that reaches from one periodic side to the other has no end along that axis.
+void reach_over_periods(const fluid::Domain& domain, HydrostaticSettings::Basin& basin) {
+    for (int axis = 0; axis < domain.dimension; ++axis) {
+        const double round_off = 1e-9 * (domain.high[axis] - domain.low[axis]);
+        if (domain.is_periodic[at(axis)] && basin.low[axis] <= domain.low[axis] + round_off &&
+            basin.high[axis] >= domain.high[axis] - round_off) {
+            basin.low[axis] = -std::numeric_limits<double>::infinity();
+            basin.high[axis] = std::numeric_limits<double>::infinity();
+        }
+    }
+}
+
+}  // namespace
 
 void HydrostaticSettings::prepare(const FieldScene& scene) {
     up = scene.up;
@@ -30,6 +48,7 @@ void HydrostaticSettings::prepare(const FieldScene& scene) {
             }
         }
         basin.level = std::min(basin.level, top_of(region, scene.domain, scene.up));
+        reach_over_periods(scene.domain, basin);
         basins.push_back(basin);
     }
 }
@@ -86,6 +105,26 @@ struct PanelPush {
     Vec3 normal;
 };
 
+/// Adds up the pressure on what stands in water of a face of a fixed or driven body, as if its joints were open.
+PanelPush push_on_held(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
+                       const std::vector<Vec3>& arms, const Vec3& center, double weight, double time) {
+    std::vector<Vec3> face;
+    for (const Vec3& arm : arms) {
+        face.push_back(center + arm);
+    }
+    PanelPush push{{}, normal_of(arms)};
+    for (WetPiece& piece : wet_pieces(scene, settings, motion, face, lies_on_share * settings.spacing)) {
+        for (Vec3& x : piece.corner) {
+            x -= center;
+        }
+        const double level = settings.level_at(*piece.basin, time) - dot(center, settings.up);
+        const PressureIntegral pressure = pressure_on_polygon(piece.corner, settings.up, level, weight);
+        push.pressure.of_pressure += pressure.of_pressure;
+        push.pressure.of_moment += pressure.of_moment;
+    }
+    return push;
+}
+
 }  // namespace
 
 HydrostaticFluid::HydrostaticFluid(const FluidScene& scene, const Settings& settings, const FluidState& /*state*/,
@@ -113,6 +152,10 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
             arms.push_back(arm_of(middle, b, corner));
         }
         const Vec3& center = middle.pose[b].position;
+        if (!body::may_move(scene_->bodies, b)) {
+            pushes[at(index)] = push_on_held(*scene_, *settings_, middle, arms, center, weight, span.middle());
+            return;
+        }
         const Vec3 place = center + middle_of(arms);
         const HydrostaticSettings::Basin* basin = nearest_basin(*settings_, place);
         const double share = cover.empty() ? 1 : cover[at(index)];

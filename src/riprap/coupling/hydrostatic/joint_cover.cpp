@@ -111,9 +111,10 @@ Vec3 middle_of(const body::Motion& motion, const Panel& panel) {
 std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
     std::vector<Panel> panels;
     for (const body::Part& part : scene.bodies.parts) {
-        if (scene.shapes.is_half_space(part.shape) || !may_move(scene.bodies, at(part.body.value))) {
+        if (scene.shapes.is_half_space(part.shape)) {
             continue;
         }
+        const double panel = may_move(scene.bodies, at(part.body.value)) ? size : HUGE_VAL;
         const geometry::ConvexView shape = scene.shapes.view(part.shape);
         for (std::int32_t j = 0; j < shape.face_count; ++j) {
             if (shape.is_internal[j] != 0) {
@@ -124,7 +125,7 @@ std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
                 face.push_back(part.local.position +
                                rotate(part.local.orientation, shape.vertex(shape.face_vertex[k])));
             }
-            add_face(part.body.value, face, rotate(part.local.orientation, shape.normal(j)), size,
+            add_face(part.body.value, face, rotate(part.local.orientation, shape.normal(j)), panel,
                      scene.bodies.is_planar, panels);
         }
     }
@@ -143,7 +144,7 @@ std::vector<double> joint_shares(const FluidScene& scene, const HydrostaticSetti
     std::vector<double> distance(panels.size(), -1);  // of covered panels from the water
     parallel::for_each_uneven(static_cast<std::int64_t>(panels.size()), 16, [&](std::int64_t index) {
         const Panel& panel = panels[at(index)];
-        if (lies_on_another(scene, settings, motion, panel)) {
+        if (may_move(scene.bodies, at(panel.body)) && lies_on_another(scene, settings, motion, panel)) {
             distance[at(index)] = from_water(settings, middle_of(motion, panel));
         }
     });

@@ -89,7 +89,7 @@ const Table& contact_table() {
                       Property::cohesion),
          with_readers({"restitution_mixing",
                        {choice(mixing_rules())},
-                       "Rule for the restitution of spheres; required when materials differ in it.",
+                       "Rule for restitution; required when materials differ in it.",
                        {}},
                       Property::restitution),
          with_readers({"rolling_mixing",

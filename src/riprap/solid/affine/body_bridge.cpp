@@ -12,6 +12,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground.hpp"
+#include "riprap/solid/affine/restitution.hpp"
 
 namespace riprap::solid::affine {
 
@@ -30,7 +31,9 @@ std::pair<Mat3, Mat3> stretch_of(const Mat3& f) {
     return {back(root), back({1 / root.x, 1 / root.y, 1 / root.z})};
 }
 
-Surface surface_of(const material::PairProperties& pair, const Elasticity& elasticity, double least_area) {
+Surface surface_of(const material::MaterialSet& materials, MaterialId a, MaterialId b, const Elasticity& elasticity,
+                   double least_area) {
+    const material::PairProperties& pair = materials.pair(a, b);
     const double normal = elasticity.stiffness_per_area.value_or(elasticity.contact_stiffness);
     const double shear = pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * normal;
     return {normal,
@@ -39,7 +42,7 @@ Surface surface_of(const material::PairProperties& pair, const Elasticity& elast
             pair.friction,
             pair.cohesion,
             pair.tensile_strength,
-            pair.damping_ratio,
+            damping_ratio_of(materials, a, b),
             least_area};
 }
 
@@ -139,7 +142,7 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
     for (int a = 0; a < scene.materials.size(); ++a) {
         for (int b = 0; b < scene.materials.size(); ++b) {
             system.surfaces.push_back(
-                surface_of(scene.materials.pair(MaterialId{a}, MaterialId{b}), elasticity, least_area));
+                surface_of(scene.materials, MaterialId{a}, MaterialId{b}, elasticity, least_area));
         }
     }
     const body::BodySet& bodies = scene.bodies;

@@ -39,6 +39,7 @@ std::vector<material::PropertyUse> contact_uses(bool has_dashpots) {
         {Property::shear_stiffness}, {Property::friction}, {Property::cohesion}, {Property::tensile_strength}};
     if (has_dashpots) {
         uses.push_back({Property::damping_ratio});
+        uses.push_back({Property::restitution});
     }
     return uses;
 }

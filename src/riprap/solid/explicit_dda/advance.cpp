@@ -14,6 +14,7 @@
 #include "riprap/solid/explicit_dda/bond_loss.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
 #include "riprap/solid/explicit_dda/failure.hpp"
+#include "riprap/solid/explicit_dda/pair_mobility.hpp"
 
 namespace riprap::solid::explicit_dda {
 
@@ -42,7 +43,7 @@ void find_softness(const BlockSystem& system, const affine::BlockState& state, s
 /// One side of a contact point.
 struct Side {
     Vec3 arm{}, velocity{};
-    double mobility{0};  ///< 0 where loads do not move the block
+    double mobility{0};  ///< of a point of a body that may take any affine motion; 0 where loads do not move the block
 
     Side(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
          std::int32_t block, const Vec3& point) {
@@ -56,7 +57,8 @@ struct Side {
 };
 
 /// Springs and dashpots of a contact point: stiffness of the point or per area, damping as a share of critical.
-contact::PenaltySprings springs_of(const affine::Surface& surface, double area, double mobility) {
+/// @param damped_mobility  inverse of the mass that the point bears of its pair [1/kg]
+contact::PenaltySprings springs_of(const affine::Surface& surface, double area, double damped_mobility) {
     const double factor = surface.factor(area);
     contact::PenaltySprings springs;
     springs.normal_stiffness = factor * surface.normal_stiffness;
@@ -64,16 +66,16 @@ contact::PenaltySprings springs_of(const affine::Surface& surface, double area, 
     springs.friction = surface.friction;
     springs.cohesion = surface.cohesion * area;
     springs.tension = surface.tension * area;
-    springs.normal_damping = 2 * surface.damping_ratio * std::sqrt(springs.normal_stiffness / mobility);
-    springs.shear_damping = 2 * surface.damping_ratio * std::sqrt(springs.shear_stiffness / mobility);
+    springs.normal_damping = 2 * surface.damping_ratio * std::sqrt(springs.normal_stiffness / damped_mobility);
+    springs.shear_damping = 2 * surface.damping_ratio * std::sqrt(springs.shear_stiffness / damped_mobility);
     return springs;
 }
 
 ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
-                      const affine::BlockContactHistory& history, const BlockContact& contact, double time) {
+                      const affine::BlockContactHistory& history, const BlockContact& contact, double damped_mobility,
+                      double time) {
     const Side a(system, state, softness, contact.a, contact.on_a), b(system, state, softness, contact.b, contact.on_b);
-    const double mobility = a.mobility + b.mobility;
-    const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, mobility);
+    const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, damped_mobility);
     contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, false};
     if (contact.old >= 0) {
         const auto row = at(contact.old);
@@ -289,8 +291,10 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     scratch.forces.resize(contacts.size());
     const double time = 0.5 * (state.last_dt + dt);
     find_softness(system, state.blocks, scratch.softness);
+    const std::vector<double> mobility = pair_mobility(system, state.blocks, contacts);
     parallel::for_each_uneven(static_cast<std::int64_t>(contacts.size()), 64, [&](std::int64_t i) {
-        scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)], time);
+        scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)],
+                                         mobility.empty() ? 1 : mobility[at(i)], time);
     });
     sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);

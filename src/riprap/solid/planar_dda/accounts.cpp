@@ -79,7 +79,8 @@ double book_contact(const Contact& contact, const Trial& trial, const Scratch& s
         const double spring = -p * trial.gap, dashpot = -contact.dashpot / dt * (trial.gap - trial.gap_before);
         stored = half_square(p, trial.gap);
         force = spring + dashpot + trial.multiplier;
-        accounts.dashpot_loss -= dashpot * opened;
+        // A dashpot below nothing gives back what the integration takes.
+        (contact.dashpot < 0 ? loss : accounts.dashpot_loss) -= dashpot * opened;
         accounts.constraint_work += trial.multiplier * opened;
         loss -= spring * opened;
     }

@@ -190,12 +190,6 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge,
     if (contact.joint.cohesion > 0 || contact.joint.tension > 0) {
         contact.bond_length = share * half_overlap(scene, contact) * model.thickness;
     }
-    if (contact.joint.damping_ratio > 0) {
-        const auto inverse = [&model](std::int32_t b) { return model.is_fixed[at(b)] ? 0.0 : 1 / model.mass[at(b)]; };
-        const double reduced = 1 / (inverse(contact.a) + inverse(contact.b));
-        // The whole joint's, shared: springs and dashpots in parallel.
-        contact.dashpot = 2 * contact.joint.damping_ratio * std::sqrt(share * contact.joint.normal_stiffness * reduced);
-    }
     return contact;
 }
 

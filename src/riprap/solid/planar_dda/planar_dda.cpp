@@ -10,6 +10,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/dashpots.hpp"
 #include "riprap/solid/planar_dda/piece_books.hpp"
 
 namespace riprap::solid {
@@ -31,6 +32,13 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
     settings.close_tolerance = settings.open_tolerance = 1e-11 * smallest;
     settings.multiplier_tolerance = 1e-10 * smallest;
     return settings;
+}
+
+/// An impact is resolved by steps down to this share of the step of the method.
+constexpr double finest_pieces = 64;
+
+bool is_damped(const planar_dda::Model& model) {
+    return std::ranges::any_of(model.joints, [](const planar_dda::Joint& joint) { return joint.damping_ratio > 0; });
 }
 
 /// Bonds faces that touch at the start, to a ten-thousandth of the smallest block, where their joint has cohesion or
@@ -133,12 +141,22 @@ Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Me
     const planar_dda::Accounts before = fields_->blocks.accounts;
     const planar_dda::Step step{span.dt, {gravity.x, gravity.y}, scratch_->given, scratch_->driven};
     const bool has_supports = !scene.model.fixed_points.empty() || !scene.model.bolts.empty();
-    const planar_dda::State start = has_supports ? fields_->blocks : planar_dda::State{};
+    const bool may_refuse = is_damped(scene.model) && span.dt > settings_->step / finest_pieces;
+    const planar_dda::State start = has_supports || may_refuse ? fields_->blocks : planar_dda::State{};
     planar_dda::StepReport taken;
     const planar_dda::Outcome outcome =
         planar_dda::advance(scene.model, scratch_->settings, step, fields_->blocks, scratch_->engine, taken);
     if (!outcome.ok()) {
         return {outcome.problem, outcome.shorten};
+    }
+    const std::int64_t impact =
+        may_refuse ? find_unresolved_impact(scene.model, fields_->blocks, step.gravity, span.dt, scratch_->engine) : -1;
+    if (impact >= 0) {
+        fields_->blocks = start;
+        const planar_dda::Contact& contact = scratch_->engine.contacts[at(impact)];
+        return {fmt::format("{} and {} meet too fast for a step of {:.3g} s", scene.model.name_of(contact.a),
+                            scene.model.name_of(contact.b), span.dt),
+                0.5};
     }
     std::copy(scene.model.is_fixed.begin(), scene.model.is_fixed.end(), fields_->was_held.begin());
     scratch_->loads.clear(at(scene.model.block_count()));

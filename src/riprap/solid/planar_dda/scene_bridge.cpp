@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/restitution.hpp"
 #include "riprap/solid/planar_dda/outline.hpp"
 #include "riprap/solid/planar_dda/submatrices.hpp"
 
@@ -25,11 +26,17 @@ bool is_half_space(const SolidScene& scene, std::size_t b) {
     return scene.shapes.is_half_space(scene.bodies.parts[at(scene.bodies.part_begin[b])].shape);
 }
 
-Joint joint_of(const material::PairProperties& pair, const affine::Elasticity& elasticity) {
+Joint joint_of(const material::MaterialSet& materials, MaterialId a, MaterialId b,
+               const affine::Elasticity& elasticity) {
+    const material::PairProperties& pair = materials.pair(a, b);
     const double shear =
         pair.shear_stiffness > 0 ? pair.shear_stiffness : pair.shear_ratio * elasticity.contact_stiffness;
-    return {
-        elasticity.contact_stiffness, shear, pair.friction, pair.cohesion, pair.tensile_strength, pair.damping_ratio};
+    return {elasticity.contact_stiffness,
+            shear,
+            pair.friction,
+            pair.cohesion,
+            pair.tensile_strength,
+            affine::damping_ratio_of(materials, a, b)};
 }
 
 void add_materials(const SolidScene& scene, const affine::Elasticity& elasticity, Model& model) {
@@ -39,7 +46,7 @@ void add_materials(const SolidScene& scene, const affine::Elasticity& elasticity
     }
     for (int a = 0; a < scene.materials.size(); ++a) {
         for (int b = a; b < scene.materials.size(); ++b) {
-            model.set_joint(a, b, joint_of(scene.materials.pair(MaterialId{a}, MaterialId{b}), elasticity));
+            model.set_joint(a, b, joint_of(scene.materials, MaterialId{a}, MaterialId{b}, elasticity));
         }
     }
 }

@@ -12,6 +12,7 @@
 #include "riprap/core/timer.hpp"
 #include "riprap/solid/planar_dda/accounts.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/dashpots.hpp"
 #include "riprap/solid/planar_dda/move_blocks.hpp"
 #include "riprap/solid/planar_dda/open_close.hpp"
 
@@ -180,7 +181,7 @@ Way way_of(const Model& model, double dt, const Scratch& scratch) {
         mass = std::min(mass, model.mass[at(b)]);
     }
     for (const Contact& contact : scratch.contacts) {
-        stiffest = std::max(stiffest, contact.joint.normal_stiffness + contact.dashpot / dt);
+        stiffest = std::max(stiffest, contact.joint.normal_stiffness + std::max(0.0, contact.dashpot) / dt);
     }
     for (const FixedPoint& point : model.fixed_points) {
         stiffest = std::max(stiffest, point.stiffness);
@@ -210,6 +211,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
     Laps laps;
     place_corners(model, state, scratch.corners);
     find_contacts(model, state, settings, scratch.corners, scratch.search, scratch.contacts);
+    set_dashpots(model, state, step.gravity, step.dt, scratch.contacts);
     laps.end(scratch.times.find_contacts);
     number_rows(model, scratch);
     scratch.equations.set_pattern(static_cast<std::int32_t>(scratch.block_of_row.size()), scratch.couplings,
