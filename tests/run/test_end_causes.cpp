@@ -235,12 +235,6 @@ std::vector<Ending> endings() {
          plane + "end = 0.3\n" + rock("1e7") +
              water("sph", "{ low = [0, 0], high = [0.3, 0.9] }", "sound_speed = 3.0") + tank(),
          "fluid.sound_speed = "},
-        {"made_energy", "a dam break of the grid in steps of a tenth of its time",
-         plane + "end = 0.4\n" + rock("1e7") +
-             water("grid", "{ low = [0, 0], high = [0.4, 0.55] }", "", "{ low = [-0.2, -0.2], high = [1.2, 0.8] }",
-                   0.025) +
-             tank(),
-         "fluid.courant = "},
         {"ledger", "a step far above its bound",
          gravity + "end = 0.3\ntime_step = 0.147\nforce_time_step = true\n" + rock("1e7") + ground + falling_cube(),
          "time_step = \"auto\""},

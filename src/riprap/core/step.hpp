@@ -29,6 +29,9 @@ struct StepLimit {
     double longest{std::numeric_limits<double>::infinity()};  ///< [s]
     bool is_wanted{false};  ///< an implicit method's own step: it is cut for nobody else's sake
     std::string reason;     ///< in words, for the log
+    /// Of automatic steps, soon after things were let go, where this grows from little [s]. A step that the case fixes
+    /// does not grow, and needs to be no longer than `longest` only.
+    double at_start{std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace riprap

@@ -123,7 +123,8 @@ Cycle make_cycle(const Model& model, const State& state, const StepLimit& solids
     const double allowed = std::ldexp(automatic_step(model, solids), -static_cast<int>(state.stepping.halvings));
     cycle.pieces = std::max<std::int64_t>(1, steps_across(dt, allowed));
     if (solids.is_wanted && model.time.is_automatic()) {
-        const double longest = std::ldexp(fluid.longest, -static_cast<int>(state.stepping.halvings));
+        const double longest =
+            std::ldexp(std::min(fluid.longest, fluid.at_start), -static_cast<int>(state.stepping.halvings));
         cycle.spans = std::max<std::int64_t>(1, steps_across(dt, longest));
     }
     return cycle;
@@ -183,7 +184,9 @@ TimeStep choose(const Model& model, State& state, Scratch& scratch, bool grows_a
             limits.fluid_leads ? fixed_fluid_step(model, state, limits.fluid) : largest_step(model, limits);
         return {fixed, steps_across(span, fixed)};
     }
-    double limit = limits.fluid_leads ? limits.fluid.longest : largest_step(model, limits);
+    const double of_fluid =
+        grows_at_start ? std::min(limits.fluid.longest, limits.fluid.at_start) : limits.fluid.longest;
+    double limit = limits.fluid_leads ? of_fluid : largest_step(model, limits);
     if (limits.fluid_leads && limits.solids.is_wanted) {
         limit = starts_with_a_jolt(model, state) ? std::min(limit, limits.solids.longest)
                                                  : std::max(limit, limits.solids.longest);

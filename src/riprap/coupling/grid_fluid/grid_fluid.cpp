@@ -246,16 +246,16 @@ std::span<const Account> GridFluid::accounts() {
 }
 
 StepLimit GridFluid::limit() const {
-    double longest = stable_step(settings_->grid, fields_->water, scratch_->grid);
+    StepLimit limit{stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
     const bool has_free = std::any_of(scene_->bodies.drive.begin(), scene_->bodies.drive.end(),
                                       [](body::Drive drive) { return drive == body::Drive::free; });
     // a pocket that driven bodies press together from the start has no pressure that short steps would find
     if (has_free || scratch_->grid.pockets.empty()) {
         const GridSettings& grid = settings_->grid;
         const double at_rest = std::sqrt(grid.courant * grid.mesh.smallest_width() / norm(grid.gravity));
-        longest = std::min(longest, first_share * at_rest + share_of_time * fields_->water.time);
+        limit.at_start = first_share * at_rest + share_of_time * fields_->water.time;
     }
-    return {longest, false, "Courant number of the water"};
+    return limit;
 }
 
 Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
