@@ -107,8 +107,7 @@ class Springs {
     }
 
  private:
-    template <class Settings>
-    Spring of_spheres(const Touch& touch, const Settings& settings) const {
+    Spring of_spheres(const Touch& touch, const solid::SphereDemSettings& settings) const {
         const auto count = spheres_.begin[at(touch.body.value) + 1] - spheres_.begin[at(touch.body.value)];
         if (count == 0) {
             return {spring_of_faces(model_, touch), 0, true};
