@@ -222,5 +222,17 @@ TEST(PressedPockets, MakeNoEnergyInStepsAsShortAsTheMessageSays) {
     EXPECT_EQ(run_to(again, 0.05), "");
 }
 
+TEST(GridSteps, StartAtAFiftiethOfWhatGravityAllowsAndGrowByATwentiethOfTheTime) {
+    const Turned upright;
+    Simulation simulation = simulate(upright.tank(upright.water(0, 0, 0.8, 0.4)));
+    const double first = 0.02 * std::sqrt(0.45 * 0.04 / gravity);
+    ASSERT_NE(simulation.step(sim::Measure::flow).kind, StepOutcome::Kind::refused);
+    EXPECT_NEAR(simulation.state().time, first, 0.1 * first);
+    ASSERT_EQ(run_to(simulation, 0.1), "");
+    const double before = simulation.state().time;
+    ASSERT_NE(simulation.step(sim::Measure::flow).kind, StepOutcome::Kind::refused);
+    EXPECT_NEAR(simulation.state().time - before, first + 0.05 * before, 0.1 * (first + 0.05 * before));
+}
+
 }  // namespace
 }  // namespace riprap::run
