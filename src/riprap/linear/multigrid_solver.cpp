@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/linear/multigrid.hpp"
@@ -85,7 +86,7 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
         sum_of);
     const double first = std::sqrt(rr), goal = std::max({tolerance * first, enough, round_off * b_norm});
     PoissonReport report;
-    double rz_before = 0;
+    double rz_before = 0, least = rr;
     while (std::sqrt(rr) > goal && report.iterations < max_iterations) {
         double factor = 0;  // z = factor times what the cycle gives
         const std::vector<float>& z = multigrid_.apply(r, std::sqrt(rr), factor);
@@ -125,6 +126,12 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
             sum_of);
         rz_before = rz;
         ++report.iterations;
+        least = std::min(least, rr);
+        // The round-off of a group of cells that no open face joins to the rest has a mean, which no pressure takes
+        // away: once it is all that is left, it grows from one iteration to the next.
+        if (least < round_off * first * first && rr > 100 * least) {
+            break;
+        }
     }
     report.first = first;
     report.residual = first > 0 ? std::sqrt(rr) / first : 0;

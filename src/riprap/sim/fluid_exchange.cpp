@@ -2,6 +2,7 @@
 #include "riprap/sim/fluid_exchange.hpp"
 
 #include "riprap/body/locks.hpp"
+#include "riprap/body/point_loads.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 
@@ -206,11 +207,15 @@ void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, 
                     State& state) {
     coupling::CouplingState& coupling = state.coupling;
     const Vec3 gravity = model.gravity.at(state.time + dt);
+    body::PointLoadSum sum;
+    const body::LoadView given = sum.add(model.loads, state.bodies, state.time + dt, {});
     for (std::size_t b = 0; b < contacts.size() && b < coupling.dry_acceleration.size(); ++b) {
         if (kinematics.inverse_mass[b] > 0) {
             Vec3 &linear = coupling.dry_acceleration[b], &angular = coupling.dry_angular_acceleration[b];
-            linear = gravity + going_on(linear - gravity, kinematics.inverse_mass[b] * contacts.force[b]);
-            angular = going_on(angular, kinematics.inverse_inertia[b] * contacts.torque[b]);
+            const Vec3 steady = given.empty() ? gravity : gravity + kinematics.inverse_mass[b] * given.force[b];
+            const Vec3 turning = given.empty() ? Vec3{} : kinematics.inverse_inertia[b] * given.torque[b];
+            linear = steady + going_on(linear - steady, kinematics.inverse_mass[b] * contacts.force[b]);
+            angular = turning + going_on(angular - turning, kinematics.inverse_inertia[b] * contacts.torque[b]);
         }
     }
 }

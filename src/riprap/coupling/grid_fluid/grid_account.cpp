@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
+#include "riprap/coupling/grid_fluid/pocket_pressure.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 #include "riprap/fluid/open/leaving.hpp"
@@ -18,39 +20,36 @@ namespace {
 using fluid::grid::at;
 using fluid::grid::Pocket;
 
-/// Share of all water that may be missing: round-off of sums over cells [-].
-constexpr double share_missing = 1e-9;
 /// A body that moves as it is told does not stop by itself: it may press a pocket together by this [-].
 constexpr double most_pressed = 0.03;
-/// Bodies close pockets thinner than so many cells as they come to rest on others: the step in which the way out
-/// becomes narrower than a joint may take them 0.05 + 0.45/2 of a cell farther, and that goes through joints.
-constexpr double least_cells = 3;
-
 /// Sums up what bodies do to a pocket.
 struct Squeeze {
     std::int32_t body{-1};  ///< that moves most of it; -1: none
     double rate{0};         ///< volume that this body takes, less what it gives [m^3/s]
     double area{0};         ///< of its facets in the pocket, times the width of the cells there [m^3]
+    bool has_free{false};   ///< bodies in it that can follow its water
 };
 
-Squeeze squeeze_of(const fluid::grid::Mesh& mesh, const GridFluid::Scratch& scratch, const Pocket& pocket) {
+Squeeze squeeze_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const GridFluid::Scratch& scratch,
+                   const Pocket& pocket) {
     std::vector<std::int64_t> cells = pocket.cells;
     std::sort(cells.begin(), cells.end());
     std::vector<double> rate(scratch.bodies.size()), area(scratch.bodies.size());
+    Squeeze most;
     for (const CutFacet& facet : scratch.cut.facets) {
         if (!moves_fluid(facet) || !std::binary_search(cells.begin(), cells.end(), facet.cell)) {
             continue;
         }
         const double moved = dot(scratch.bodies[at(facet.body)].velocity_at(facet.place()), facet.area);
         rate[at(facet.body)] += moved;
+        most.has_free = most.has_free || body::may_move(scene.bodies, at(facet.body));
         for (int a = 0; a < mesh.box.axes && moved != 0; ++a) {
             area[at(facet.body)] += std::abs(facet.area[a]) * mesh.h(a, mesh.cell_at(a, facet.place()[a]));
         }
     }
-    Squeeze most;
     for (std::size_t b = 0; b < rate.size(); ++b) {
         if (std::abs(rate[b]) > std::abs(most.rate)) {
-            most = {static_cast<std::int32_t>(b), rate[b], area[b]};
+            most = {static_cast<std::int32_t>(b), rate[b], area[b], most.has_free};
         }
     }
     return most;
@@ -98,24 +97,27 @@ Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& setting
     const double least = fluid::share_let_go * water.water.ever;
     for (const Pocket& pocket : scratch.grid.pockets) {
         const double room = room_of(scratch.grid, pocket), fraction = mean_fraction(water, scratch.grid, pocket);
-        if (!(fraction > 1 - share_missing) || !(room > least)) {
+        constexpr double round_off = 1e-6;
+        if (!(fraction > 1 - fluid::grid::most_hollow * (1 + round_off)) || !(room > least)) {
             continue;  // air gives way
         }
-        const Squeeze squeeze = squeeze_of(settings.grid.mesh, scratch, pocket);
+        const bool is_hollow = fraction < 1 - fluid::grid::most_hollow * (1 - round_off);
+        const Squeeze squeeze = squeeze_of(scene, settings.grid.mesh, scratch, pocket);
         if (squeeze.body < 0 || !(room > least_cells * squeeze.area)) {
             continue;
         }
         const bool is_driven = scene.bodies.drive[at(squeeze.body)] == body::Drive::driven;
         const double most = is_driven ? most_pressed : fluid::grid::most_overfull;
         const std::string name = name_of(settings.grid.mesh, scratch.grid, pocket);
-        if (fraction > 1 + most * (1 - share_missing)) {
+        if (fraction > 1 + most * (1 - share_of_water_missing)) {
             return {fmt::format("{} presses together {} by t = {:.6g} s: it holds {} of water and has room for {}; "
                                 "allowed: {:g} % more",
                                 name_of(scene, squeeze), name, span.end(), mass_of(settings, fraction * room),
                                 mass_of(settings, room), 100 * most),
                     0, remedy(settings)};
         }
-        if (is_driven && -squeeze.rate * span.dt > share_missing * water.water.ever) {
+        if (is_driven && (is_hollow || !squeeze.has_free) &&
+            -squeeze.rate * span.dt > share_of_water_missing * water.water.ever) {
             return {fmt::format("{} draws apart {} at t = {:.6g} s: it is full, and {} of water would come in through "
                                 "closed walls in a step",
                                 name_of(scene, squeeze), name, span.end(), mass_of(settings, -squeeze.rate * span.dt)),
@@ -128,13 +130,13 @@ Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& setting
 Outcome mass_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
                      const fluid::grid::GridState& water, double time) {
     const double missing = water.water.held - water_volume(settings.grid, water, scratch.grid);
-    if (!(std::abs(missing) > share_missing * water.water.ever)) {
+    if (!(std::abs(missing) > share_of_water_missing * water.water.ever)) {
         return {};
     }
     std::string cause = "there is no room left for it in the domain";
     double largest = 0;
     for (const Pocket& pocket : scratch.grid.pockets) {
-        const Squeeze squeeze = squeeze_of(settings.grid.mesh, scratch, pocket);
+        const Squeeze squeeze = squeeze_of(scene, settings.grid.mesh, scratch, pocket);
         if (std::abs(squeeze.rate) > largest) {
             largest = std::abs(squeeze.rate);
             cause =
@@ -144,7 +146,7 @@ Outcome mass_outcome(const FluidScene& scene, const GridFluidSettings& settings,
     }
     return {fmt::format("{} of water would {} by t = {:.6g} s; allowed: {}, {:g} of all: {}",
                         mass_of(settings, std::abs(missing)), missing > 0 ? "vanish" : "come from nothing", time,
-                        mass_of(settings, share_missing * water.water.ever), share_missing, cause),
+                        mass_of(settings, share_of_water_missing * water.water.ever), share_of_water_missing, cause),
             0, remedy(settings)};
 }
 

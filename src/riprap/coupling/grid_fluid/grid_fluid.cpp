@@ -10,6 +10,7 @@
 #include "riprap/coupling/added_mass.hpp"
 #include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/coupling/grid_fluid/pocket_pressure.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pressure.hpp"
@@ -214,7 +215,7 @@ std::size_t GridFluid::Scratch::bytes() const {
 
 GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
                      Scratch& scratch)
-    : scene_(&scene), settings_(&settings), fields_(&fields), scratch_(&scratch) {
+    : scene_(&scene), settings_(&settings), coupling_(&state.coupling), fields_(&fields), scratch_(&scratch) {
     if (scratch.cutter) {
         return;
     }
@@ -249,7 +250,8 @@ StepLimit GridFluid::limit() const {
     StepLimit limit{stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
     const bool has_free = std::any_of(scene_->bodies.drive.begin(), scene_->bodies.drive.end(),
                                       [](body::Drive drive) { return drive == body::Drive::free; });
-    // a pocket that driven bodies press together from the start has no pressure that short steps would find
+    // What driven bodies alone press out of a pocket leaves it through all of its cells, with the pressure there, and
+    // the pressure that starts a motion at once is the larger the shorter the step is.
     if (has_free || scratch_->grid.pockets.empty()) {
         const GridSettings& grid = settings_->grid;
         const double at_rest = std::sqrt(grid.courant * grid.mesh.smallest_width() / norm(grid.gravity));
@@ -280,6 +282,8 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
     scratch_->iterations += begin_step(settings, water, s, span.dt);
     if (settings_->coupling == GridCoupling::two_way) {
         scratch_->feedback = added_mass_shares(*scene_, *settings_, water, scratch_->cut);
+        scratch_->pressed = s.pockets.empty() ? std::vector<PressedPocket>{}
+                                              : pressed_pockets(*scene_, *settings_, *scratch_, water, span.end());
     }
     return {};
 }
@@ -296,8 +300,14 @@ void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoad
     }
     scratch_->solve = project_velocity(settings, fields_->water, s, span.dt);
     scratch_->iterations += scratch_->solve.iterations;
-    scratch_->loads =
-        cut_loads(settings, fields_->water, s, scratch_->bodies, scratch_->cut, fields_->water.time + span.dt);
+    const auto find_loads = [&] {
+        return cut_loads(settings, fields_->water, s, scratch_->bodies, scratch_->cut, fields_->water.time + span.dt);
+    };
+    scratch_->loads = find_loads();
+    if (!scratch_->pressed.empty()) {
+        press_pockets(*scene_, *settings_, *coupling_, *scratch_, middle, span, scratch_->loads, fields_->water);
+        scratch_->loads = find_loads();
+    }
     const auto count = at(scene_->bodies.size());
     loads.pressure.clear(count, middle.deforms());
     loads.viscous.clear(count, middle.deforms());

@@ -16,6 +16,7 @@
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
 #include "riprap/coupling/grid_fluid/fields.hpp"
+#include "riprap/coupling/grid_fluid/pressed_pocket.hpp"
 #include "riprap/coupling/grid_fluid/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
@@ -40,6 +41,7 @@ class GridFluid {
         std::optional<BodyCutter> cutter;
         std::vector<GridBody> bodies;
         CutBodies cut;
+        std::vector<PressedPocket> pressed;
         std::vector<double> feedback;  ///< added mass over mass of bodies, as far as they are wet [-]
         std::vector<GridLoad> loads;
         fluid::grid::Energy before;
@@ -78,6 +80,7 @@ class GridFluid {
  private:
     const FluidScene* scene_;
     const Settings* settings_;
+    const CouplingState* coupling_;
     Fields* fields_;
     Scratch* scratch_;
 };

@@ -103,6 +103,19 @@ void settle_pocket(const CellBox& box, GridState& state, const GridScratch& s, c
     if (rest > round_off * held) {
         give(pocket, state, s, rest, [](std::int64_t) { return most_overfull; });
     }
+    if (rest < -round_off * held) {
+        give(pocket, state, s, rest, [&](std::int64_t c) { return state.fraction[at(c)]; });
+    }
+}
+
+/// Returns what a pocket shall hold of the water that it held: a full one becomes hollow by most_hollow at most.
+double water_to_hold(const Pocket& pocket, const GridScratch& s, double held) {
+    double before = 0;
+    for (const std::int64_t c : pocket.cells) {
+        before += s.room.before()[at(c)];
+    }
+    const double least = 1 - most_hollow;
+    return held < (1 - round_off) * least * before ? held : std::max(held, least * room_of(pocket, s));
 }
 
 }  // namespace
@@ -139,7 +152,8 @@ std::vector<double> water_of_pockets(const GridSettings& settings, const GridSta
 void settle_pockets(const GridSettings& settings, GridState& state, const GridScratch& s,
                     const std::vector<double>& held) {
     for (std::size_t p = 0; p < held.size(); ++p) {
-        settle_pocket(settings.mesh.box, state, s, s.pockets[p], held[p] + came_in(settings.mesh.box, s, s.pockets[p]));
+        const double water = held[p] + came_in(settings.mesh.box, s, s.pockets[p]);
+        settle_pocket(settings.mesh.box, state, s, s.pockets[p], water_to_hold(s.pockets[p], s, water));
     }
 }
 

@@ -143,11 +143,15 @@ void level_pockets(const GridSettings& settings, GridState& state, const GridScr
     const Vec3 g = body_force(settings, time);
     const auto density = [&](std::int64_t c) { return density_of(settings, state.fraction[at(c)]); };
     for (const Pocket& pocket : pockets) {
-        double volume = 0, level = 0, mass = 0;
+        double volume = 0, level = 0, mass = 0, weight = 0;
         for (const std::int64_t c : pocket.cells) {
+            const std::array<int, 3> place = place_of(mesh.box, c);
             volume += s.room.capacity[at(c)];
             mass += s.room.capacity[at(c)] * density(c);
             level += s.room.capacity[at(c)] * state.pressure[at(c)];
+            weight += settings.has_surface
+                          ? s.room.capacity[at(c)] * density(c) * dot(g, mesh.centre(place[0], place[1], place[2]))
+                          : 0;
         }
         double outside = 0, room = 0;
         for (const std::int64_t c : pocket.around) {  // p of the water there, less the weight of what the pocket holds
@@ -156,7 +160,7 @@ void level_pockets(const GridSettings& settings, GridState& state, const GridScr
             outside += s.room.capacity[at(c)] * (state.pressure[at(c)] + (density(c) - mass / volume) * potential);
             room += s.room.capacity[at(c)];
         }
-        const double shift = (room > 0 ? outside / room : 0) - level / volume;
+        const double shift = (room > 0 ? outside / room : -weight / volume) - level / volume;
         for (const std::int64_t c : pocket.cells) {
             state.pressure[at(c)] += shift;
         }

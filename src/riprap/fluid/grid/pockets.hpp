@@ -19,7 +19,8 @@ std::vector<Pocket> find_pockets(const GridSettings& settings, const GridScratch
 void balance_pockets(const std::vector<Pocket>& pockets, GridScratch& scratch);
 
 /// Sets the level of the pressure in every pocket, which its own equations leave open: the mean of the open cells
-/// around it, as if water could pass in the third direction or through joints thinner than a cell can tell.
+/// around it, as if water could pass in the third direction or through joints thinner than a cell can tell. Where there
+/// are none the mean pressure p is nothing.
 void level_pockets(const GridSettings& settings, GridState& state, const GridScratch& scratch,
                    const std::vector<Pocket>& pockets, double time);
 
@@ -27,12 +28,18 @@ void level_pockets(const GridSettings& settings, GridState& state, const GridScr
 /// what is more goes out as through a joint [-].
 inline constexpr double most_overfull = 0.1;
 
+/// A pocket whose water could not follow the bodies that close it has a cavity of up to this share of its water. Bodies
+/// miss their predicted places by a hundredth of g dt^2, which is at most 0.45 of a cell, and a pocket is three cells
+/// deep or more [-].
+inline constexpr double most_hollow = 0.01 * 0.45 / 3;
+
 /// Returns what every pocket holds before the water moves, with what solids have driven out of cells beside it since
 /// the last step [m^3].
 std::vector<double> water_of_pockets(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
 
 /// Gives every pocket back the water that it held: to its surface, then to the air that is left in it, then by
-/// fractions above 1, up to most_overfull. A pocket that grows and has no air takes water from outside.
+/// fractions above 1, up to most_overfull. A pocket that grows and has no air gets a cavity, up to most_hollow; what is
+/// more comes from outside.
 void settle_pockets(const GridSettings& settings, GridState& state, const GridScratch& scratch,
                     const std::vector<double>& held);
 
