@@ -58,7 +58,7 @@ struct Surface {
     double shear_stiffness{0};   ///< k_s, likewise
     bool is_per_area{false};     ///< stiffness times the area that a contact point stands for (soft contact)
     double friction{0};          ///< tan phi [-]
-    double cohesion{0};          ///< c of a bond, per area; lost for good where a contact opens or slides [Pa]
+    double cohesion{0};          ///< c of a bond, per area; see bonds.hpp [Pa]
     double tension{0};           ///< strength of a bond across the contact, likewise [Pa]
     double damping_ratio{0};     ///< share of critical damping, explicit only [-]
     double least_area{0};        ///< that a point counts for at least where stiffness is per area [m^2]

@@ -14,7 +14,7 @@ namespace {
 ContactSprings springs_of(const affine::Surface& surface, double area) {
     const double factor = surface.factor(area);
     return {factor * surface.normal_stiffness, factor * surface.shear_stiffness, surface.friction,
-            surface.cohesion * area, surface.tension * area};
+            surface.cohesion * area,           surface.tension * area,           0};
 }
 
 /// Motion in the step of a point of a block that loads do not move.
@@ -30,7 +30,7 @@ Vec3 prescribed_motion(const BlockSystem& system, const affine::BlockState& stat
 }  // namespace
 
 ContactTerm make_term(const BlockSystem& system, const State& state, const Scratch& scratch,
-                      const affine::BlockContact& found, double dt) {
+                      const affine::BlockContact& found, double bond_length, double dt) {
     ContactTerm c{};
     c.row_a = scratch.row[at(found.a)];
     c.row_b = scratch.row[at(found.b)];
@@ -38,6 +38,7 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     c.arm_b = found.on_b - state.blocks.position[at(found.b)];
     c.normal = found.normal;
     c.springs = springs_of(system.surface_of(found.a, found.b), found.area);
+    c.springs.bond_length = c.springs.cohesion > 0 || c.springs.tension > 0 ? bond_length : 0;
     c.prescribed = prescribed_motion(system, state.blocks, found.a, found.on_a, dt) -
                    prescribed_motion(system, state.blocks, found.b, found.on_b, dt);
     c.gap = found.gap - dot(found.normal, c.prescribed);
@@ -49,8 +50,10 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     if (found.old >= 0) {
         const affine::BlockContactHistory& history = state.contacts;
         const auto row = at(found.old);
-        trial.mode = static_cast<ContactMode>(history.mode[row]);
+        const auto mode = static_cast<ContactMode>(history.mode[row]);
+        trial.mode = mode != ContactMode::open || found.gap >= 0 ? mode : ContactMode::lock;
         trial.is_intact = history.is_intact[row] != 0;
+        trial.plastic_slip = history.plastic_slip[row];
         trial.slip_before = affine::turn_with_plane(history.slip[row], history.normal[row], found.normal);
         trial.slip_before -= dot(trial.slip_before, found.normal) * found.normal;
         const double size = norm(trial.slip_before);
