@@ -79,6 +79,7 @@ struct BlockSystem {
     std::vector<Mat3> inertia;           ///< E0 = rho integral of X X^T dV (Euler's tensor) [kg m^2]
     std::vector<std::int32_t> vertex_begin{0}, face_begin{0};  ///< size() + 1 entries: places in PlacedBlocks
     Vec3 gravity{};                                            ///< [m/s^2]
+    bool is_planar{false};  ///< blocks are prisms that stay in the x-y plane; see plane.hpp
 
     std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
     const Shape& shape_of(std::int32_t block) const { return shapes[index(shape[index(block)])]; }

@@ -3,6 +3,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/plane.hpp"
 #include "riprap/solid/implicit_dda/stages.hpp"
 
 namespace riprap::solid::implicit_dda {
@@ -67,6 +68,7 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
 void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed_points, const Settings& settings,
                  double dt, const affine::BlockLoads& external, const affine::BlockState& state, Scratch& scratch) {
     Equations& equations = scratch.equations;
+    equations.is_planar = system.is_planar;
     equations.diagonal.resize(scratch.block.size());
     equations.given.resize(scratch.block.size());
     equations.solution.resize(scratch.block.size() * 12);
@@ -89,6 +91,9 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
         for (std::size_t i = 0; i < 12; ++i) {
             given[i] += settings.dynamic * 2 / dt * momentum[i];
             equations.solution[at(row) * 12 + i] = settings.dynamic * dt * velocity[i];
+        }
+        for (const std::size_t i : affine::out_of_plane) {
+            equations.solution[at(row) * 12 + i] *= system.is_planar ? 0 : 1;
         }
         equations.given[at(row)] = given;
     });
