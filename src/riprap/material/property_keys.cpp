@@ -55,13 +55,14 @@ std::vector<PropertyKey<To>> surface_keys() {
         {Property::friction, angle},
         {Property::cohesion,
          mixed(number(&To::cohesion, "cohesion", dimension::pressure, non_negative(),
-                      "Added to the shear strength, per contact area. A bond of DDA is brittle and breaks point "
-                      "by point: a face that is loaded unevenly, as the base of a dam, slides some "
-                      "per cent below limit equilibrium, where all of it holds to the last."))},
+                      "Added to the shear strength, per contact area, as in limit equilibrium: corners of a face that "
+                      "reach their strength first slide and keep their cohesion, so that the whole face bears the "
+                      "load. A bond of DDA that has slid, or without tensile strength opened, by 1e-4 of the smallest "
+                      "block is broken, and its cohesion is lost for good."))},
         {Property::tensile_strength,
          mixed(number(&To::tensile_strength, "tensile_strength", dimension::pressure, non_negative(),
-                      "Tensile strength: with cohesion it bonds faces that touch at the start. A bond that is torn or "
-                      "sheared is gone for good. Two materials mix it as cohesion."))},
+                      "Tensile strength: with cohesion it bonds faces that touch at the start. A bond that is torn, or "
+                      "has slid as `cohesion` says, is gone for good. Two materials mix it as cohesion."))},
         {Property::damping_ratio, mixed(number(&To::damping_ratio, "damping_ratio", dimension::plain, between(0, 1),
                                                "Share of critical damping of a contact's dashpot."))},
         {Property::restitution, number(&To::restitution, "restitution", dimension::plain, above(0, 1),

@@ -48,6 +48,24 @@ TEST(Penalty, sliding_holds_the_limit_and_takes_the_work_of_the_slip_lost) {
     EXPECT_DOUBLE_EQ(answer.friction_loss, 10 * 0.2);
 }
 
+TEST(Penalty, a_bond_keeps_its_cohesion_until_it_has_slid_by_its_length) {
+    PenaltySprings bonded = springs;
+    bonded.cohesion = 5;
+    bonded.bond_slip = 0.1;
+    PenaltyMotion motion = pressed(0.2, {0.35, 0, 0});  // 17.5 of 15 N: 0.05 of it plastic
+    motion.is_intact = true;
+    const PenaltyAnswer yields = penalty(bonded, motion);
+    EXPECT_TRUE(yields.is_sliding);
+    EXPECT_TRUE(yields.is_intact);
+    EXPECT_DOUBLE_EQ(yields.force.x, -15);
+    EXPECT_NEAR(yields.plastic_slip, 0.05, 1e-15);
+    EXPECT_NEAR(yields.friction_loss, 15 * 0.05, 1e-14);
+    motion.plastic_slip = 0.06;
+    const PenaltyAnswer broken = penalty(bonded, motion);
+    EXPECT_FALSE(broken.is_intact);
+    EXPECT_DOUBLE_EQ(broken.force.x, -10);
+}
+
 TEST(Penalty, cohesion_holds_until_the_first_slip_which_takes_the_energy_of_the_bond) {
     PenaltySprings bonded = springs;
     bonded.cohesion = 5;

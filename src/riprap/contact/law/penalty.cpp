@@ -26,7 +26,11 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
     const double limit = std::max(0.0, answer.normal_force * springs.friction + cohesion);
     const double size = springs.shear_stiffness * norm(trial);
     answer.is_sliding = size > limit;
-    answer.is_intact = motion.is_intact && !answer.is_sliding;
+    answer.plastic_slip = motion.is_intact ? motion.plastic_slip : 0;
+    if (answer.is_sliding && motion.is_intact) {
+        answer.plastic_slip += norm(trial) - limit / springs.shear_stiffness;
+    }
+    answer.is_intact = motion.is_intact && answer.plastic_slip <= springs.bond_slip;
     Vec3 shear{};
     if (answer.is_sliding) {
         if (motion.is_intact && motion.gap > 0) {
@@ -34,10 +38,11 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
             answer.is_open = true;
             return answer;
         }
-        const double friction = motion.is_intact ? answer.normal_force * springs.friction : limit;
+        const bool breaks = motion.is_intact && !answer.is_intact;
+        const double friction = breaks ? answer.normal_force * springs.friction : limit;
         answer.slip = (friction / size) * trial;
         shear = -springs.shear_stiffness * answer.slip;
-        answer.friction_loss = motion.is_intact
+        answer.friction_loss = breaks
                                    ? 0.5 * springs.shear_stiffness * (norm_squared(trial) - norm_squared(answer.slip))
                                    : friction * (norm(trial) - norm(answer.slip));
     } else {

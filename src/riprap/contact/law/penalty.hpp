@@ -12,18 +12,20 @@ struct PenaltySprings {
     double friction{0};          ///< tan phi [-]
     double cohesion{0};          ///< c times the area of the point, while intact [N]
     double tension{0};           ///< tensile strength times the area, while intact [N]
+    double bond_slip{0};         ///< plastic slip after which a bond has broken [m]
     double normal_damping{0};    ///< [N s/m]
     double shear_damping{0};     ///< of a contact that sticks [N s/m]
 };
 
 /// A contact point now, bodies a and b.
 struct PenaltyMotion {
-    Vec3 normal;     ///< from a to b [-]
-    double gap;      ///< negative where they overlap [m]
-    Vec3 velocity;   ///< v_a - v_b there [m/s]
-    double time;     ///< since the last evaluation [s]
-    Vec3 slip;       ///< elastic slip of the last evaluation, turned to the present plane [m]
-    bool is_intact;  ///< has neither opened nor slid
+    Vec3 normal;             ///< from a to b [-]
+    double gap;              ///< negative where they overlap [m]
+    Vec3 velocity;           ///< v_a - v_b there [m/s]
+    double time;             ///< since the last evaluation [s]
+    Vec3 slip;               ///< elastic slip of the last evaluation, turned to the present plane [m]
+    bool is_intact;          ///< bonded: has neither opened nor slid by more than bond_slip
+    double plastic_slip{0};  ///< by which the intact bond has slid so far [m]
 };
 
 /// The answer of the springs. Forces on a; b gets the opposite.
@@ -34,6 +36,7 @@ struct PenaltyAnswer {
     bool is_open{false};     ///< no force: forget the contact
     bool is_sliding{false};
     bool is_intact{false};
+    double plastic_slip{0};   ///< of a bond that is still intact [m]
     double energy{0};         ///< stored in both springs [J]
     double friction_loss{0};  ///< taken by sliding since the last evaluation; of a bond that this slip has broken: what
                               ///< its shear spring gives up [J]
@@ -46,9 +49,9 @@ struct PenaltyAnswer {
 ///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= f_n tan phi + C,
 ///
 /// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, and friction takes
-/// limit times the slip lost. A bond that slides breaks: cohesion C and tension are lost for good and t is shortened to
-/// f_n tan phi/k_s; one that is apart opens. Stiffness per area with the area of the point makes it the soft contact of
-/// [Ding2021, eq. 2.10].
+/// limit times the slip lost. A bond that has slid by more than bond_slip in all breaks: cohesion C and tension are
+/// lost for good and t is shortened to f_n tan phi/k_s; one that slides while it is apart opens. Stiffness per area
+/// with the area of the point makes it the soft contact of [Ding2021, eq. 2.10].
 PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion);
 
 }  // namespace riprap::contact

@@ -147,6 +147,7 @@ void BlockContactHistory::clear() {
     slip.clear();
     mode.clear();
     is_intact.clear();
+    plastic_slip.clear();
     energy.clear();
     bonded.clear();
 }

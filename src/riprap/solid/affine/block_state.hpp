@@ -33,7 +33,7 @@ struct BlockState {
 
 /// State of a contact point between the steps.
 enum class ContactMode : std::uint8_t {
-    open,   ///< no springs
+    open,   ///< no springs; kept between steps only where an intact bond touches
     slide,  ///< normal spring and friction
     lock    ///< normal and shear springs
 };
@@ -48,7 +48,8 @@ struct BlockContactHistory {
     std::vector<Vec3> normal;             ///< at the last step, from a to b [-]
     std::vector<Vec3> slip;               ///< elastic slip t of a against b, which the shear spring holds [m]
     std::vector<std::uint8_t> mode;       ///< ContactMode
-    std::vector<std::uint8_t> is_intact;  ///< bonded, and has neither opened nor slid: cohesion and tension hold
+    std::vector<std::uint8_t> is_intact;  ///< bonded and not broken: cohesion and tension hold; see bonds.hpp
+    std::vector<double> plastic_slip;     ///< by which an intact bond has slid at its strength so far [m]
     std::vector<double> energy;           ///< stored in its springs [J]
     std::vector<std::uint64_t> bonded;    ///< pairs with unbroken bonds, ascending; see bonds.hpp. Not of the rows
 
@@ -65,6 +66,7 @@ struct BlockContactHistory {
         visit("block_contact.slip", self.slip);
         visit("block_contact.mode", self.mode);
         visit("block_contact.is_intact", self.is_intact);
+        visit("block_contact.plastic_slip", self.plastic_slip);
         visit("block_contact.energy", self.energy);
         visit("block_contact.bonded", self.bonded);
     }

@@ -58,7 +58,7 @@ struct Surface {
     double shear_stiffness{0};   ///< k_s, likewise
     bool is_per_area{false};     ///< stiffness times the area that a contact point stands for (soft contact)
     double friction{0};          ///< tan phi [-]
-    double cohesion{0};          ///< c of a bond, per area; lost for good where a contact opens or slides [Pa]
+    double cohesion{0};          ///< c of a bond, per area; see bonds.hpp [Pa]
     double tension{0};           ///< strength of a bond across the contact, likewise [Pa]
     double damping_ratio{0};     ///< share of critical damping, explicit only [-]
     double least_area{0};        ///< that a point counts for at least where stiffness is per area [m^2]
@@ -79,6 +79,7 @@ struct BlockSystem {
     std::vector<Mat3> inertia;           ///< E0 = rho integral of X X^T dV (Euler's tensor) [kg m^2]
     std::vector<std::int32_t> vertex_begin{0}, face_begin{0};  ///< size() + 1 entries: places in PlacedBlocks
     Vec3 gravity{};                                            ///< [m/s^2]
+    bool is_planar{false};  ///< blocks are prisms that stay in the x-y plane; see plane.hpp
 
     std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
     const Shape& shape_of(std::int32_t block) const { return shapes[index(shape[index(block)])]; }

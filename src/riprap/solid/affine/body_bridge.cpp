@@ -146,6 +146,7 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
         }
     }
     const body::BodySet& bodies = scene.bodies;
+    system.is_planar = bodies.is_planar;
     BlockState unused;
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         NewBlock block;

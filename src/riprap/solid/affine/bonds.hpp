@@ -8,6 +8,13 @@
 
 // Bonds of faces that touch at the start. Cohesion and tensile strength belong to them alone: a contact that comes
 // about later, or again, has neither.
+//
+// A bond has two ends. Its tensile strength is brittle: where it is passed the bond is torn. Its cohesion is a strength
+// in shear: a point that is loaded to it slides and keeps it, so that the rest of the face can take over what is more,
+// as limit equilibrium has it, until the point has slid by bond_length in all. One without tensile strength opens
+// without force and parts where the gap is wider than that. A length is needed, not a force: springs overshoot under
+// a load that comes suddenly, and a face that shakes lifts by nanometres, while a real joint bears its peak strength
+// over a slip of a hundredth of its length [BartonChoubey1977].
 
 namespace riprap::solid::affine {
 
@@ -20,6 +27,9 @@ double smallest_size(const BlockSystem& system);
 
 /// Returns the pairs of blocks that touch and whose surfaces have cohesion or tensile strength, ascending.
 std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state);
+
+/// Returns the slip or gap by which a bond without tensile strength is lost: that up to which faces touch [m].
+inline double bond_length(const BlockSystem& system) { return bond_tolerance * smallest_size(system); }
 
 /// Returns how far apart a bonded contact may be before it tears [m]: T A/k, A bounded by the largest block.
 double tearing_gap(const BlockSystem& system);

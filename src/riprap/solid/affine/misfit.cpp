@@ -17,7 +17,7 @@ std::string misfit(const BlockState& blocks, const BlockContactHistory& contacts
     }
     if (contacts.feature.size() != points || contacts.plane.size() != points || contacts.normal.size() != points ||
         contacts.slip.size() != points || contacts.mode.size() != points || contacts.is_intact.size() != points ||
-        contacts.energy.size() != points) {
+        contacts.plastic_slip.size() != points || contacts.energy.size() != points) {
         return "the arrays of the contacts differ in length";
     }
     const auto is_of_bodies = [count](std::uint64_t pair) {

@@ -4,6 +4,7 @@
 #include "riprap/body/free_rotation.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/quat.hpp"
+#include "riprap/solid/affine/plane.hpp"
 
 namespace riprap::solid::affine {
 
@@ -44,7 +45,8 @@ void update_block(const BlockSystem& system, std::int32_t block, const Mat3& gra
         return;
     }
     const Mat3 inertia = f * system.inertia[b] * transpose(f);
-    const Mat3 turn = turn_with_axes(inertia, spin_of(gradient)), back = transpose(turn);
+    const auto kept = [&system](const Mat3& m) { return system.is_planar ? in_plane(m) : m; };
+    const Mat3 turn = kept(turn_with_axes(inertia, spin_of(gradient))), back = transpose(turn);
     const Mat3 strain = symmetric_part(gradient);
     const Mat3 moved = (turn + strain) * f;
     const Vec3 momentum = angular_momentum(inertia, rate);
@@ -52,8 +54,8 @@ void update_block(const BlockSystem& system, std::int32_t block, const Mat3& gra
     set_rows(state.stress, b,
              turn * rows_at(state.stress, b) * back + elastic_stress(system.material_of(block), strain));
     set_rows(state.velocity_gradient, b,
-             gradient_with_momentum(moved * system.inertia[b] * transpose(moved), turn * symmetric_part(rate) * back,
-                                    momentum));
+             kept(gradient_with_momentum(moved * system.inertia[b] * transpose(moved),
+                                         turn * symmetric_part(rate) * back, momentum)));
 }
 
 Mat3 elastic_strain(const Material& material, const Mat3& stress) {

@@ -73,14 +73,16 @@ contact::PenaltySprings springs_of(const affine::Surface& surface, double area, 
 
 ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
                       const affine::BlockContactHistory& history, const BlockContact& contact, double damped_mobility,
-                      double time) {
+                      double bond_length, double time) {
     const Side a(system, state, softness, contact.a, contact.on_a), b(system, state, softness, contact.b, contact.on_b);
-    const auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, damped_mobility);
+    auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, damped_mobility);
+    springs.bond_slip = bond_length;
     contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, false};
     if (contact.old >= 0) {
         const auto row = at(contact.old);
         motion.slip = affine::turn_with_plane(history.slip[row], history.normal[row], contact.normal);
         motion.is_intact = history.is_intact[row] != 0;
+        motion.plastic_slip = history.plastic_slip[row];
     } else {
         motion.is_intact = begins_bonded(history, contact.a, contact.b);
     }
@@ -89,6 +91,12 @@ ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state
     result.answer = penalty(springs, motion);
     result.force = result.answer.force;
     result.was_intact = was_intact;
+    result.is_apart =
+        result.answer.is_open && was_intact && contact.old >= 0 && springs.tension == 0 && contact.gap <= bond_length;
+    if (result.is_apart) {
+        result.answer.is_intact = true;
+        result.answer.plastic_slip = motion.plastic_slip;
+    }
     if (!result.answer.is_open) {
         // Gershgorin: k (W_i + sqrt(W_i W_j)), W the mobility.
         const double stiffness = std::max(springs.normal_stiffness, springs.shear_stiffness);
@@ -150,7 +158,7 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
         if (contact.old >= 0 && (!answer.is_open || has_torn(contact, found))) {
             scratch.is_carried[at(contact.old)] = 1;
         }
-        if (answer.is_open) {
+        if (answer.is_open && !found.is_apart) {
             continue;
         }
         history.pair.push_back(contact::pair_key({contact.a, contact.b}));
@@ -158,10 +166,15 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
         history.plane.push_back(contact.plane);
         history.normal.push_back(contact.normal);
         history.slip.push_back(answer.slip);
-        history.mode.push_back(
-            static_cast<std::uint8_t>(answer.is_sliding ? affine::ContactMode::slide : affine::ContactMode::lock));
+        history.mode.push_back(static_cast<std::uint8_t>(answer.is_open      ? affine::ContactMode::open
+                                                         : answer.is_sliding ? affine::ContactMode::slide
+                                                                             : affine::ContactMode::lock));
         history.is_intact.push_back(answer.is_intact ? 1 : 0);
+        history.plastic_slip.push_back(answer.is_intact ? answer.plastic_slip : 0);
         history.energy.push_back(answer.energy);
+        if (answer.is_open) {
+            continue;
+        }
         report.contact += answer.energy;
         report.friction_loss += has_sheared(found) ? 0 : answer.friction_loss;
         report.deepest = std::max(report.deepest, -contact.gap);
@@ -281,9 +294,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     laps.end(scratch.times.move_bodies);
     std::swap(scratch.old, state.contacts);
     // Contacts that are apart take part where bonds hold them.
-    const double touching = scratch.old.bonded.empty() && !has_intact(scratch.old)
-                                ? 0
-                                : affine::bond_tolerance * affine::smallest_size(system);
+    const double touching = scratch.old.bonded.empty() && !has_intact(scratch.old) ? 0 : affine::bond_length(system);
     const double reach = touching > 0 ? std::max(touching, affine::tearing_gap(system)) : 0;
     const std::vector<BlockContact>& contacts =
         scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
@@ -294,7 +305,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     const std::vector<double> mobility = pair_mobility(system, state.blocks, contacts);
     parallel::for_each_uneven(static_cast<std::int64_t>(contacts.size()), 64, [&](std::int64_t i) {
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)],
-                                         mobility.empty() ? 1 : mobility[at(i)], time);
+                                         mobility.empty() ? 1 : mobility[at(i)], touching, time);
     });
     sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);

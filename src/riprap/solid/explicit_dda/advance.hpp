@@ -20,6 +20,7 @@ struct ContactForce {
     Vec3 force{};  ///< on a [N]
     contact::PenaltyAnswer answer;
     bool was_intact{false};             ///< before
+    bool is_apart{false};               ///< open, with a bond that is still intact
     double share_a{0}, share_b{0};      ///< in the highest omega^2 of both blocks [1/s^2]
     double damping_a{0}, damping_b{0};  ///< the same of the dashpots [1/s]
 };

@@ -2,6 +2,7 @@
 #include "riprap/solid/explicit_dda/block_motion.hpp"
 
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/plane.hpp"
 #include "riprap/solid/affine/step_update.hpp"
 
 namespace riprap::solid::explicit_dda {
@@ -9,6 +10,10 @@ namespace riprap::solid::explicit_dda {
 using affine::rows_at, affine::set_rows;
 
 namespace {
+
+Mat3 kept_in_plane(const affine::BlockSystem& system, const Mat3& m) {
+    return system.is_planar ? affine::in_plane(m) : m;
+}
 
 Mat3 green_strain(const Mat3& f) { return 0.5 * (transpose(f) * f - Mat3::identity()); }
 
@@ -21,16 +26,19 @@ void drift(const affine::BlockSystem& system, Form form, double h, std::int32_t 
         const Mat3 f = rows_at(state.deformation, b);
         const Mat3 rate = rows_at(state.velocity_gradient, b) * f;
         const Mat3 moved = f + h * rate;
-        set_rows(state.deformation, b, moved);
-        set_rows(state.velocity_gradient, b, rate * inverse(moved));
+        set_rows(state.deformation, b, kept_in_plane(system, moved));
+        set_rows(state.velocity_gradient, b, kept_in_plane(system, rate * inverse(moved)));
     } else if (system.is_fixed[b] == 0 || norm_squared(affine::spin_of(rows_at(state.velocity_gradient, b))) > 0) {
         affine::update_block(system, block, h * rows_at(state.velocity_gradient, b), state);
     }
 }
 
-void kick(const affine::BlockSystem& system, Form form, const BlockForce& load, double dt, double mass_damping,
+void kick(const affine::BlockSystem& system, Form form, const BlockForce& given, double dt, double mass_damping,
           std::int32_t block, affine::BlockState& state) {
     const auto b = at(block);
+    BlockForce load = given;
+    load.force.z *= system.is_planar ? 0 : 1;
+    load.dipole = kept_in_plane(system, load.dipole);
     const double slow = 1 / (1 + mass_damping * dt);
     state.velocity[b] = slow * (state.velocity[b] + dt * (load.force / system.mass[b] + system.gravity));
     const Mat3 f = rows_at(state.deformation, b), gradient = rows_at(state.velocity_gradient, b);
@@ -41,13 +49,13 @@ void kick(const affine::BlockSystem& system, Form form, const BlockForce& load, 
         const Mat3 back = inverse(f);
         const Mat3 rate =
             gradient * f + dt * ((load.dipole * transpose(back) - volume * (f * second)) * inverse(system.inertia[b]));
-        set_rows(state.velocity_gradient, b, slow * (rate * back));
-        set_rows(state.stress, b, (1 / determinant(f)) * (f * second * transpose(f)));
+        set_rows(state.velocity_gradient, b, kept_in_plane(system, slow * (rate * back)));
+        set_rows(state.stress, b, kept_in_plane(system, (1 / determinant(f)) * (f * second * transpose(f))));
     } else {
         const Mat3 inertia = f * system.inertia[b] * transpose(f);
         const Mat3 stress = rows_at(state.stress, b);
         const Mat3 rate = (load.dipole - (volume * determinant(f)) * stress) * inverse(inertia);
-        set_rows(state.velocity_gradient, b, slow * (gradient + dt * rate));
+        set_rows(state.velocity_gradient, b, kept_in_plane(system, slow * (gradient + dt * rate)));
     }
 }
 

@@ -5,12 +5,14 @@
 
 namespace riprap::solid::explicit_dda {
 
-/// Tells whether a bond has slid in this step, and so broken.
-inline bool has_sheared(const ContactForce& found) { return found.was_intact && found.answer.is_sliding; }
+/// Tells whether a bond has broken in this step by sliding.
+inline bool has_sheared(const ContactForce& found) {
+    return found.was_intact && found.answer.is_sliding && !found.answer.is_intact;
+}
 
-/// Tells whether a bond that held the step before has opened in this one.
+/// Tells whether a bond that was there the step before has opened in this one and broken.
 inline bool has_torn(const affine::BlockContact& contact, const ContactForce& found) {
-    return found.was_intact && found.answer.is_open && contact.old >= 0;
+    return found.was_intact && found.answer.is_open && !found.is_apart && contact.old >= 0;
 }
 
 /// Energy that the springs of bonds gave up as these broke in the last step, apart from all losses of its StepReport

@@ -6,6 +6,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/linear/past_caches.hpp"
+#include "riprap/solid/affine/plane.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
 
 namespace riprap::solid::implicit_dda {
@@ -74,6 +75,18 @@ Vec3 force_at_start(const ContactTerm& c) {
     return force;
 }
 
+/// Uncouples the unknowns out of the plane from all others; a block of a row keeps its own entries, so that it stays
+/// positive definite and its unknowns are exactly the right-hand side, nought.
+void uncouple_plane(bool is_own, double* block) {
+    for (const std::size_t i : affine::out_of_plane) {
+        const double own = is_own ? block[13 * i] : 0;
+        for (std::size_t k = 0; k < 12; ++k) {
+            block[12 * i + k] = block[12 * k + i] = 0;
+        }
+        block[13 * i] = own;
+    }
+}
+
 void add_force(double force, const Four& arm, double* load) { (Four::load(load) + force * arm).store(load); }
 
 /// Sums of one pair. Contacts of a face share their stiffness as long as they are locked: arms are summed while it
@@ -138,6 +151,10 @@ void sum_pair(const std::vector<ContactTerm>& contacts, const PairTerm& pair, Eq
     if (pair.entry_ab >= 0) {
         alignas(64) Matrix12 ab, ba;
         write_blocks(sum.shared, ab.data(), ba.data());
+        if (equations.is_planar) {
+            uncouple_plane(false, ab.data());
+            uncouple_plane(false, ba.data());
+        }
         linear::store_past_caches(ab.data(), 144, equations.matrix.block(pair.entry_ab));
         linear::store_past_caches(ba.data(), 144, equations.matrix.block(pair.entry_ba));
     }
@@ -170,11 +187,17 @@ void fill_row(std::int64_t row, Equations& equations) {
     for (std::size_t i = 0; i < 144; ++i) {
         own[i] += equations.diagonal[at(row)][i];
     }
+    if (equations.is_planar) {
+        uncouple_plane(true, own);
+    }
     const auto& f = sum.load;
     const Vector12 load =
         load_vector({f[0], f[4], f[8]}, {{{f[1], f[2], f[3]}, {f[5], f[6], f[7]}, {f[9], f[10], f[11]}}});
     for (std::size_t i = 0; i < 12; ++i) {
         equations.right[at(row) * 12 + i] = equations.given[at(row)][i] + load[i];
+    }
+    for (const std::size_t i : affine::out_of_plane) {
+        equations.right[at(row) * 12 + i] *= equations.is_planar ? 0 : 1;
     }
 }
 

@@ -13,6 +13,7 @@ struct ContactSprings {
     double friction{0};          ///< tan phi [-]
     double cohesion{0};          ///< c A_c while intact [N]
     double tension{0};           ///< tensile strength times A_c while intact [N]
+    double bond_length{0};       ///< slip or gap by which a bond is lost; see affine/bonds.hpp [m]
 };
 
 /// A contact point during the open-close iteration.
@@ -28,6 +29,7 @@ struct ContactTrial {
     double across{0};        ///< stiffness F_f/|t| with which friction turns with the slip [N/m]
     bool has_locked{false};  ///< went from sliding to lock in this step; if it slides again, it goes on sliding
     double change{0};        ///< of the friction while sliding, in the last round [N]
+    double plastic_slip{0};  ///< of the intact bond before the step [m]
 };
 
 /// When sliding ends.

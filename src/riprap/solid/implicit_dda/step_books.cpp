@@ -17,12 +17,12 @@ namespace {
 void reserve(affine::BlockContactHistory& history, std::size_t count) {
     const auto grow = [count](auto&... arrays) { (arrays.reserve(count), ...); };
     grow(history.pair, history.feature, history.plane, history.normal, history.slip, history.mode, history.is_intact,
-         history.energy);
+         history.plastic_slip, history.energy);
 }
 
 }  // namespace
 
-void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHistory& history, StepReport& report) {
+void remember(Scratch& scratch, double bond_length, affine::BlockContactHistory& history, StepReport& report) {
     std::swap(scratch.old, history);
     history.clear();
     reserve(history, scratch.contacts.size());
@@ -32,8 +32,10 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         const ContactTerm& c = scratch.contacts[i];
         const affine::BlockContact& found = scratch.found()[i];
         const ContactTrial& trial = c.trial;
-        const bool was_closed = found.old >= 0 || found.gap < 0;
-        const Vec3 slip = slip_kept(c);
+        const bool was_kept =
+            found.old >= 0 && scratch.old.mode[at(found.old)] != static_cast<std::uint8_t>(ContactMode::open);
+        const bool was_closed = was_kept || found.gap < 0;
+        const Vec3 slip = slip_kept(found, c);
         if (trial.mode == ContactMode::slide) {
             report.friction_loss += trial.friction * dot(trial.step_slip, trial.direction);
         }
@@ -46,24 +48,28 @@ void remember(Scratch& scratch, double bond_tolerance, affine::BlockContactHisto
         report.lost_energy -= held;
         report.contact += stored;
         const bool is_closed = trial.mode != ContactMode::open;
-        const bool is_intact = trial.is_intact && trial.mode == ContactMode::lock;
+        const bool is_intact = stays_intact(found, c);
         if (has_bonds) {
-            bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_tolerance);
+            bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_length);
         }
+        if (!is_closed && !is_intact) {
+            continue;
+        }
+        history.pair.push_back(contact::pair_key({found.a, found.b}));
+        history.feature.push_back(found.feature);
+        history.plane.push_back(found.plane);
+        history.normal.push_back(found.normal);
+        history.slip.push_back(is_closed ? slip : Vec3{});
+        history.mode.push_back(static_cast<std::uint8_t>(trial.mode));
+        history.is_intact.push_back(is_intact ? 1 : 0);
+        history.plastic_slip.push_back(is_intact ? plastic_slip(c) : 0);
+        history.energy.push_back(stored);
         if (!is_closed) {
             continue;
         }
         report.deepest = std::max(report.deepest, -trial.gap);
         report.sliding_count += trial.mode == ContactMode::slide ? 1 : 0;
         ++report.contact_count;
-        history.pair.push_back(contact::pair_key({found.a, found.b}));
-        history.feature.push_back(found.feature);
-        history.plane.push_back(found.plane);
-        history.normal.push_back(found.normal);
-        history.slip.push_back(slip);
-        history.mode.push_back(static_cast<std::uint8_t>(trial.mode));
-        history.is_intact.push_back(is_intact ? 1 : 0);
-        history.energy.push_back(stored);
     }
     for (const double energy : scratch.old.energy) {
         report.lost_energy += energy;

@@ -3,6 +3,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/affine/plane.hpp"
 #include "riprap/solid/implicit_dda/stages.hpp"
 
 namespace riprap::solid::implicit_dda {
@@ -14,7 +15,7 @@ namespace {
 ContactSprings springs_of(const affine::Surface& surface, double area) {
     const double factor = surface.factor(area);
     return {factor * surface.normal_stiffness, factor * surface.shear_stiffness, surface.friction,
-            surface.cohesion * area, surface.tension * area};
+            surface.cohesion * area,           surface.tension * area,           0};
 }
 
 /// Motion in the step of a point of a block that loads do not move.
@@ -30,7 +31,7 @@ Vec3 prescribed_motion(const BlockSystem& system, const affine::BlockState& stat
 }  // namespace
 
 ContactTerm make_term(const BlockSystem& system, const State& state, const Scratch& scratch,
-                      const affine::BlockContact& found, double dt) {
+                      const affine::BlockContact& found, double bond_length, double dt) {
     ContactTerm c{};
     c.row_a = scratch.row[at(found.a)];
     c.row_b = scratch.row[at(found.b)];
@@ -38,6 +39,7 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     c.arm_b = found.on_b - state.blocks.position[at(found.b)];
     c.normal = found.normal;
     c.springs = springs_of(system.surface_of(found.a, found.b), found.area);
+    c.springs.bond_length = c.springs.cohesion > 0 || c.springs.tension > 0 ? bond_length : 0;
     c.prescribed = prescribed_motion(system, state.blocks, found.a, found.on_a, dt) -
                    prescribed_motion(system, state.blocks, found.b, found.on_b, dt);
     c.gap = found.gap - dot(found.normal, c.prescribed);
@@ -49,8 +51,10 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     if (found.old >= 0) {
         const affine::BlockContactHistory& history = state.contacts;
         const auto row = at(found.old);
-        trial.mode = static_cast<ContactMode>(history.mode[row]);
+        const auto mode = static_cast<ContactMode>(history.mode[row]);
+        trial.mode = mode != ContactMode::open || found.gap >= 0 ? mode : ContactMode::lock;
         trial.is_intact = history.is_intact[row] != 0;
+        trial.plastic_slip = history.plastic_slip[row];
         trial.slip_before = affine::turn_with_plane(history.slip[row], history.normal[row], found.normal);
         trial.slip_before -= dot(trial.slip_before, found.normal) * found.normal;
         const double size = norm(trial.slip_before);
@@ -64,6 +68,7 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
 void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed_points, const Settings& settings,
                  double dt, const affine::BlockLoads& external, const affine::BlockState& state, Scratch& scratch) {
     Equations& equations = scratch.equations;
+    equations.is_planar = system.is_planar;
     equations.diagonal.resize(scratch.block.size());
     equations.given.resize(scratch.block.size());
     equations.solution.resize(scratch.block.size() * 12);
@@ -86,6 +91,9 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
         for (std::size_t i = 0; i < 12; ++i) {
             given[i] += settings.dynamic * 2 / dt * momentum[i];
             equations.solution[at(row) * 12 + i] = settings.dynamic * dt * velocity[i];
+        }
+        for (const std::size_t i : affine::out_of_plane) {
+            equations.solution[at(row) * 12 + i] *= system.is_planar ? 0 : 1;
         }
         equations.given[at(row)] = given;
     });

@@ -53,6 +53,7 @@ struct Equations {
     std::vector<std::int32_t> stale_pairs;
     std::vector<std::uint8_t> is_due;  ///< rows that assemble() fills: all at first, then those of stale pairs
     std::vector<std::uint8_t> is_new;  ///< rows assembled since the preconditioner took their diagonal blocks
+    bool is_planar{false};             ///< the unknowns out of the plane stay nought; see affine/plane.hpp
     std::int64_t singular_row{-1};     ///< row whose diagonal block was not positive definite in the last solve()
     linear::BlockJacobi<12> jacobi;
     linear::IncompleteCholesky<12> cholesky{};

@@ -91,7 +91,7 @@ double book_contact(const Contact& contact, const Trial& trial, const Scratch& s
         slip_stored = half_square(ps, trial.slip);
     } else if (trial.mode == Mode::sliding) {
         shear = -trial.friction;
-        slip_stored = half_square(ps, trial.friction / ps);
+        slip_stored = half_square(ps, trial.kept / ps);
     }
     const double slip_held = was_closed ? half_square(ps, contact.slip.value) : 0;
     // a bond that slides gives up what its shear spring held above friction

@@ -163,6 +163,10 @@ void remember(const Scene& scene, Contact& contact, const CornerAndEdge& where) 
     contact.mode = static_cast<Mode>(scene.state.contact_mode[at(old)]);
     contact.is_bonded = scene.state.contact_is_bonded[at(old)] != 0;
     contact.multiplier = contact.share / scene.state.contact_share[at(old)] * scene.state.contact_multiplier[at(old)];
+    contact.plastic_slip = scene.state.contact_plastic_slip[at(old)];
+    if (contact.mode == Mode::open) {
+        return;
+    }
     contact.lock = scene.state.contact_lock[at(old)];
     if (has_swapped) {  // the same slip, seen from the other edge
         const CornerAndEdge before = scene.pair(scene.state.contact_corner[at(old)], scene.state.contact_edge[at(old)]);
@@ -306,6 +310,7 @@ std::int32_t bond_contacts(const Model& model, const Settings& settings, double 
     state.contact_lock.clear();
     state.contact_share.clear();
     state.contact_multiplier.clear();
+    state.contact_plastic_slip.clear();
     state.contact_force.clear();
     for (const Contact& contact : contacts) {
         if (std::abs(contact.gap.value) > tolerance || contact.foot < -foot_slack || contact.foot > 1 + foot_slack) {
@@ -318,6 +323,7 @@ std::int32_t bond_contacts(const Model& model, const Settings& settings, double 
         state.contact_lock.push_back(contact.foot);
         state.contact_share.push_back(contact.share);
         state.contact_multiplier.push_back(0);
+        state.contact_plastic_slip.push_back(0);
         state.contact_force.push_back(0);
     }
     return static_cast<std::int32_t>(state.contact_corner.size());

@@ -13,15 +13,16 @@ struct Contact {
     std::int32_t corner{-1}, edge{-1}, a{-1}, b{-1};
     Mode mode{Mode::open};
     bool is_bonded{false};
-    double lock{0};         ///< see State::contact_lock [-]
-    double multiplier{0};   ///< [N]
-    double bond_length{0};  ///< half of the length along which two faces overlap; 0 for a corner alone [m]
-    double edge_length{0};  ///< [m]
-    double foot{0};         ///< of the corner along the edge, 0 to 1 [-]
-    double share{1};        ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
-    double dashpot{0};      ///< [N s/m]
-    Joint joint{};          ///< springs and dashpot times the share
-    Linear gap{}, slip{};   ///< at the start of the step and what changes them
+    double lock{0};          ///< see State::contact_lock [-]
+    double multiplier{0};    ///< [N]
+    double plastic_slip{0};  ///< see State::contact_plastic_slip [m]
+    double bond_length{0};   ///< half of the length along which two faces overlap; 0 for a corner alone [m]
+    double edge_length{0};   ///< [m]
+    double foot{0};          ///< of the corner along the edge, 0 to 1 [-]
+    double share{1};         ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
+    double dashpot{0};       ///< [N s/m]
+    Joint joint{};           ///< springs and dashpot times the share
+    Linear gap{}, slip{};    ///< at the start of the step and what changes them
 };
 
 /// Places the corners of all blocks [m].

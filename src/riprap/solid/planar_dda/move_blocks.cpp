@@ -79,17 +79,18 @@ void keep_contacts(const Scratch& scratch, State& state) {
     state.contact_lock.clear();
     state.contact_share.clear();
     state.contact_multiplier.clear();
+    state.contact_plastic_slip.clear();
     state.contact_force.clear();
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
         const Trial& trial = scratch.trials[k];
-        if (trial.mode == Mode::open) {
+        if (trial.mode == Mode::open && !trial.is_bonded) {
             continue;
         }
         double lock = contact.lock;
         if (trial.mode == Mode::sliding) {
             // s = foot - lock along the edge shall be the elastic slip of the friction
-            lock += (trial.slip - trial.friction / contact.joint.shear_stiffness) / contact.edge_length;
+            lock += (trial.slip - trial.kept / contact.joint.shear_stiffness) / contact.edge_length;
         }
         state.contact_corner.push_back(contact.corner);
         state.contact_edge.push_back(contact.edge);
@@ -98,6 +99,7 @@ void keep_contacts(const Scratch& scratch, State& state) {
         state.contact_lock.push_back(lock);
         state.contact_share.push_back(contact.share);
         state.contact_multiplier.push_back(trial.multiplier);
+        state.contact_plastic_slip.push_back(trial.is_bonded ? trial.plastic_slip : 0);
         state.contact_force.push_back(trial.normal);
     }
 }

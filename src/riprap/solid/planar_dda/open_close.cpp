@@ -51,7 +51,7 @@ void count_change(Changes& changes, Trial& trial, std::size_t k) {
 void update_shear(const Contact& contact, Trial& trial, Changes& changes) {
     const double limit = shear_limit(contact, trial), shear = contact.joint.shear_stiffness * trial.slip;
     const bool has_turned = trial.mode == Mode::sliding && trial.friction * trial.slip < 0;
-    const bool slides = std::abs(shear) >= limit && !has_turned && !(trial.is_bonded && trial.mode == Mode::locked);
+    const bool slides = std::abs(shear) >= limit && !has_turned;
     const Mode mode = slides ? Mode::sliding : Mode::locked;
     if (limit == 0 && contact.joint.friction == 0) {  // frictionless: never held
         changes.locked_or_slid += trial.mode == Mode::locked ? 1 : 0;
@@ -76,6 +76,7 @@ void begin_trials(Scratch& scratch) {
         Trial trial;
         trial.mode = contact.mode;
         trial.is_bonded = contact.is_bonded;
+        trial.plastic_slip = contact.plastic_slip;
         trial.multiplier = contact.mode == Mode::open ? 0 : contact.multiplier;
         trial.gap = contact.gap.value;
         trial.gap_before = contact.mode == Mode::open ? std::min(trial.gap, 0.0) : trial.gap;
@@ -111,7 +112,8 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
             continue;
         }
         trial.normal = normal;
-        if (!trial.is_bonded && normal < -contact.joint.normal_stiffness * settings.open_tolerance) {
+        const bool may_pull = trial.is_bonded && contact.joint.tension > 0;
+        if (!may_pull && normal < -contact.joint.normal_stiffness * settings.open_tolerance) {
             trial.mode = Mode::open;
             trial.normal = trial.friction = trial.multiplier = 0;
             count_change(changes, trial, k);
@@ -128,13 +130,12 @@ int break_bonds(const Settings& settings, Scratch& scratch) {
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
         Trial& trial = scratch.trials[k];
-        if (!trial.is_bonded) {
+        if (!trial.is_bonded || contact.joint.tension == 0 || trial.mode == Mode::open) {
             continue;
         }
         const double tolerance = contact.joint.normal_stiffness * settings.open_tolerance;
         const bool is_torn = -trial.normal > contact.joint.tension * contact.bond_length + tolerance;
-        const bool is_sheared = trial.mode == Mode::locked && std::abs(contact.joint.shear_stiffness * trial.slip) >
-                                                                  shear_limit(contact, trial) + tolerance;
+        const bool is_sheared = trial.mode == Mode::sliding && trial.normal < -tolerance;
         if (is_torn || is_sheared) {
             trial.is_bonded = false;
             trial.has_broken = true;
@@ -142,6 +143,27 @@ int break_bonds(const Settings& settings, Scratch& scratch) {
         }
     }
     return broken;
+}
+
+void end_bonds(const Settings& settings, Scratch& scratch) {
+    for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
+        const Contact& contact = scratch.contacts[k];
+        Trial& trial = scratch.trials[k];
+        trial.kept = trial.friction;
+        if (!trial.is_bonded || trial.mode == Mode::locked) {
+            continue;
+        }
+        if (trial.mode == Mode::sliding) {
+            const double elastic = std::abs(trial.friction) / contact.joint.shear_stiffness;
+            trial.plastic_slip += std::max(0.0, std::abs(trial.slip) - elastic);
+        }
+        trial.is_bonded = trial.mode == Mode::open ? contact.joint.tension == 0 && trial.gap <= settings.bond_length
+                                                   : trial.plastic_slip <= settings.bond_length;
+        trial.has_broken = !trial.is_bonded;
+        if (trial.has_broken) {
+            trial.kept = std::copysign(std::min(std::abs(trial.kept), shear_limit(contact, trial)), trial.kept);
+        }
+    }
 }
 
 double update_multipliers(Scratch& scratch) {

@@ -31,9 +31,13 @@ struct Changes {
 /// both ways: the elastic-plastic Coulomb spring.
 Changes update_modes(const Settings& settings, double dt, Scratch& scratch);
 
-/// Breaks all bonds whose tension passes the tensile strength or whose shear passes N tan(phi) + c l; a broken bond has
-/// lost cohesion and tensile strength for good. @returns their number
+/// Breaks all bonds whose tension passes the tensile strength, or that slide while they pull; a broken bond has lost
+/// cohesion and tensile strength for good. Bonds without tensile strength open as any contact. @returns their number
 int break_bonds(const Settings& settings, Scratch& scratch);
+
+/// Adds up the plastic slip of bonds after the step and breaks those that have slid or opened by more than
+/// Settings::bond_length; see affine/bonds.hpp for why a length decides.
+void end_bonds(const Settings& settings, Scratch& scratch);
 
 /// lambda <- max(0, lambda - p d) of closed contacts [Ding2021, eq. 2.9]. @returns the largest gap left [m]
 double update_multipliers(Scratch& scratch);

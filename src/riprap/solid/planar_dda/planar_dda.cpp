@@ -31,6 +31,7 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
     settings.displacement_limit = given.max_displacement * smallest;
     settings.close_tolerance = settings.open_tolerance = 1e-11 * smallest;
     settings.multiplier_tolerance = 1e-10 * smallest;
+    settings.bond_length = 1e-4 * smallest;
     return settings;
 }
 
@@ -46,7 +47,7 @@ bool is_damped(const planar_dda::Model& model) {
 void bond_faces(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings, planar_dda::State& state) {
     const auto has_bond = [](const planar_dda::Joint& joint) { return joint.cohesion > 0 || joint.tension > 0; };
     if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_bond)) {
-        bond_contacts(scene.model, settings, 1e-4 * scene.smallest, state);
+        bond_contacts(scene.model, settings, settings.bond_length, state);
         planar_dda::drop_contacts(state, [&](std::size_t k) {
             return !has_bond(scene.model.joint(scene.model.corner_block[at(state.contact_corner[k])],
                                                scene.model.corner_block[at(state.contact_edge[k])]));
@@ -109,7 +110,8 @@ std::string PlanarDda::misfit(const SolidScene& scene, const Settings& settings,
             return fmt::format("there are {} blocks of {} bodies", of_blocks->size(), count);
         }
     }
-    for (const auto* of_contacts : {&s.contact_lock, &s.contact_share, &s.contact_multiplier, &s.contact_force}) {
+    for (const auto* of_contacts :
+         {&s.contact_lock, &s.contact_share, &s.contact_multiplier, &s.contact_plastic_slip, &s.contact_force}) {
         if (of_contacts->size() != contacts || s.contact_edge.size() != contacts || s.contact_mode.size() != contacts ||
             s.contact_is_bonded.size() != contacts) {
             return "the arrays of the contacts differ in length";

@@ -38,9 +38,10 @@ struct State {
     std::vector<std::uint8_t> contact_mode, contact_is_bonded;
     std::vector<double>
         contact_lock;  ///< place of the lock point along its edge, from its end (0) to its begin (1) [-]
-    std::vector<double> contact_share;       ///< see Contact::share [-]
-    std::vector<double> contact_multiplier;  ///< [N]
-    std::vector<double> contact_force;       ///< normal force at the end of the last step [N]
+    std::vector<double> contact_share;         ///< see Contact::share [-]
+    std::vector<double> contact_multiplier;    ///< [N]
+    std::vector<double> contact_plastic_slip;  ///< by which a bond has slid at its strength so far [m]
+    std::vector<double> contact_force;         ///< normal force at the end of the last step [N]
 
     Accounts accounts;
 
@@ -63,6 +64,7 @@ struct State {
         visit("contact_lock", self.contact_lock);
         visit("contact_share", self.contact_share);
         visit("contact_multiplier", self.contact_multiplier);
+        visit("contact_plastic_slip", self.contact_plastic_slip);
         visit("contact_force", self.contact_force);
         visit("work_gravity", self.accounts.work_gravity);
         visit("work_loads", self.accounts.work_loads);
@@ -87,12 +89,12 @@ void drop_contacts(State& state, const IsDropped& is_dropped) {
         }
         const auto keep = [k, kept](auto&... field) { ((field[kept] = field[k]), ...); };
         keep(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
-             state.contact_share, state.contact_multiplier, state.contact_force);
+             state.contact_share, state.contact_multiplier, state.contact_plastic_slip, state.contact_force);
         ++kept;
     }
     const auto cut = [kept](auto&... field) { (field.resize(kept), ...); };
     cut(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
-        state.contact_share, state.contact_multiplier, state.contact_force);
+        state.contact_share, state.contact_multiplier, state.contact_plastic_slip, state.contact_force);
 }
 
 /// Offset from the centroid of a point with the offset X in the reference shape: R U X [m].

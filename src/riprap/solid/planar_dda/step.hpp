@@ -47,6 +47,8 @@ struct Trial {
     double gap{0}, slip{0};  ///< after the last solution [m]
     double slip_start{0};    ///< at the start of the step, against the lock point [m]
     double normal{0};        ///< force of spring, multiplier and dashpot, positive in compression [N]
+    double plastic_slip{0};  ///< of a bond, in all [m]
+    double kept{0};          ///< friction that a sliding contact goes on with after the step [N]
     double friction{0};      ///< force used where it slides, with the sign of the slip [N]
     double change{0};        ///< of that force after the last solution [N]
 };

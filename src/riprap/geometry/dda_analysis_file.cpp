@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "riprap/geometry/dda_files.hpp"
+#include "riprap/geometry/dda_text.hpp"
+
+namespace riprap::geometry {
+
+using namespace dda_text;
+
+namespace {
+
+// Ranges of values: one column too few or too many in a row of bare numbers shows in them.
+constexpr double most_friction = 89.999;  // degrees
+constexpr const char* ratio = "a Poisson's ratio from -1 to 0.5";
+constexpr const char* friction_range = "an angle in degrees from 0 to below 90";
+
+bool has_flag(const MarkupElement& element, std::string_view key, std::string_view wanted) {
+    const Word* word = element.attribute(key);
+    return word != nullptr && is_same_keyword(word->text, wanted);
+}
+
+DdaMaterial read_material(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                          std::vector<std::string>& notes) {
+    DdaMaterial material;
+    for (const std::size_t child : list.children) {
+        const MarkupElement& element = elements[child];
+        if (element.name == "Unitmass") {
+            material.density = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else if (element.name == "Unitweight") {
+            material.unit_weight = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else if (element.name == "Youngsmod") {
+            material.youngs_modulus = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else if (element.name == "Poissonratio") {
+            material.poisson_ratio = numbers.value_in(element, -1, 0.5, ratio);
+        } else if (element.name == "Istress") {
+            material.stress = numbers.list<3>(element);
+        } else if (element.name == "Ivelocity") {
+            material.velocity = numbers.list<3>(element);
+        } else {
+            note_unused(notes, element);
+        }
+    }
+    return material;
+}
+
+DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                              std::vector<std::string>& notes) {
+    DdaJointProperties joint;
+    for (const std::size_t child : list.children) {
+        const MarkupElement& element = elements[child];
+        if (element.name == "Friction") {
+            joint.friction_angle = numbers.value_in(element, 0, most_friction, friction_range) * std::numbers::pi / 180;
+        } else if (element.name == "Cohesion") {
+            joint.cohesion = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else if (element.name == "Tensile") {
+            joint.tension = numbers.value_in(element, 0, HUGE_VAL, not_negative);
+        } else {
+            note_unused(notes, element);
+        }
+    }
+    return joint;
+}
+
+/// Where records of three end among the words of a load: at each ';', else at the end of each line.
+std::vector<std::size_t> ends_of_records(const MarkupElement& element) {
+    std::vector<std::size_t> ends = element.marks;
+    for (std::size_t k = 1; element.marks.empty() && k < element.words.size(); ++k) {
+        if (element.words[k].line != element.words[k - 1].line) {
+            ends.push_back(k);
+        }
+    }
+    ends.push_back(element.words.size());
+    return ends;
+}
+
+/// Reads records of time and two components. Several may stand between marks; none may be cut by one.
+DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
+    DdaLoadHistory history;
+    if (element.words.empty()) {
+        numbers.report({element.name, element.line, element.column}, "a load without numbers",
+                       "records of time and two components");
+    }
+    std::size_t begin = 0;
+    for (const std::size_t end : ends_of_records(element)) {
+        if ((end - begin) % 3 != 0) {
+            numbers.report(element.words[begin], fmt::format("a record of {} numbers", end - begin),
+                           "time and two components");
+            return history;
+        }
+        for (; begin < end; begin += 3) {
+            history.records.push_back({numbers.number(element.words[begin], "a time"),
+                                       numbers.number(element.words[begin + 1], "a force along x"),
+                                       numbers.number(element.words[begin + 2], "a force along y")});
+        }
+    }
+    const Word* promised = element.attribute("numpoints");
+    const auto count = static_cast<std::int64_t>(history.records.size());
+    if (promised != nullptr && numbers.count(*promised, "numpoints") != count) {
+        numbers.report(*promised, fmt::format("numpoints is {}, and {} records follow", quote(promised->text), count),
+                       "the number of records");
+    }
+    return history;
+}
+
+void read_loads(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                std::vector<DdaLoadHistory>& loads) {
+    for (const std::size_t child : list.children) {
+        loads.push_back(read_load(elements[child], numbers));
+    }
+}
+
+void read_setting(const std::vector<MarkupElement>& elements, const MarkupElement& element, Numbers& numbers,
+                  DdaAnalysis& analysis) {
+    if (element.name == "Analysistype") {
+        analysis.is_dynamic = has_flag(element, "type", "dynamic");
+    } else if (element.name == "Planestrain") {
+        analysis.is_plane_strain = has_flag(element, "flag", "yes");
+    } else if (element.name == "Numtimesteps") {
+        analysis.step_count = numbers.whole(element, "timesteps");
+    } else if (element.name == "Maxtimestep") {
+        analysis.time_step = numbers.amount(element, "maxtimestep");
+    } else if (element.name == "Maxdisplacement") {
+        analysis.displacement_ratio = numbers.amount(element, "maxdisplacement");
+    } else if (element.name == "Autopenalty") {
+        analysis.penalty_factor = numbers.amount(element, "pfactor");
+    } else if (element.name == "AConstants") {
+        for (const std::size_t child : element.children) {
+            if (elements[child].name == "ShearNormRatio") {
+                analysis.shear_ratio = numbers.amount(elements[child], "value");
+            } else {
+                note_unused(analysis.notes, elements[child]);
+            }
+        }
+    } else if (element.name == "Blockmaterial") {
+        analysis.materials.push_back(read_material(elements, element, numbers, analysis.notes));
+    } else if (element.name == "Jointproperties") {
+        analysis.joints.push_back(read_joint(elements, element, numbers, analysis.notes));
+    } else if (element.name == "Loadpointlist") {
+        read_loads(elements, element, numbers, analysis.loads);
+    } else {
+        note_unused(analysis.notes, element);
+    }
+}
+
+void read_marked_analysis(std::string_view bytes, const std::string& file, ProblemList& problems,
+                          DdaAnalysis& analysis) {
+    Numbers numbers(file, problems);
+    const std::vector<MarkupElement> elements = read_markup(bytes, file, problems);
+    bool has_analysis = false;
+    for (const MarkupElement& element : elements) {
+        if (element.name == "Analysis") {
+            has_analysis = true;
+            for (const std::size_t child : element.children) {
+                read_setting(elements, elements[child], numbers, analysis);
+            }
+        }
+    }
+    if (!has_analysis) {
+        problems.add(file, "there is no <Analysis>", "an analysis file of the 2D-DDA family");
+    }
+}
+
+DdaMaterial read_bare_material(TextReader& reader, Numbers& numbers) {
+    DdaMaterial material;
+    const auto next = [&](const char* what, double low, double high, const char* allowed) {
+        return numbers.number_in(reader.next_word(), what, low, high, allowed);
+    };
+    material.density = next("a unit mass", 0, HUGE_VAL, not_negative);
+    material.unit_weight = next("a unit weight", 0, HUGE_VAL, not_negative);
+    material.youngs_modulus = next("Young's modulus", 0, HUGE_VAL, not_negative);
+    material.poisson_ratio = next("Poisson's ratio", -1, 0.5, ratio);
+    std::array<double, 9> rest{};  // initial stress, its gradient (not used), initial velocity
+    for (double& value : rest) {
+        value = numbers.number(reader.next_word(), "a property of a block material");
+    }
+    material.stress = {rest[0], rest[1], rest[2]};
+    material.velocity = {rest[6], rest[7], rest[8]};
+    return material;
+}
+
+void read_bare_analysis(std::string_view bytes, const std::string& file, ProblemList& problems, DdaAnalysis& analysis) {
+    Numbers numbers(file, problems);
+    TextReader reader(bytes);
+    analysis.is_dynamic = numbers.number(reader.next_word(), "the type of analysis") != 0;
+    analysis.step_count = static_cast<std::int32_t>(numbers.count(reader.next_word(), "the number of steps"));
+    const std::int64_t materials = numbers.count(reader.next_word(), "the number of block materials");
+    const std::int64_t joints = numbers.count(reader.next_word(), "the number of joint materials");
+    analysis.displacement_ratio = numbers.number(reader.next_word(), "the displacement ratio");
+    analysis.time_step = numbers.number(reader.next_word(), "the largest time step");
+    for (std::int64_t k = 0; k < materials && !numbers.has_problems(); ++k) {
+        analysis.materials.push_back(read_bare_material(reader, numbers));
+    }
+    for (std::int64_t k = 0; k < joints && !numbers.has_problems(); ++k) {
+        const double angle =
+            numbers.number_in(reader.next_word(), "a friction angle", 0, most_friction, friction_range);
+        const double cohesion = numbers.number_in(reader.next_word(), "a cohesion", 0, HUGE_VAL, not_negative);
+        const double tension = numbers.number_in(reader.next_word(), "a tensile strength", 0, HUGE_VAL, not_negative);
+        analysis.joints.push_back({angle * std::numbers::pi / 180, cohesion, tension});
+    }
+    if (const Word rest = reader.next_word(); !rest.is_empty() && !numbers.has_problems()) {
+        analysis.notes.push_back(fmt::format("line {}: {} and what follows is not used", rest.line, quote(rest.text)));
+    }
+}
+
+}  // namespace
+
+DdaAnalysis read_dda_analysis(std::string_view bytes, const std::string& file) {
+    DdaAnalysis analysis;
+    ProblemList problems;
+    (is_markup(bytes) ? read_marked_analysis : read_bare_analysis)(bytes, file, problems, analysis);
+    problems.throw_if_any();
+    analysis.notes.insert(
+        analysis.notes.begin(),
+        fmt::format("{} steps of at most {} s, {} block materials, {} joint materials", analysis.step_count,
+                    analysis.time_step, analysis.materials.size(), analysis.joints.size()));
+    return analysis;
+}
+
+}  // namespace riprap::geometry

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "riprap/geometry/dda_files.hpp"
+#include "riprap/geometry/dda_text.hpp"
+
+namespace riprap::geometry {
+
+using namespace dda_text;
+
+namespace {
+
+void read_points(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                 std::vector<Vec2>& points) {
+    for (const std::size_t child : list.children) {
+        const auto [x, y] = numbers.list<2>(elements[child]);
+        points.push_back({x, y});
+    }
+}
+
+void read_geometry_list(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
+                        DdaGeometry& geometry) {
+    if (list.name == "Edgenodedist") {
+        geometry.snap = numbers.amount(list, "distance");
+    } else if (list.name == "Jointlist") {
+        for (const std::size_t child : list.children) {
+            const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
+            geometry.joints.push_back({{x1, y1}, {x2, y2}, numbers.whole(elements[child], "type")});
+        }
+    } else if (list.name == "Fixedpointlist") {
+        for (const std::size_t child : list.children) {
+            if (elements[child].name == "Line") {
+                const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
+                geometry.fixed_lines.push_back({{x1, y1}, {x2, y2}, 0});
+            } else {
+                const auto [x, y] = numbers.list<2>(elements[child]);
+                geometry.fixed_lines.push_back({{x, y}, {x, y}, 0});
+            }
+        }
+    } else if (list.name == "Loadpointlist") {
+        read_points(elements, list, numbers, geometry.load_points);
+    } else if (list.name == "Measuredpointlist") {
+        read_points(elements, list, numbers, geometry.measured_points);
+    } else if (list.name == "Holepointlist") {
+        read_points(elements, list, numbers, geometry.hole_points);
+    } else if (list.name == "Seispointlist" || list.name == "Seismicpointlist") {
+        read_points(elements, list, numbers, geometry.seismic_points);
+    } else if (list.name == "Boltlist") {
+        for (const std::size_t child : list.children) {
+            const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
+            geometry.bolts.push_back({{x1, y1}, {x2, y2}, 0});
+        }
+    } else {
+        note_unused(geometry.notes, list);
+    }
+}
+
+void read_marked_geometry(std::string_view bytes, const std::string& file, ProblemList& problems,
+                          DdaGeometry& geometry) {
+    Numbers numbers(file, problems);
+    const std::vector<MarkupElement> elements = read_markup(bytes, file, problems);
+    bool has_geometry = false;
+    for (const MarkupElement& element : elements) {
+        if (element.name == "Geometry") {
+            has_geometry = true;
+            for (const std::size_t child : element.children) {
+                read_geometry_list(elements, elements[child], numbers, geometry);
+            }
+        }
+    }
+    if (!has_geometry) {
+        problems.add(file, "there is no <Geometry>", "a geometry file of the 2D-DDA family");
+    }
+}
+
+/// Lines "x1 y1 x2 y2 type" or without the type.
+void read_bare_lines(TextReader& reader, Numbers& numbers, std::int64_t count, bool has_type,
+                     std::vector<PlanarJoint>& lines) {
+    for (std::int64_t k = 0; k < count && !numbers.has_problems(); ++k) {
+        PlanarJoint line;
+        line.begin.x = numbers.number(reader.next_word(), "x of a begin");
+        line.begin.y = numbers.number(reader.next_word(), "y of a begin");
+        line.end.x = numbers.number(reader.next_word(), "x of an end");
+        line.end.y = numbers.number(reader.next_word(), "y of an end");
+        line.type = has_type ? static_cast<std::int32_t>(numbers.count(reader.next_word(), "a type")) : 0;
+        lines.push_back(line);
+    }
+}
+
+void read_bare_points(TextReader& reader, Numbers& numbers, std::int64_t count, std::vector<Vec2>& points) {
+    for (std::int64_t k = 0; k < count && !numbers.has_problems(); ++k) {
+        const double x = numbers.number(reader.next_word(), "x of a point");
+        points.push_back({x, numbers.number(reader.next_word(), "y of a point")});
+    }
+}
+
+void read_bare_geometry(std::string_view bytes, const std::string& file, ProblemList& problems, DdaGeometry& geometry) {
+    Numbers numbers(file, problems);
+    TextReader reader(bytes);
+    geometry.snap = numbers.number_in(reader.next_word(), "the least distance of an edge from a node", 0, HUGE_VAL,
+                                      "a distance of 0 or more");
+    const std::int64_t joints = numbers.count(reader.next_word(), "the number of joints");
+    const Word outline = reader.next_word();
+    geometry.outline_count = static_cast<std::int32_t>(numbers.count(outline, "the number of outline joints"));
+    if (geometry.outline_count > joints) {
+        numbers.report(outline, fmt::format("{} outline joints among {} joints", geometry.outline_count, joints),
+                       "at most as many as joints");
+    }
+    const std::int64_t materials = numbers.count(reader.next_word(), "the number of material lines");
+    const std::int64_t bolts = numbers.count(reader.next_word(), "the number of bolts");
+    const std::int64_t fixed = numbers.count(reader.next_word(), "the number of fixed points");
+    const std::int64_t loads = numbers.count(reader.next_word(), "the number of load points");
+    const std::int64_t measured = numbers.count(reader.next_word(), "the number of measured points");
+    const std::int64_t holes = numbers.count(reader.next_word(), "the number of hole points");
+    read_bare_lines(reader, numbers, joints, true, geometry.joints);
+    read_bare_lines(reader, numbers, materials, true, geometry.material_lines);
+    read_bare_lines(reader, numbers, bolts, true, geometry.bolts);
+    read_bare_lines(reader, numbers, fixed, false, geometry.fixed_lines);
+    read_bare_points(reader, numbers, loads, geometry.load_points);
+    read_bare_points(reader, numbers, measured, geometry.measured_points);
+    read_bare_points(reader, numbers, holes, geometry.hole_points);
+    if (const Word rest = reader.next_word(); !rest.is_empty() && !numbers.has_problems()) {
+        numbers.report(rest, fmt::format("{} follows the last point", quote(rest.text)), "the end of the text");
+    }
+}
+
+}  // namespace
+
+DdaGeometry read_dda_geometry(std::string_view bytes, const std::string& file) {
+    DdaGeometry geometry;
+    ProblemList problems;
+    (is_markup(bytes) ? read_marked_geometry : read_bare_geometry)(bytes, file, problems, geometry);
+    problems.throw_if_any();
+    geometry.notes.insert(
+        geometry.notes.begin(),
+        fmt::format("{} joints, {} fixed, {} load, {} measured, {} hole points, {} bolts", geometry.joints.size(),
+                    geometry.fixed_lines.size(), geometry.load_points.size(), geometry.measured_points.size(),
+                    geometry.hole_points.size(), geometry.bolts.size()));
+    return geometry;
+}
+
+}  // namespace riprap::geometry
