@@ -10,6 +10,7 @@ import pathlib as _pathlib
 import re as _re
 import xml.etree.ElementTree as _xml
 import zlib as _zlib
+from collections.abc import Callable as _Callable
 from collections.abc import Iterable as _Iterable
 from collections.abc import Mapping as _Mapping
 from collections.abc import Sequence as _Sequence
@@ -284,18 +285,20 @@ def sweep(
     *,
     jobs: int | None = None,
     threads: int = 1,
-) -> list[dict[str, _Any]]:
+    map: _Callable[..., _Iterable[_Any]] | None = None,  # noqa: A002
+) -> Study:
     """Runs a case once for each combination of the values in `vary`, {"key": [a, b], ...}, or for each dict of a list.
 
     `case` is a file, a folder, a name from riprap.list(), or a riprap.Case with what replaced its keys.
 
     Each run is a process of its own, `jobs` at a time (default: as many as there are cores), in a folder of `out`. Runs that
-    are finished stay, so that a study that was stopped goes on. Returns a list of dicts: "set", "run" (riprap.Run) and
-    "error", and leaves sweep.json and a page that compares, index.html, in `out`. Call it below `if __name__ == "__main__":` in a script.
-    """
-    import concurrent.futures
-    import multiprocessing
+    are finished stay, so that a study that was stopped goes on. Returns a Study, a list of dicts: "set", "run" (riprap.Run) and
+    "error"; its table() is a DataFrame. Leaves sweep.json and a page that compares, index.html, in `out`. Call it below
+    `if __name__ == "__main__":` in a script.
 
+    `map` runs the runs elsewhere instead: map(function, arguments) of a pool, of mpi4py.futures or of Dask's client, whose
+    machines see `out` under the same path. It calls the function once for each run; what it returns are the answers or futures of them.
+    """
     title = case.title if isinstance(case, _Case) else str(case)
     case = (case.text, str(case.folder), case.overrides) if isinstance(case, _Case) else str(case)
     if isinstance(vary, dict):
@@ -310,19 +313,61 @@ def sweep(
     def is_finished(folder):
         return (folder / "summary.json").is_file() and Run(folder).status == "finished"
 
-    workers = jobs or max(1, (_os.cpu_count() or 1) // max(1, threads))
-    context = multiprocessing.get_context("spawn")
-    with concurrent.futures.ProcessPoolExecutor(workers, mp_context=context) as pool:
-        asked = {}
-        for k, (point, folder) in enumerate(zip(points, folders)):
-            if not is_finished(folder):
-                asked[pool.submit(_run_point, case, point, str(folder), threads)] = k
-        for done in concurrent.futures.as_completed(asked):
-            errors[asked[done]] = done.result()
+    asked = [k for k, folder in enumerate(folders) if not is_finished(folder)]
+    tasks = [(case, points[k], str(folders[k].resolve()), threads) for k in asked]
+    for k, error in zip(asked, _answers_of(map(_run_task, tasks)) if map else _answers_of_processes(tasks, jobs, threads)):
+        errors[k] = error
     runs = [{"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
             for point, folder, error in zip(points, folders, errors)]
     _write_study(title, runs, folders, out)
-    return runs
+    return Study(runs)
+
+
+def _run_task(task):
+    return _run_point(*task)
+
+
+def _answers_of(asked):
+    """What a map gave: answers, or futures of them. A future that fails is the error of its run alone."""
+    for one in asked:
+        try:
+            yield one.result() if hasattr(one, "result") else one
+        except Exception as error:  # noqa: BLE001 - told in the table; the other runs go on
+            yield f"{type(error).__name__}: {error}"
+
+
+def _answers_of_processes(tasks, jobs, threads):
+    import concurrent.futures
+    import multiprocessing
+
+    workers = jobs or max(1, (_os.cpu_count() or 1) // max(1, threads))
+    context = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(workers, mp_context=context) as pool:
+        yield from _answers_of([pool.submit(_run_task, task) for task in tasks])
+
+
+class Study(list):
+    """Runs of a study: dicts of "set", "run" (riprap.Run) and "error"."""
+
+    def table(self):
+        """A DataFrame, a row per run: what was set, "status", "error", expected answers by their name, and of each gauge and
+        body column the last value. Needs pandas."""
+        import pandas
+
+        return pandas.DataFrame([_row_of(one) for one in self])
+
+
+def _row_of(one):
+    run = one["run"]
+    row = dict(one["set"], status=run.status if run else "failed", error=one["error"])
+    if run is None:
+        return row
+    for answer in run.summary.get("expects", []):
+        row[answer["name"]] = answer["value"]
+    if (run.folder / "probes.csv").is_file():
+        row.update({name: float(values[-1]) for name, values in run.probes.items()
+                    if name not in ("time", "step") and len(values)})
+    return row
 
 
 def _write_study(title, runs, folders, out):

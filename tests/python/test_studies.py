@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a run left, and studies of many runs. Working folder: that of the repository."""
+import concurrent.futures
+import importlib.util
 import inspect
 import json
 import pathlib
@@ -39,6 +41,40 @@ class Studies(unittest.TestCase):
             study = json.loads(pathlib.Path(folder, "sweep.json").read_text())
             self.assertEqual([one["status"] for one in study["runs"]], ["finished", "failed"])
             self.assertIn("never", study["runs"][1]["reason"])
+
+    def test_runs_of_a_study_are_made_where_a_map_sends_them(self):
+        """Python's own map, one of a pool that gives answers, and one that gives futures, as Dask's client does."""
+        def futures(function, tasks):
+            with concurrent.futures.ThreadPoolExecutor(1) as pool:
+                return [pool.submit(function, task) for task in tasks]
+
+        for name, way in (("map", map), ("futures", futures)):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                runs = riprap.sweep("hello_block", {"end": [0.01, "never"]}, folder, map=way)
+                self.assertEqual(runs[0]["run"].status, "finished", runs[0]["error"])
+                self.assertIn("never", runs[1]["error"])
+
+    def test_a_machine_that_is_lost_is_the_error_of_its_run_alone(self):
+        class Lost:
+            def result(self):
+                raise ConnectionError("no worker is left")
+
+        with tempfile.TemporaryDirectory() as folder:
+            runs = riprap.sweep("hello_block", {"end": [0.01, 0.02]}, folder,
+                                map=lambda function, tasks: [function(tasks[0]), Lost()])
+            self.assertEqual(runs[0]["run"].status, "finished", runs[0]["error"])
+            self.assertEqual(runs[1]["error"], "ConnectionError: no worker is left")
+            again = riprap.sweep("hello_block", {"end": [0.01, 0.02]}, folder, map=map)
+            self.assertEqual([one["error"] for one in again], ["", ""])
+
+    @unittest.skipUnless(importlib.util.find_spec("pandas"), "there is no pandas")
+    def test_a_study_is_a_table_with_a_row_for_each_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            runs = riprap.sweep("hello_block", {"end": [0.01, 0.02]}, folder, map=map)
+            table = runs.table()
+            self.assertEqual(list(table["end"]), [0.01, 0.02])
+            self.assertEqual(list(table["status"]), ["finished", "finished"])
+            self.assertEqual(table["block.displacement.x"][1], runs[1]["run"].probes["block.displacement.x"][-1])
 
     def test_a_run_is_opened_with_its_tables_as_arrays(self):
         with tempfile.TemporaryDirectory() as folder:

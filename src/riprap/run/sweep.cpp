@@ -13,6 +13,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
+#include "riprap/run/expects.hpp"
 #include "riprap/run/run_folder.hpp"
 
 namespace riprap::run {
@@ -293,6 +294,14 @@ std::string sweep_json(const SweepOptions& options) {
     }
     const Json json{{"case", options.case_path}, {"set", options.overrides}, {"runs", runs}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+bool any_answer_is_missed(const std::string& json) {
+    const Json sweep = Json::parse(json);
+    const auto is_missed = [](const Json& answer) { return answer["verdict"] == to_string(Verdict::failed); };
+    return std::any_of(sweep["runs"].begin(), sweep["runs"].end(), [&](const Json& run) {
+        return std::any_of(run["answers"].begin(), run["answers"].end(), is_missed);
+    });
 }
 
 std::vector<std::string> unreadable_runs(const std::string& json) {

@@ -48,10 +48,16 @@ struct SweepOptions {
 /// @throws FileError when the folder holds another study; CaseError of the first run where no case can be read
 int run_sweep(const SweepOptions& options);
 
+/// Runs one point of a study, by its number from 1, as run_sweep does, and writes no table: several processes on
+/// several machines may do so at a time. @throws FileError where there is no such run
+int run_point(SweepOptions options, std::size_t number);
+
 /// Gathers the answers of all runs from their folders.
 /// @returns the text of sweep.json: {"case", "keys", "runs": [{"name", "set", "status", "wall_seconds", "answers",
 /// "columns"}]}, of each probe column its last, least and largest value
 std::string sweep_json(const SweepOptions& options);
+/// Tells whether an expected answer was missed in any run of a sweep.json.
+bool any_answer_is_missed(const std::string& json);
 /// Names the runs of a sweep.json whose files cannot be read, each with the reason.
 std::vector<std::string> unreadable_runs(const std::string& json);
 /// Returns sweep.json as a table, a row per run.

@@ -11,8 +11,6 @@
 #include <csignal>
 #include <list>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <thread>
 
 #include "riprap/core/error.hpp"
@@ -21,66 +19,11 @@
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/sweep.hpp"
-#include "riprap/scene/read_case.hpp"
+#include "riprap/run/sweep_plan.hpp"
 
 namespace riprap::run {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Text of what the study asks for; the same text means that it may be continued.
-std::string plan_of(const SweepOptions& options) {
-    Json runs = Json::array();
-    for (const SweepPoint& point : options.points) {
-        runs.push_back({{"name", point.name}, {"set", point.overrides}});
-    }
-    const Json plan{{"case", std::filesystem::absolute(options.case_path).lexically_normal().string()},
-                    {"set", options.overrides},
-                    {"runs", runs}};
-    return plan.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-/// A slip that every run of the study shares, such as the name of a key, is told before anything is written.
-/// @throws CaseError of the first run where the case of none can be read
-void require_a_case(const SweepOptions& options) {
-    std::optional<CaseError> first;
-    for (const SweepPoint& point : options.points) {
-        std::vector<std::string> overrides = options.overrides;
-        overrides.insert(overrides.end(), point.overrides.begin(), point.overrides.end());
-        try {
-            scene::read_case(options.case_path, overrides);
-            return;
-        } catch (const CaseError& error) {
-            first = first ? first : error;
-        }
-    }
-    if (first) {
-        throw CaseError(*first);
-    }
-}
-
-void claim_folder(const SweepOptions& options) {
-    constexpr std::size_t most = std::size_t{16} << 20U;
-    const std::filesystem::path file = options.out / "sweep_plan.json";
-    if (std::filesystem::exists(file)) {
-        if (io::read_file(file, most) != plan_of(options)) {
-            throw FileError(fmt::format("'{}' holds another study; --out writes elsewhere", options.out.string()));
-        }
-        return;
-    }
-    if (std::filesystem::exists(options.out) && !std::filesystem::is_empty(options.out)) {
-        throw FileError(
-            fmt::format("'{}' is not empty and holds no study; --out writes elsewhere", options.out.string()));
-    }
-    require_a_case(options);
-    std::filesystem::create_directories(options.out);
-    io::write_file(file, plan_of(options));
-}
-
-bool is_finished(const SweepOptions& options, const SweepPoint& point) {
-    return status_of(RunFolder{options.out / point.name}) == "finished";
-}
 
 /// The words of the command that runs one point.
 std::vector<std::string> command_of(const SweepOptions& options, const SweepPoint& point) {
@@ -275,18 +218,21 @@ class Crowd {
 }  // namespace
 
 int run_sweep(const SweepOptions& options) {
-    claim_folder(options);
+    claim_study(options);
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / std::max(1, options.threads));
-    int code = Crowd(options, jobs).run();
-    const std::string json = sweep_json(options);
-    io::write_file(options.out / "sweep.json", json);
-    io::write_file(options.out / "sweep.csv", sweep_csv(json));
-    for (const std::string& text : unreadable_runs(json)) {
-        fmt::print(stderr, "riprap: {}; remove the folder to run it again\n", printable(text));
-        code = code == 0 ? static_cast<int>(ExitCode::file_system) : code;
+    const int code = Crowd(options, jobs).run();
+    const int gathered = write_tables(options);
+    return code == 0 ? gathered : code;
+}
+
+int run_point(SweepOptions options, std::size_t number) {
+    if (number < 1 || number > options.points.size()) {
+        throw FileError(
+            fmt::format("'{}' has runs 1 to {}, not {}", options.out.string(), options.points.size(), number));
     }
-    return code;
+    options.points = {options.points[number - 1]};
+    return Crowd(options, 1).run();
 }
 
 }  // namespace riprap::run

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/run/sweep_slurm.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+
+#include "riprap/core/error.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/run/sweep_plan.hpp"
+
+namespace riprap::run {
+
+namespace {
+
+/// A text as one word of the shell.
+std::string word(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return result + '\'';
+}
+
+std::string whole_path(const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+/// Lines of #SBATCH that both jobs share.
+std::string heading_of(const SlurmOptions& slurm, const std::string& name, const std::string& log) {
+    std::string text = fmt::format("#!/bin/bash\n#SBATCH --job-name={}\n#SBATCH --output={}\n", name, log);
+    const std::array<std::pair<const char*, std::string>, 2> asked{
+        {{"partition", slurm.partition}, {"account", slurm.account}}};
+    for (const auto& [key, value] : asked) {
+        text += value.empty() ? "" : fmt::format("#SBATCH --{}={}\n", key, value);
+    }
+    return text;
+}
+
+/// The job of one run. Before its time is up Slurm sends USR1: the run is asked to stop, writes a checkpoint, and the
+/// task goes back into the queue. A cancelled job gets TERM and stays stopped.
+std::string task_script(const SweepOptions& options, const SlurmOptions& slurm) {
+    std::string text = heading_of(slurm, "riprap-study", "slurm_%A_%a.log");
+    text += fmt::format("#SBATCH --cpus-per-task={}\n", std::max(1, options.threads));
+    text += slurm.time.empty() ? "" : fmt::format("#SBATCH --time={}\n", slurm.time);
+    text += slurm.memory.empty() ? "" : fmt::format("#SBATCH --mem={}\n", slurm.memory);
+    text +=
+        "#SBATCH --requeue\n"
+        "#SBATCH --open-mode=append\n"
+        "#SBATCH --signal=B:USR1@120\n"
+        "# One run of the study: number RIPRAP_FIRST + the index of the task. Two minutes before the time is up the "
+        "run\n"
+        "# writes a checkpoint, and the task is queued again; it goes on from there.\n"
+        "queue_again=\n"
+        "trap 'queue_again=yes; kill -TERM $run' USR1\n"
+        "trap 'kill -TERM $run' TERM\n";
+    text += fmt::format("{} sweep --out {} --threads {} --point $((${{RIPRAP_FIRST:-0}} + SLURM_ARRAY_TASK_ID)) &\n",
+                        word(slurm.program.string()), word(whole_path(options.out)), std::max(1, options.threads));
+    text +=
+        "run=$!\n"
+        "wait $run\n"
+        "code=$?\n"
+        "while kill -0 $run 2>/dev/null; do  # a signal ends `wait`, not the run\n"
+        "    wait $run\n"
+        "    code=$?\n"
+        "done\n"
+        "if [ \"$queue_again\" ] && [ $code -gt 128 ]; then\n"
+        "    scontrol requeue \"$SLURM_JOB_ID\"\n"
+        "fi\n"
+        "exit $code\n";
+    return text;
+}
+
+std::string gather_script(const SweepOptions& options, const SlurmOptions& slurm) {
+    return heading_of(slurm, "riprap-gather", "slurm_gather.log") +
+           "# Makes sweep.csv, sweep.json and index.html of all runs.\n" +
+           fmt::format("exec {} sweep --out {} --gather\n", word(slurm.program.string()),
+                       word(whole_path(options.out)));
+}
+
+/// Unfinished runs by the array that they go into: first number of the array less one, and indices in it.
+std::map<std::size_t, std::vector<std::size_t>> arrays_of(const SweepOptions& options, std::int64_t largest_index) {
+    const auto most = static_cast<std::size_t>(std::max<std::int64_t>(1, largest_index));
+    std::map<std::size_t, std::vector<std::size_t>> arrays;
+    for (std::size_t k = 0; k < options.points.size(); ++k) {
+        if (!is_finished(options, options.points[k])) {
+            arrays[k / most * most].push_back(k % most + 1);
+        }
+    }
+    return arrays;
+}
+
+std::string submit_script(const SweepOptions& options, const SlurmOptions& slurm) {
+    std::string text =
+        "#!/bin/bash\n"
+        "# Hands the study in: runs that are not finished as job arrays, then the job that makes the tables.\n"
+        "set -eu\ncd \"$(dirname \"$0\")\"\nafter=\n";
+    const std::string limit = slurm.jobs > 0 ? fmt::format("%{}", slurm.jobs) : "";
+    for (const auto& [first, numbers] : arrays_of(options, slurm.largest_index)) {
+        text += fmt::format("after+=:$(sbatch --parsable --array={}{} --export=ALL,RIPRAP_FIRST={} slurm_task.sh)\n",
+                            array_of(numbers), limit, first);
+    }
+    text +=
+        "gather=$(sbatch --parsable ${after:+--dependency=afterany$after} slurm_gather.sh)\n"
+        "echo \"runs: ${after#:}; tables: $gather\"\n";
+    return text;
+}
+
+void write_program(const std::filesystem::path& file, const std::string& text) {
+    using std::filesystem::perms;
+    io::write_file(file, text);
+    std::filesystem::permissions(file, perms::owner_exec, std::filesystem::perm_options::add);
+}
+
+}  // namespace
+
+std::string array_of(const std::vector<std::size_t>& numbers) {
+    std::string text;
+    for (std::size_t begin = 0, end = 0; begin < numbers.size(); begin = end) {
+        for (end = begin + 1; end < numbers.size() && numbers[end] == numbers[end - 1] + 1;) {
+            ++end;
+        }
+        text += text.empty() ? "" : ",";
+        text += end - begin == 1 ? fmt::format("{}", numbers[begin])
+                                 : fmt::format("{}-{}", numbers[begin], numbers[end - 1]);
+    }
+    return text;
+}
+
+SlurmScripts write_slurm_scripts(const SweepOptions& options, const SlurmOptions& slurm) {
+    const SlurmScripts scripts{options.out / "slurm_task.sh", options.out / "slurm_gather.sh",
+                               options.out / "slurm_submit.sh"};
+    write_program(scripts.task, task_script(options, slurm));
+    write_program(scripts.gather, gather_script(options, slurm));
+    write_program(scripts.submit, submit_script(options, slurm));
+    return scripts;
+}
+
+std::int64_t largest_array_index() {
+    constexpr std::int64_t usual = 1000;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> answer(
+        ::popen("scontrol show config 2>/dev/null | sed -n 's/^MaxArraySize *= *//p'", "r"), ::pclose);
+    std::array<char, 32> line{};
+    if (answer == nullptr || std::fgets(line.data(), static_cast<int>(line.size()), answer.get()) == nullptr) {
+        return usual;
+    }
+    const long long size = std::strtoll(line.data(), nullptr, 10);
+    return size > 1 ? size - 1 : usual;
+}
+
+int submit(const SlurmScripts& scripts) {
+    const std::string command =
+        fmt::format("command -v sbatch >/dev/null || exit 127; exec {}", word(whole_path(scripts.submit)));
+    std::fflush(stdout);
+    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c,concurrency-mt-unsafe): the user's sbatch
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(ExitCode::internal);
+    constexpr int not_found = 127;
+    if (code != 0) {
+        throw FileError(
+            fmt::format("{}: the scripts are in '{}'; run slurm_submit.sh there where Slurm answers",
+                        code == not_found ? "there is no sbatch on this machine" : "sbatch refused the study",
+                        scripts.submit.parent_path().string()));
+    }
+    return 0;
+}
+
+}  // namespace riprap::run

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Studies on a cluster: the runs of a plan as a job array of Slurm.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "riprap/run/sweep.hpp"
+
+namespace riprap::run {
+
+/// What a cluster wants to know of a job; empty = the cluster's own default.
+struct SlurmOptions {
+    std::string partition, time, account, memory;
+    int jobs{0};                       ///< runs at a time; 0 = as many as the cluster gives
+    std::filesystem::path program;     ///< riprap, as the nodes see it
+    std::int64_t largest_index{1000};  ///< of an array: MaxArraySize - 1
+};
+
+/// The scripts of a study, in its folder.
+struct SlurmScripts {
+    std::filesystem::path task, gather, submit;
+};
+
+/// Numbers from 1 as Slurm writes them: {1, 2, 3, 7} as "1-3,7".
+std::string array_of(const std::vector<std::size_t>& numbers);
+
+/// Writes slurm_task.sh, the job of one run, slurm_gather.sh, which makes the tables after the last one, and
+/// slurm_submit.sh, which hands both in: a job array of the runs that are not finished, several arrays where an index
+/// would pass the cluster's limit. All are meant to be read, and may be edited before slurm_submit.sh is run.
+SlurmScripts write_slurm_scripts(const SweepOptions& options, const SlurmOptions& slurm);
+
+/// Largest index of an array here, by `scontrol show config`; 1000, Slurm's default, where that cannot be asked.
+std::int64_t largest_array_index();
+
+/// Runs slurm_submit.sh. @returns its exit code; 5 where there is no sbatch or no controller answers
+int submit(const SlurmScripts& scripts);
+
+}  // namespace riprap::run

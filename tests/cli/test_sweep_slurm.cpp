@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "cli/run_fixture.hpp"
+#include "riprap/run/sweep_slurm.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class SlurmStudy : public RunFixture {
+ protected:
+    Ending plan(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> words{
+            "sweep",    case_file(), "--out",         out("study"), "--vary", "end=0.005,0.01,0.02",
+            "--submit", "slurm",     "--script-only", "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+};
+
+TEST(SlurmArray, NumbersAreWrittenAsRanges) {
+    EXPECT_EQ(run::array_of({1, 2, 3, 7, 9, 10}), "1-3,7,9-10");
+    EXPECT_EQ(run::array_of({4}), "4");
+    EXPECT_EQ(run::array_of({}), "");
+}
+
+TEST_F(SlurmStudy, TheScriptsSayWhatTheClusterIsAskedForAndNothingRuns) {
+    const Ending ending = plan({"--partition", "long", "--account", "rock", "--time", "2:00:00", "--memory", "4G",
+                                "--jobs", "2", "--threads", "3"});
+    ASSERT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(
+        text_of(in("study", "slurm_task.sh")),
+        AllOf(HasSubstr("#SBATCH --partition=long\n"), HasSubstr("#SBATCH --account=rock\n"),
+              HasSubstr("#SBATCH --time=2:00:00\n"), HasSubstr("#SBATCH --mem=4G\n"),
+              HasSubstr("#SBATCH --cpus-per-task=3\n"), HasSubstr("#SBATCH --requeue\n"), HasSubstr("--point")));
+    EXPECT_THAT(text_of(in("study", "slurm_submit.sh")), AllOf(HasSubstr("--array=1-3%2 "), HasSubstr("afterany")));
+    EXPECT_FALSE(std::filesystem::exists(in("study", "run_001")));
+}
+
+TEST_F(SlurmStudy, ATaskRunsOneRunAndTheGatheringMakesTheTables) {
+    ASSERT_EQ(plan().code, 0);
+    ASSERT_EQ(run({"sweep", "--out", out("study"), "--point", "2"}).code, 0);
+    EXPECT_EQ(summary_of("study/run_002").at("status"), "finished");
+    EXPECT_FALSE(std::filesystem::exists(in("study", "run_001")));
+    const Ending partly = run({"sweep", "--out", out("study"), "--gather"});
+    EXPECT_EQ(partly.code, 1);
+    EXPECT_THAT(partly.err, AllOf(HasSubstr("run_001"), HasSubstr("run_003"), Not(HasSubstr("run_002"))));
+    EXPECT_THAT(partly.out, HasSubstr("1 of 3 runs are finished"));
+    const std::string before = text_of(in("study/run_002", "run.jsonl"));
+    for (const char* number : {"1", "2", "3"}) {
+        EXPECT_EQ(run({"sweep", "--out", out("study"), "--point", number}).code, 0);
+    }
+    EXPECT_EQ(text_of(in("study/run_002", "run.jsonl")), before);  // a run that is finished is not run again
+    EXPECT_EQ(run({"sweep", "--out", out("study"), "--gather"}).code, 0);
+    EXPECT_THAT(text_of(in("study", "sweep.csv")), HasSubstr("run_003,finished,0.02"));
+    EXPECT_THAT(text_of(in("study", "index.html")), HasSubstr("run_003"));
+}
+
+TEST_F(SlurmStudy, ARunThatIsFinishedIsNotHandedInAgain) {
+    ASSERT_EQ(plan().code, 0);
+    ASSERT_EQ(run({"sweep", "--out", out("study"), "--point", "2"}).code, 0);
+    ASSERT_EQ(plan().code, 0);
+    EXPECT_THAT(text_of(in("study", "slurm_submit.sh")), HasSubstr("--array=1,3 "));
+}
+
+TEST_F(SlurmStudy, AStudyLongerThanAnArrayBecomesSeveral) {
+    run::SweepOptions options;
+    options.out = out("long");
+    std::filesystem::create_directories(options.out);
+    for (int k = 1; k <= 25; ++k) {
+        options.points.push_back({"run_" + std::to_string(k), {}});
+    }
+    run::SlurmOptions slurm;
+    slurm.largest_index = 10;
+    const run::SlurmScripts scripts = run::write_slurm_scripts(options, slurm);
+    EXPECT_THAT(text_of(scripts.submit.string()), AllOf(HasSubstr("--array=1-10 --export=ALL,RIPRAP_FIRST=0 "),
+                                                        HasSubstr("--array=1-10 --export=ALL,RIPRAP_FIRST=10 "),
+                                                        HasSubstr("--array=1-5 --export=ALL,RIPRAP_FIRST=20 ")));
+}
+
+TEST_F(SlurmStudy, WhatDoesNotGoTogetherIsRefused) {
+    EXPECT_EQ(run({"sweep", "--point", "1"}).code, 2);
+    EXPECT_EQ(run({"sweep", case_file(), "--out", out("study"), "--gather"}).code, 2);
+    EXPECT_EQ(run({"sweep", case_file(), "--vary", "end=1", "--time", "1:00"}).code, 2);
+    EXPECT_EQ(run({"sweep", "--vary", "end=1"}).code, 2);
+    EXPECT_EQ(run({"sweep", "--out", out("nothing"), "--gather"}).code, 5);
+    ASSERT_EQ(plan().code, 0);
+    const Ending ending = run({"sweep", "--out", out("study"), "--point", "4"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, HasSubstr("has runs 1 to 3"));
+}
+
+}  // namespace
+}  // namespace riprap
