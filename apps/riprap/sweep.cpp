@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command_line_parts.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/find_case.hpp"
@@ -60,7 +61,12 @@ void tell_cost(const run::SweepOptions& options) {
     std::vector<std::string> overrides = options.overrides;
     const std::vector<std::string>& first = options.points.front().overrides;
     overrides.insert(overrides.end(), first.begin(), first.end());
-    const run::RunCost cost = run::measure_cost(scene::read_case(options.case_path, overrides), budget);
+    run::RunCost cost;
+    try {
+        cost = run::measure_cost(scene::read_case(options.case_path, overrides), budget);
+    } catch (const CaseError& error) {
+        cost.refusal = error.what();
+    }
     if (!cost.refusal.empty()) {
         fmt::print("{} runs; the first is refused: {}\n", options.points.size(), printable(cost.refusal));
         return;
@@ -138,6 +144,9 @@ void add_slurm_options(CLI::App& command, SweepWords& words) {
 /// Refuses what does not go together. @throws CLI::Error
 void require_whole(const SweepWords& words) {
     const bool takes_part = words.point > 0 || words.is_gather;
+    if (takes_part && ((words.point > 0 && words.is_gather) || !words.submit.empty() || words.jobs > 0)) {
+        throw CLI::ExcludesError("--point and --gather", "each other, --submit and --jobs");
+    }
     if (takes_part && words.out.empty()) {
         throw CLI::RequiredError("--out");
     }

@@ -297,7 +297,7 @@ def sweep(
     `if __name__ == "__main__":` in a script.
 
     `map` runs the runs elsewhere instead: map(function, arguments) of a pool, of mpi4py.futures or of Dask's client, whose
-    machines see `out` under the same path. It calls the function once for each run; what it returns are the answers or futures of them.
+    machines see `out` under the same path. It keeps the order and calls the function once for each run; what it returns are the answers or futures of them.
     """
     title = case.title if isinstance(case, _Case) else str(case)
     case = (case.text, str(case.folder), case.overrides) if isinstance(case, _Case) else str(case)
@@ -314,6 +314,8 @@ def sweep(
         return (folder / "summary.json").is_file() and Run(folder).status == "finished"
 
     asked = [k for k, folder in enumerate(folders) if not is_finished(folder)]
+    for k in asked:
+        errors[k] = "no answer came from the map"
     tasks = [(case, points[k], str(folders[k].resolve()), threads) for k in asked]
     for k, error in zip(asked, _answers_of(map(_run_task, tasks)) if map else _answers_of_processes(tasks, jobs, threads)):
         errors[k] = error
@@ -329,11 +331,16 @@ def _run_task(task):
 
 def _answers_of(asked):
     """What a map gave: answers, or futures of them. A future that fails is the error of its run alone."""
-    for one in asked:
+    answers = iter(asked)
+    while True:
         try:
-            yield one.result() if hasattr(one, "result") else one
+            one = next(answers)
+            answer = one.result() if hasattr(one, "result") else one
+        except StopIteration:
+            return
         except Exception as error:  # noqa: BLE001 - told in the table; the other runs go on
-            yield f"{type(error).__name__}: {error}"
+            answer = f"{type(error).__name__}: {error}"
+        yield answer
 
 
 def _answers_of_processes(tasks, jobs, threads):

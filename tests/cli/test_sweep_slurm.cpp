@@ -87,14 +87,55 @@ TEST_F(SlurmStudy, AStudyLongerThanAnArrayBecomesSeveral) {
 
 TEST_F(SlurmStudy, WhatDoesNotGoTogetherIsRefused) {
     EXPECT_EQ(run({"sweep", "--point", "1"}).code, 2);
+    EXPECT_EQ(run({"sweep", "--out", out("study"), "--point", "1", "--gather"}).code, 2);
     EXPECT_EQ(run({"sweep", case_file(), "--out", out("study"), "--gather"}).code, 2);
     EXPECT_EQ(run({"sweep", case_file(), "--vary", "end=1", "--time", "1:00"}).code, 2);
     EXPECT_EQ(run({"sweep", "--vary", "end=1"}).code, 2);
     EXPECT_EQ(run({"sweep", "--out", out("nothing"), "--gather"}).code, 5);
+    EXPECT_EQ(plan({"--partition", "long\nrm"}).code, 5);
     ASSERT_EQ(plan().code, 0);
     const Ending ending = run({"sweep", "--out", out("study"), "--point", "4"});
     EXPECT_EQ(ending.code, 5);
     EXPECT_THAT(ending.err, HasSubstr("has runs 1 to 3"));
+}
+
+/// What a task does when Slurm speaks to it: with a run that obeys or is at its end, in place of the program.
+class SlurmTask : public SlurmStudy {
+ protected:
+    /// Runs slurm_task.sh, sends it signals one after another. @returns whether it asked to be queued again
+    bool is_queued_again(const std::string& program, const std::string& signals) const {
+        EXPECT_EQ(plan({"--quiet"}).code, 0);
+        std::string task = text_of(in("study", "slurm_task.sh"));
+        const std::size_t call = task.find("' sweep "), begin = task.rfind('\'', call - 1);
+        task.replace(begin, call + 1 - begin, "'" + out("program") + "'");
+        write_script("task", task);
+        write_script("program", "#!/bin/bash\n" + program);
+        write_script("scontrol", "#!/bin/bash\ntouch " + out("queued_again") + "\n");
+        const std::string command = "cd " + folder.path().string() +
+                                    " && export PATH=$PWD:$PATH SLURM_ARRAY_TASK_ID=1 " +
+                                    "SLURM_JOB_ID=7; ./task & task=$!; sleep 0.3; for s in " + signals +
+                                    "; do kill -$s $task; sleep 0.1; done; wait $task";
+        EXPECT_EQ(std::system(("bash -c '" + command + "' >/dev/null 2>&1").c_str()) & 0x7f, 0);
+        return std::filesystem::exists(out("queued_again"));
+    }
+    void write_script(const std::string& name, const std::string& text) const {
+        write_file(name, text);
+        std::filesystem::permissions(out(name), std::filesystem::perms::owner_all);
+    }
+    const std::string obedient_ = "trap 'exit 143' TERM\nfor i in $(seq 100); do sleep 0.05; done\n";
+};
+
+TEST_F(SlurmTask, ARunOutOfTimeIsQueuedAgain) { EXPECT_TRUE(is_queued_again(obedient_, "USR1")); }
+
+TEST_F(SlurmTask, ARunThatIsCancelledStaysStopped) { EXPECT_FALSE(is_queued_again(obedient_, "TERM")); }
+
+TEST_F(SlurmTask, ARunThatIsCancelledWhenItsTimeIsUpStaysStopped) {
+    EXPECT_FALSE(
+        is_queued_again("trap 'sleep 0.5; exit 143' TERM\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1 TERM"));
+}
+
+TEST_F(SlurmTask, ARunThatEndsAsItsTimeIsUpIsNotQueuedAgain) {
+    EXPECT_FALSE(is_queued_again("trap 'exit 0' TERM\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1"));
 }
 
 }  // namespace

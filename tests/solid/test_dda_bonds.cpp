@@ -163,6 +163,23 @@ TEST_P(DdaBonds, a_base_that_lifts_by_less_than_that_is_still_bonded) {
     }
 }
 
+TEST_P(DdaBonds, what_a_base_slides_while_it_is_lifted_counts_as_slip) {
+    // It springs off by some hundredths of a millimetre; an acceleration of 200 m/s^2 for 2 ms moves it by 0.4 mm.
+    const auto shaken = [](double along) {
+        return [along](double t) {
+            return t < 0       ? geometry::Vec2{0, -9.81}
+                   : t < 0.001 ? geometry::Vec2{0, 9.81}
+                   : t < 0.003 ? geometry::Vec2{along, 0}
+                               : geometry::Vec2{0, -9.81};
+        };
+    };
+    for (const double along : {0.0, 200.0}) {
+        const Answer answer =
+            run(GetParam(), {.cohesion = 1e3, .stiffness = 4e9, .end = 0.05, .gravity = shaken(along)});
+        EXPECT_EQ(answer.is_bonded, along == 0) << along;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, DdaBonds, ::testing::Values(Dda::planar, Dda::implicit, Dda::explicit_), name_of);
 
 }  // namespace

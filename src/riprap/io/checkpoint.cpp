@@ -107,8 +107,13 @@ class Unpacker {
 
 /// Says which version of Riprap writes a format that this one does not read, and what is new in the one it reads.
 std::string writer_of(std::uint32_t version) {
-    return version == 1 ? "that of Riprap 0.1 and 0.2, without what verdicts remember"
-                        : "that of " + std::string(version > checkpoint_version ? "a later Riprap" : "no Riprap");
+    if (version == 1) {
+        return "that of Riprap 0.1 and 0.2, without what verdicts remember";
+    }
+    if (version == 3) {
+        return "that of a Riprap on the way to 0.3, without the slip of bonds";
+    }
+    return version > checkpoint_version ? "that of a later Riprap" : "that of no Riprap";
 }
 
 FieldType to_field_type(const Unpacker& in, std::uint8_t code) {

@@ -27,7 +27,7 @@
 
 namespace riprap::io {
 
-inline constexpr std::uint32_t checkpoint_version = 3;  ///< 3: with deep pairs
+inline constexpr std::uint32_t checkpoint_version = 4;  ///< 4: with the slip of bonds
 
 /// Header of a checkpoint.
 struct CheckpointHeader {

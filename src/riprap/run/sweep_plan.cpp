@@ -105,10 +105,17 @@ bool is_finished(const SweepOptions& options, const SweepPoint& point) {
     return status_of(RunFolder{options.out / point.name}) == "finished";
 }
 
-int write_tables(const SweepOptions& options) {
-    const std::string json = sweep_json(options);
+namespace {
+
+/// Writes both tables. @returns the text of sweep.json
+std::string write_both(const SweepOptions& options) {
+    std::string json = sweep_json(options);
     io::write_file(options.out / "sweep.json", json);
     io::write_file(options.out / "sweep.csv", sweep_csv(json));
+    return json;
+}
+
+int tell_unreadable(const std::string& json) {
     const std::vector<std::string> unreadable = unreadable_runs(json);
     for (const std::string& text : unreadable) {
         fmt::print(stderr, "riprap: {}; remove the folder to run it again\n", printable(text));
@@ -116,8 +123,13 @@ int write_tables(const SweepOptions& options) {
     return static_cast<int>(unreadable.empty() ? ExitCode::success : ExitCode::file_system);
 }
 
+}  // namespace
+
+int write_tables(const SweepOptions& options) { return tell_unreadable(write_both(options)); }
+
 int gather_study(const SweepOptions& options) {
-    const int code = write_tables(options);
+    const std::string json = write_both(options);
+    const int code = tell_unreadable(json);
     std::size_t unfinished = 0;
     for (const SweepPoint& point : options.points) {
         const std::string status = status_of(RunFolder{options.out / point.name});
@@ -129,7 +141,7 @@ int gather_study(const SweepOptions& options) {
     if (!options.quiet) {
         fmt::print("{} of {} runs are finished\n", options.points.size() - unfinished, options.points.size());
     }
-    const bool is_missed = any_answer_is_missed(sweep_json(options));
+    const bool is_missed = any_answer_is_missed(json);
     return code != 0 ? code : static_cast<int>(unfinished > 0 || is_missed ? ExitCode::failed : ExitCode::success);
 }
 

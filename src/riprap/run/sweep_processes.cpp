@@ -232,6 +232,10 @@ int run_point(SweepOptions options, std::size_t number) {
             fmt::format("'{}' has runs 1 to {}, not {}", options.out.string(), options.points.size(), number));
     }
     options.points = {options.points[number - 1]};
+    if (is_held(RunFolder{options.out / options.points[0].name})) {
+        throw FileError(
+            fmt::format("another riprap writes into '{}'", (options.out / options.points[0].name).string()));
+    }
     return Crowd(options, 1).run();
 }
 

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <memory>
 
@@ -30,6 +32,14 @@ std::string word(const std::string& text) {
 
 std::string whole_path(const std::filesystem::path& path) {
     return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+/// Refuses what would leave its line of #SBATCH.
+void require_plain(const std::string& text) {
+    const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr("_.,:+-@/", c) != nullptr; };
+    if (!std::all_of(text.begin(), text.end(), is_plain)) {
+        throw FileError(fmt::format("'{}' is no word for Slurm; allowed: letters, digits and _.,:+-@/", text));
+    }
 }
 
 /// Lines of #SBATCH that both jobs share.
@@ -56,21 +66,28 @@ std::string task_script(const SweepOptions& options, const SlurmOptions& slurm) 
         "#SBATCH --signal=B:USR1@120\n"
         "# One run of the study: number RIPRAP_FIRST + the index of the task. Two minutes before the time is up the "
         "run\n"
-        "# writes a checkpoint, and the task is queued again; it goes on from there.\n"
-        "queue_again=\n"
-        "trap 'queue_again=yes; kill -TERM $run' USR1\n"
-        "trap 'kill -TERM $run' TERM\n";
+        "# writes a checkpoint, and the task is queued again; it goes on from there. A task that is cancelled stays "
+        "stopped.\n"
+        "run= queue_again= stopped=\n"
+        "stop() {\n"
+        "    if [ -n \"$run\" ] && [ -z \"$stopped\" ]; then\n"
+        "        stopped=yes\n"
+        "        kill -TERM \"$run\" 2>/dev/null\n"
+        "    fi\n"
+        "}\n"
+        "trap 'queue_again=yes; stop' USR1\n"
+        "trap 'queue_again=; cancelled=yes; stop' TERM\n";
     text += fmt::format("{} sweep --out {} --threads {} --point $((${{RIPRAP_FIRST:-0}} + SLURM_ARRAY_TASK_ID)) &\n",
                         word(slurm.program.string()), word(whole_path(options.out)), std::max(1, options.threads));
     text +=
         "run=$!\n"
-        "wait $run\n"
-        "code=$?\n"
-        "while kill -0 $run 2>/dev/null; do  # a signal ends `wait`, not the run\n"
-        "    wait $run\n"
-        "    code=$?\n"
+        "[ -z \"$queue_again${cancelled:-}\" ] || stop  # told before there was a run\n"
+        "while kill -0 \"$run\" 2>/dev/null; do  # a signal ends `wait`, not the run\n"
+        "    wait \"$run\"\n"
         "done\n"
-        "if [ \"$queue_again\" ] && [ $code -gt 128 ]; then\n"
+        "wait \"$run\"\n"
+        "code=$?\n"
+        "if [ -n \"$queue_again\" ] && [ $code -gt 128 ]; then\n"
         "    scontrol requeue \"$SLURM_JOB_ID\"\n"
         "fi\n"
         "exit $code\n";
@@ -100,15 +117,31 @@ std::string submit_script(const SweepOptions& options, const SlurmOptions& slurm
     std::string text =
         "#!/bin/bash\n"
         "# Hands the study in: runs that are not finished as job arrays, then the job that makes the tables.\n"
-        "set -eu\ncd \"$(dirname \"$0\")\"\nafter=\n";
+        "set -eu\n"
+        "cd \"$(dirname \"$0\")\"\n"
+        "if [ -s slurm_jobs ] && [ -n \"$(squeue --noheader --jobs \"$(paste -sd, slurm_jobs)\" 2>/dev/null)\" ]; "
+        "then\n"
+        "    echo \"the study is under way: jobs $(paste -sd, slurm_jobs); scancel ends them\" >&2\n"
+        "    exit 1\n"
+        "fi\n"
+        ": >slurm_jobs\n"
+        "hand_in() {  # with several clusters Slurm answers id;cluster\n"
+        "    local answer\n"
+        "    answer=$(sbatch --parsable \"$@\")\n"
+        "    echo \"${answer%%;*}\" >>slurm_jobs\n"
+        "}\n";
     const std::string limit = slurm.jobs > 0 ? fmt::format("%{}", slurm.jobs) : "";
     for (const auto& [first, numbers] : arrays_of(options, slurm.largest_index)) {
-        text += fmt::format("after+=:$(sbatch --parsable --array={}{} --export=ALL,RIPRAP_FIRST={} slurm_task.sh)\n",
-                            array_of(numbers), limit, first);
+        text += fmt::format("hand_in --array={}{} --export=ALL,RIPRAP_FIRST={} slurm_task.sh\n", array_of(numbers),
+                            limit, first);
     }
     text +=
-        "gather=$(sbatch --parsable ${after:+--dependency=afterany$after} slurm_gather.sh)\n"
-        "echo \"runs: ${after#:}; tables: $gather\"\n";
+        "if [ -s slurm_jobs ]; then\n"
+        "    hand_in --dependency=\"afterany:$(paste -sd: slurm_jobs)\" slurm_gather.sh\n"
+        "else\n"
+        "    hand_in slurm_gather.sh\n"
+        "fi\n"
+        "echo \"jobs $(paste -sd, slurm_jobs); the last makes the tables\"\n";
     return text;
 }
 
@@ -134,6 +167,9 @@ std::string array_of(const std::vector<std::size_t>& numbers) {
 }
 
 SlurmScripts write_slurm_scripts(const SweepOptions& options, const SlurmOptions& slurm) {
+    for (const std::string* text : {&slurm.partition, &slurm.account, &slurm.time, &slurm.memory}) {
+        require_plain(*text);
+    }
     const SlurmScripts scripts{options.out / "slurm_task.sh", options.out / "slurm_gather.sh",
                                options.out / "slurm_submit.sh"};
     write_program(scripts.task, task_script(options, slurm));

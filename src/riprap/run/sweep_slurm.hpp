@@ -3,6 +3,8 @@
 
 // Studies on a cluster: the runs of a plan as a job array of Slurm.
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,7 +37,7 @@ SlurmScripts write_slurm_scripts(const SweepOptions& options, const SlurmOptions
 /// Largest index of an array here, by `scontrol show config`; 1000, Slurm's default, where that cannot be asked.
 std::int64_t largest_array_index();
 
-/// Runs slurm_submit.sh. @returns its exit code; 5 where there is no sbatch or no controller answers
+/// Runs slurm_submit.sh. @returns 0 @throws FileError where there is no sbatch, or it refuses the study
 int submit(const SlurmScripts& scripts);
 
 }  // namespace riprap::run

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "riprap/body/locks.hpp"
-#include "riprap/body/may_move.hpp"
 #include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/open/leaving.hpp"
@@ -33,11 +32,11 @@ double room_of(const fluid::grid::GridScratch& s, const Pocket& pocket) {
 
 /// Returns the largest volume that one of the free bodies of a pocket takes as it goes on by a cell [m^3].
 double skin_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const GridFluid::Scratch& scratch,
-               const PressedPocket& pressed) {
+               const PressedPocket& pressed, double time) {
     std::vector<double> skin(scratch.bodies.size());
     for (const std::size_t f : pressed.facets) {
         const CutFacet& facet = scratch.cut.facets[f];
-        for (int a = 0; a < mesh.box.axes && body::may_move(scene.bodies, at(facet.body)); ++a) {
+        for (int a = 0; a < mesh.box.axes && is_free(scene.bodies, BodyId{facet.body}, time); ++a) {
             skin[at(facet.body)] += std::abs(facet.area[a]) * mesh.h(a, mesh.cell_at(a, facet.place()[a]));
         }
     }
@@ -46,7 +45,7 @@ double skin_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const Gri
 
 /// Returns the sides of free bodies in a pocket; none of a body that is in the pocket as a whole.
 std::vector<PocketSide> sides_in(const FluidScene& scene, const GridFluid::Scratch& scratch,
-                                 const PressedPocket& pressed) {
+                                 const PressedPocket& pressed, double time) {
     constexpr double round_off = 1e-9;
     std::vector<PocketSide> sides;
     double whole = 0;
@@ -57,7 +56,7 @@ std::vector<PocketSide> sides_in(const FluidScene& scene, const GridFluid::Scrat
     };
     for (const std::size_t f : pressed.facets) {  // body by body
         const CutFacet& facet = scratch.cut.facets[f];
-        if (!body::may_move(scene.bodies, at(facet.body))) {
+        if (!is_free(scene.bodies, BodyId{facet.body}, time)) {
             continue;
         }
         if (sides.empty() || sides.back().body != facet.body) {
@@ -147,9 +146,9 @@ std::vector<PressedPocket> pressed_pockets(const FluidScene& scene, const GridFl
                 pressed.facets.push_back(f);
             }
         }
-        pressed.sides = sides_in(scene, scratch, pressed);
+        pressed.sides = sides_in(scene, scratch, pressed, time);
         if (!pressed.sides.empty() &&
-            pressed.room > least_cells * skin_of(scene, settings.grid.mesh, scratch, pressed)) {
+            pressed.room > least_cells * skin_of(scene, settings.grid.mesh, scratch, pressed, time)) {
             found.push_back(std::move(pressed));
         }
     }

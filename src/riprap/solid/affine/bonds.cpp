@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::solid::affine {
@@ -79,6 +80,16 @@ std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, 
     std::set_difference(there.begin(), there.end(), changes.broken.begin(), changes.broken.end(),
                         std::back_inserter(left));
     return left;
+}
+
+std::int64_t count_touching(const BlockContactHistory& history) {
+    std::vector<std::uint64_t> pairs;
+    for (std::size_t row = 0; row < history.size(); ++row) {
+        if (history.mode[row] != static_cast<std::uint8_t>(ContactMode::open)) {
+            pairs.push_back(history.pair[row]);
+        }
+    }
+    return contact::count_pairs(pairs);
 }
 
 bool has_intact(const BlockContactHistory& history) {

@@ -12,9 +12,10 @@
 // A bond has two ends. Its tensile strength is brittle: where it is passed the bond is torn. Its cohesion is a strength
 // in shear: a point that is loaded to it slides and keeps it, so that the rest of the face can take over what is more,
 // as limit equilibrium has it, until the point has slid by bond_length in all. One without tensile strength opens
-// without force and parts where the gap is wider than that. A length is needed, not a force: springs overshoot under
-// a load that comes suddenly, and a face that shakes lifts by nanometres, while a real joint bears its peak strength
-// over a slip of a hundredth of its length [BartonChoubey1977].
+// without force and parts where the gap is wider than that; what it slides while it is open counts as well. A length is
+// needed, not a force: springs overshoot under a load that comes suddenly, and a face that shakes lifts by nanometres.
+// A real joint reaches its peak strength after a slip of about a hundredth of its length [BartonChoubey1977]; the
+// ten-thousandth taken here lies well below that, and above the overshoot of the springs.
 
 namespace riprap::solid::affine {
 
@@ -47,6 +48,9 @@ struct BondChanges {
 
 /// Keeps of the bonded pairs those that touch and have no broken point.
 std::vector<std::uint64_t> bonds_left(const std::vector<std::uint64_t>& bonded, const BondChanges& changes);
+
+/// Counts the pairs that touch: those of rows that are not open.
+std::int64_t count_touching(const BlockContactHistory& history);
 
 /// Tells whether a contact point still holds by its bond.
 bool has_intact(const BlockContactHistory& history);

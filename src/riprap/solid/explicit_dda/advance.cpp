@@ -91,11 +91,13 @@ ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state
     result.answer = penalty(springs, motion);
     result.force = result.answer.force;
     result.was_intact = was_intact;
-    result.is_apart =
-        result.answer.is_open && was_intact && contact.old >= 0 && springs.tension == 0 && contact.gap <= bond_length;
+    const Vec3 along = motion.velocity - dot(motion.velocity, contact.normal) * contact.normal;
+    const double slid = motion.plastic_slip + time * norm(along);  // without springs all of the motion is slip
+    result.is_apart = result.answer.is_open && was_intact && contact.old >= 0 && springs.tension == 0 &&
+                      contact.gap <= bond_length && slid <= bond_length;
     if (result.is_apart) {
         result.answer.is_intact = true;
-        result.answer.plastic_slip = motion.plastic_slip;
+        result.answer.plastic_slip = slid;
     }
     if (!result.answer.is_open) {
         // Gershgorin: k (W_i + sqrt(W_i W_j)), W the mobility.

@@ -159,7 +159,7 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.damping_loss = step.dashpot_loss;
     report.dt_bound = step.stable_step;
     report.max_depth = step.deepest;
-    report.contact_count = contact::count_pairs(fields_->contacts.pair);
+    report.contact_count = affine::count_touching(fields_->contacts);
     report.pair_count = scratch_->engine.finder.pair_count();
     state_.previous_dt = span.dt;
     return {};

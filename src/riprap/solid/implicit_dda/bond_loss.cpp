@@ -11,6 +11,9 @@ double spring_energy(const ContactSprings& springs, double gap, const Vec3& slip
 
 double plastic_slip(const ContactTerm& contact) {
     const ContactTrial& trial = contact.trial;
+    if (trial.mode == ContactMode::open) {
+        return trial.plastic_slip + norm(trial.step_slip);  // without springs all of the motion is slip
+    }
     const bool yields = trial.mode == ContactMode::slide && contact.springs.shear > 0;
     const double slip = yields ? norm(trial.slip) - trial.friction / contact.springs.shear : 0;
     return trial.plastic_slip + std::max(0.0, slip);
@@ -25,7 +28,7 @@ bool stays_intact(const affine::BlockContact& found, const ContactTerm& contact)
     if (trial.mode == ContactMode::slide) {
         return plastic_slip(contact) <= length;
     }
-    return found.old >= 0 && contact.springs.tension == 0 && trial.gap <= length;
+    return found.old >= 0 && contact.springs.tension == 0 && trial.gap <= length && plastic_slip(contact) <= length;
 }
 
 Vec3 slip_kept(const affine::BlockContact& found, const ContactTerm& contact) {

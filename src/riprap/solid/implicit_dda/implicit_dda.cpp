@@ -244,7 +244,7 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
     report.friction_loss = step.friction_loss;
     report.own = {step.strain, step.lost_energy, bond_loss(scratch_->engine), step.numerical_loss, step.static_loss};
     report.max_depth = step.deepest;
-    report.contact_count = contact::count_pairs(fields_->contacts.pair);
+    report.contact_count = affine::count_touching(fields_->contacts);
     report.pair_count = scratch_->engine.finder.pair_count();
     state_.previous_dt = span.dt;
     return {};

@@ -156,9 +156,11 @@ void end_bonds(const Settings& settings, Scratch& scratch) {
         if (trial.mode == Mode::sliding) {
             const double elastic = std::abs(trial.friction) / contact.joint.shear_stiffness;
             trial.plastic_slip += std::max(0.0, std::abs(trial.slip) - elastic);
+        } else {
+            trial.plastic_slip += std::abs(trial.slip - trial.slip_start);  // without springs all of the motion is slip
         }
-        trial.is_bonded = trial.mode == Mode::open ? contact.joint.tension == 0 && trial.gap <= settings.bond_length
-                                                   : trial.plastic_slip <= settings.bond_length;
+        const bool may_be_apart = contact.joint.tension == 0 && trial.gap <= settings.bond_length;
+        trial.is_bonded = (trial.mode == Mode::sliding || may_be_apart) && trial.plastic_slip <= settings.bond_length;
         trial.has_broken = !trial.is_bonded;
         if (trial.has_broken) {
             trial.kept = std::copysign(std::min(std::abs(trial.kept), shear_limit(contact, trial)), trial.kept);
