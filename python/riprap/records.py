@@ -278,6 +278,30 @@ def _run_point(case, overrides, folder, threads):
         return str(error)
 
 
+class Study(list):
+    """Runs of a study: dicts of "set", "run" (riprap.Run) and "error"."""
+
+    def table(self):
+        """A DataFrame, a row per run: what was set, "status", "error", expected answers by their name, and of each gauge and
+        body column the last value. Needs pandas."""
+        import pandas
+
+        return pandas.DataFrame([_row_of(one) for one in self])
+
+
+def _row_of(one):
+    run = one["run"]
+    row = dict(one["set"], status=run.status if run else "failed", error=one["error"])
+    if run is None:
+        return row
+    for answer in run.summary.get("expects", []):
+        row[answer["name"]] = answer["value"]
+    if (run.folder / "probes.csv").is_file():
+        row.update({name: float(values[-1]) for name, values in run.probes.items()
+                    if name not in ("time", "step") and len(values)})
+    return row
+
+
 def sweep(
     case: str | _os.PathLike[str] | _Case,
     vary: _Mapping[str, _Sequence[_Any]] | _Iterable[_Mapping[str, _Any]],
@@ -351,30 +375,6 @@ def _answers_of_processes(tasks, jobs, threads):
     context = multiprocessing.get_context("spawn")
     with concurrent.futures.ProcessPoolExecutor(workers, mp_context=context) as pool:
         yield from _answers_of([pool.submit(_run_task, task) for task in tasks])
-
-
-class Study(list):
-    """Runs of a study: dicts of "set", "run" (riprap.Run) and "error"."""
-
-    def table(self):
-        """A DataFrame, a row per run: what was set, "status", "error", expected answers by their name, and of each gauge and
-        body column the last value. Needs pandas."""
-        import pandas
-
-        return pandas.DataFrame([_row_of(one) for one in self])
-
-
-def _row_of(one):
-    run = one["run"]
-    row = dict(one["set"], status=run.status if run else "failed", error=one["error"])
-    if run is None:
-        return row
-    for answer in run.summary.get("expects", []):
-        row[answer["name"]] = answer["value"]
-    if (run.folder / "probes.csv").is_file():
-        row.update({name: float(values[-1]) for name, values in run.probes.items()
-                    if name not in ("time", "step") and len(values)})
-    return row
 
 
 def _write_study(title, runs, folders, out):
