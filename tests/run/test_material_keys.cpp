@@ -18,7 +18,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A block of ice slides and spins on a floor of rock; one beside it touches the floor just so and is torn off.
+/// A block of ice slides and spins on a floor of rock; one beside it touches the floor just so and is torn off, and one
+/// is dragged along it.
 std::string blocks(bool is_planar, const std::string& method) {
     const auto place = [is_planar](double x, double up) {
         return is_planar ? fmt::format("[{}, {}]", x, up) : fmt::format("[{}, 0, {}]", x, up);
@@ -62,12 +63,19 @@ shape = {}
 position = {}
 velocity = {}
 material = "ice"
+[[body]]
+name = "dragged"
+shape = {}
+position = {}
+velocity = {}
+material = "ice"
 [solid]
 method = "{}"
 )",
                        is_planar ? "dimension = 2\n" : "", is_planar ? "[0, -9.81]" : "[0, 0, -9.81]", box(5, 0.5),
                        place(0, -0.25), box(1.0, 0.5), place(-1, 0.249), place(20, -0.1), is_planar ? 0.0 : 2.0,
-                       box(1.0, 0.5), place(1, 0.25), place(0.1, 0.05), method);
+                       box(1.0, 0.5), place(1, 0.25), place(0.1, 0.05), box(0.4, 0.5), place(2, 0.25), place(0.1, 0),
+                       method);
 }
 
 /// For a method of spheres, a ball of ice beside the blocks, which then meet by their faces.
@@ -221,7 +229,8 @@ TEST(MaterialKeys, are_asked_for_where_a_physics_of_the_scene_needs_them) {
     // Where nothing moves, nothing meets.
     EXPECT_EQ(refusal(without_stiffness(blocks(false, "distance_potential_dem")),
                       {"body.low.fixed=true", "body.low.velocity=[0,0,0]", "body.low.angular_velocity=[0,0,0]",
-                       "body.torn.fixed=true", "body.torn.velocity=[0,0,0]"}),
+                       "body.torn.fixed=true", "body.torn.velocity=[0,0,0]", "body.dragged.fixed=true",
+                       "body.dragged.velocity=[0,0,0]"}),
               "");
 }
 
@@ -270,7 +279,7 @@ TEST(MaterialKeys, of_a_pair_that_the_chosen_law_does_not_read_are_told) {
     EXPECT_THAT(unread(pair + "rolling_friction = 0.1\n", {"solid.spheres=\"balls\""}), testing::SizeIs(1));
     EXPECT_THAT(unread(pair + "contact_ratio = 0.1\n", {"solid.spheres=\"balls\""}), IsEmpty());
     EXPECT_THAT(refusal(pair + "contact_ratio = -0.1\n"),
-                HasSubstr("case.toml:40:17: contact_ratio of [[contact.pair]]"));
+                HasSubstr("case.toml:46:17: contact_ratio of [[contact.pair]]"));
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST(Restart, TheFieldsOfASolidMethodAreThoseOfItsBodies) {
         contacts.feature = contacts.plane = {0};
         contacts.normal = contacts.slip = {Vec3{}};
         contacts.mode = contacts.is_intact = {0};
-        contacts.energy = {0.0};
+        contacts.plastic_slip = contacts.energy = {0.0};
     };
     EXPECT_EQ(refusal_of([](sim::State&, RunRecord&) {}, dda), "accepted");
     EXPECT_THAT(refusal_of([&](sim::State& s, RunRecord&) { blocks(s).blocks.position.pop_back(); }, dda),

@@ -217,9 +217,11 @@ TEST_P(Bonds, ThatShearGiveUpTheEnergyOfTheirShearSprings) {
     const auto run = run_until_broken(bonded_block(
         GetParam(), false, "5.0", "tensile_strength = 1.0e6\ncohesion = " + std::to_string(strength) + "\n"));
     EXPECT_GT(value(run, "block.distance"), 0.01);
-    EXPECT_NEAR(value(run, "solid.bonds"), held, 0.015 * held);
-    // an implicit step that breaks a bond slides against its strength to the end
-    EXPECT_LT(value(run, "solid.friction"), 0.15 * held);
+    // It slides at its strength by a ten-thousandth of the block, 1 m, before it is lost. What an explicit step slides
+    // while it breaks the bond is booked with the bond.
+    const double slid = 1e-4 * strength, last_step = std::string(GetParam()) == "explicit_dda" ? 0.01 * slid : 0;
+    EXPECT_NEAR(value(run, "solid.bonds"), held, 0.015 * held + last_step);
+    EXPECT_NEAR(value(run, "solid.bonds") + value(run, "solid.friction"), held + slid, 0.05 * (held + slid));
     EXPECT_LT(std::abs(value(run, "energy_residual")), 0.05 * held);
 }
 

@@ -167,10 +167,10 @@ TEST_P(DdaBonds, what_a_base_slides_while_it_is_lifted_counts_as_slip) {
     // It springs off by some hundredths of a millimetre; an acceleration of 200 m/s^2 for 2 ms moves it by 0.4 mm.
     const auto shaken = [](double along) {
         return [along](double t) {
-            return t < 0       ? geometry::Vec2{0, -9.81}
-                   : t < 0.001 ? geometry::Vec2{0, 9.81}
-                   : t < 0.003 ? geometry::Vec2{along, 0}
-                               : geometry::Vec2{0, -9.81};
+            return t < 0        ? geometry::Vec2{0, -9.81}
+                   : t < 0.0005 ? geometry::Vec2{0, 9.81}
+                   : t < 0.0025 ? geometry::Vec2{along, 0}
+                                : geometry::Vec2{0, -9.81};
         };
     };
     for (const double along : {0.0, 200.0}) {

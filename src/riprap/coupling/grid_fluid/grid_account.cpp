@@ -97,13 +97,13 @@ Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& setting
     const double least = fluid::share_let_go * water.water.ever;
     for (const Pocket& pocket : scratch.grid.pockets) {
         const double room = room_of(scratch.grid, pocket), fraction = mean_fraction(water, scratch.grid, pocket);
-        constexpr double round_off = 1e-6, no_air = 1e-9;
+        constexpr double round_off = 1e-6;
         if (!(fraction > 1 - fluid::grid::most_hollow * (1 + round_off)) || !(room > least)) {
             continue;  // air gives way
         }
         const bool is_hollow = fraction < 1 - fluid::grid::most_hollow * (1 - round_off);
         const Squeeze squeeze = squeeze_of(scene, settings.grid.mesh, scratch, pocket);
-        if (squeeze.body < 0 || !(room > least_cells * squeeze.area) || !(squeeze.has_free || fraction > 1 - no_air)) {
+        if (squeeze.body < 0 || !(room > least_cells * squeeze.area)) {
             continue;
         }
         const bool is_driven = scene.bodies.drive[at(squeeze.body)] == body::Drive::driven;
