@@ -23,9 +23,9 @@ double uplift_force(const std::string& kind, double h) {
 }
 
 /// Level above the upstream end of the crack at which driving force and strength are equal [m]:
-/// H (cos + sin tan phi) + U tan phi = W (cos tan phi - sin) + c L, H = rho g h^2/2, with L the bonded length.
-double limit_level(const std::string& kind, double cohesion, double bonded = width / std::cos(dip)) {
-    const double c = std::cos(dip), s = std::sin(dip), t = std::tan(friction);
+/// H (cos + sin tan phi) + U tan phi = W (cos tan phi - sin) + c L, H = rho g h^2/2, with L the length of the crack.
+double limit_level(const std::string& kind, double cohesion) {
+    const double c = std::cos(dip), s = std::sin(dip), t = std::tan(friction), bonded = width / c;
     double low = 0, high = 10;
     for (int i = 0; i < 60; ++i) {
         const double h = 0.5 * (low + high), thrust = 0.5 * water * gravity * h * h;
@@ -75,13 +75,10 @@ void dam_uplift(const CaseSetting& setting, CaseReport& report) {
                                   row.kind, row.cohesion / 1e3),
                       "m",
                       {},
-                      // The upstream corner carries half of the shear and 28 % of the push: its bond breaks first,
-                      // for good, and half of the crack is left to be bonded.
-                      limit_level(row.kind, row.cohesion, 0.5 * width / std::cos(dip)),
-                      row.cohesion > 0 ? fmt::format("bonds break corner by corner: c on half of the crack; {:.3f} m "
-                                                     "if all of it held to the end",
-                                                     limit_level(row.kind, row.cohesion))
-                                       : "H (cos + sin tan phi) + U tan phi = W (cos tan phi - sin)"},
+                      // The upstream corner carries half of the shear and 28 % of the push: its bond slides first,
+                      // and keeps its cohesion while the other takes over.
+                      limit_level(row.kind, row.cohesion),
+                      "H (cos + sin tan phi) + U tan phi = W (cos tan phi - sin) + c L"},
                      level_of_failure(setting, row.method, row.kind, row.cohesion), Relative{0.01});
     }
 }
