@@ -55,14 +55,6 @@ Squeeze squeeze_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const
     return most;
 }
 
-double room_of(const fluid::grid::GridScratch& s, const Pocket& pocket) {
-    double room = 0;
-    for (const std::int64_t c : pocket.cells) {
-        room += s.room.capacity[at(c)];
-    }
-    return room;
-}
-
 /// Names a pocket by its middle and its size: "the pocket of 0.42 m^2 around (0.5, 0.21) m".
 std::string name_of(const fluid::grid::Mesh& mesh, const fluid::grid::GridScratch& s, const Pocket& pocket) {
     Vec3 middle{};
@@ -96,7 +88,7 @@ Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& setting
                        const fluid::grid::GridState& water, const TimeSpan& span) {
     const double least = fluid::share_let_go * water.water.ever;
     for (const Pocket& pocket : scratch.grid.pockets) {
-        const double room = room_of(scratch.grid, pocket), fraction = mean_fraction(water, scratch.grid, pocket);
+        const double room = room_of(pocket, scratch.grid), fraction = mean_fraction(water, scratch.grid, pocket);
         constexpr double round_off = 1e-6;
         if (!(fraction > 1 - fluid::grid::most_hollow * (1 + round_off)) || !(room > least)) {
             continue;  // air gives way

@@ -250,8 +250,8 @@ StepLimit GridFluid::limit() const {
     StepLimit limit{stable_step(settings_->grid, fields_->water, scratch_->grid), false, "Courant number of the water"};
     const bool has_free = std::any_of(scene_->bodies.drive.begin(), scene_->bodies.drive.end(),
                                       [](body::Drive drive) { return drive == body::Drive::free; });
-    // What driven bodies alone press out of a pocket leaves it through all of its cells, with the pressure there, and
-    // the pressure that starts a motion at once is the larger the shorter the step is.
+    // Take whole steps where driven bodies alone close a pocket: what they press out leaves it through all of its
+    // cells, with the pressure there, and the pressure that starts a motion at once is the larger the shorter the step.
     if (has_free || scratch_->grid.pockets.empty()) {
         const GridSettings& grid = settings_->grid;
         const double at_rest = std::sqrt(grid.courant * grid.mesh.smallest_width() / norm(grid.gravity));

@@ -22,14 +22,6 @@ using fluid::grid::Pocket;
 /// Speed of sound in water: a pocket has the bulk modulus rho c^2 [m/s].
 constexpr double sound_speed = 1480;
 
-double room_of(const fluid::grid::GridScratch& s, const Pocket& pocket) {
-    double room = 0;
-    for (const std::int64_t c : pocket.cells) {
-        room += s.room.capacity[at(c)];
-    }
-    return room;
-}
-
 /// Returns the largest volume that one of the free bodies of a pocket takes as it goes on by a cell [m^3].
 double skin_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const GridFluid::Scratch& scratch,
                const PressedPocket& pressed, double time) {
@@ -134,7 +126,7 @@ std::vector<PressedPocket> pressed_pockets(const FluidScene& scene, const GridFl
     const double least = fluid::share_let_go * water.water.ever;
     for (std::size_t p = 0; p < scratch.grid.pockets.size(); ++p) {
         const Pocket& pocket = scratch.grid.pockets[p];
-        PressedPocket pressed{p, room_of(scratch.grid, pocket), mean_fraction(water, scratch.grid, pocket) - 1, {}, {}};
+        PressedPocket pressed{p, room_of(pocket, scratch.grid), mean_fraction(water, scratch.grid, pocket) - 1, {}, {}};
         if (!(pressed.room > least) || !(pressed.excess > -2 * fluid::grid::most_hollow)) {
             continue;  // air gives way
         }

@@ -9,6 +9,14 @@
 
 namespace riprap::fluid::grid {
 
+double room_of(const Pocket& pocket, const GridScratch& s) {
+    double room = 0;
+    for (const std::int64_t c : pocket.cells) {
+        room += s.room.capacity[at(c)];
+    }
+    return room;
+}
+
 namespace {
 
 /// What is missing from a pocket's water by less than this of it is round-off [-].
@@ -20,14 +28,6 @@ double water_now(const Pocket& pocket, const GridState& state, const GridScratch
         water += state.fraction[at(c)] * s.room.capacity[at(c)];
     }
     return water;
-}
-
-double room_of(const Pocket& pocket, const GridScratch& s) {
-    double room = 0;
-    for (const std::int64_t c : pocket.cells) {
-        room += s.room.capacity[at(c)];
-    }
-    return room;
 }
 
 /// Gives `missing` to the cells of a pocket in proportion to weight(c) C, at most weight(c) to each.

@@ -33,6 +33,9 @@ inline constexpr double most_overfull = 0.1;
 /// deep or more [-].
 inline constexpr double most_hollow = 0.01 * 0.45 / 3;
 
+/// Returns the volume of a pocket that solids leave to water and air [m^3].
+double room_of(const Pocket& pocket, const GridScratch& scratch);
+
 /// Returns what every pocket holds before the water moves, with what solids have driven out of cells beside it since
 /// the last step [m^3].
 std::vector<double> water_of_pockets(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
