@@ -129,8 +129,8 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
         least = std::min(least, rr);
         // The round-off of a group of cells that no open face joins to the rest has a mean, which no pressure takes
         // away: once it is all that is left, it grows from one iteration to the next.
-        constexpr double spent = 1e-7;  // of the scale of the equations: so small a residual is its round-off alone
-        if (std::sqrt(least) < spent * std::max(first, b_norm) && rr > 100 * least) {
+        constexpr double spent = 1e-7;  // of the first residual: looser solutions ended before
+        if (std::sqrt(least) < spent * first && rr > 100 * least) {
             break;
         }
     }
