@@ -8,6 +8,7 @@
 #include "riprap/body/drives.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/dashpots.hpp"
@@ -31,7 +32,7 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
     settings.displacement_limit = given.max_displacement * smallest;
     settings.close_tolerance = settings.open_tolerance = 1e-11 * smallest;
     settings.multiplier_tolerance = 1e-10 * smallest;
-    settings.bond_length = 1e-4 * smallest;
+    settings.bond_length = affine::bond_tolerance * smallest;
     return settings;
 }
 
