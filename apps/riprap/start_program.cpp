@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,9 +8,8 @@
 #include <filesystem>
 
 #include "built_in.hpp"
+#include "riprap/core/child_process.hpp"
 #include "riprap/core/error.hpp"
-
-extern char** environ;
 
 namespace riprap {
 
@@ -23,22 +20,7 @@ std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc
 /// Lets CMake build one program in the folder of a build; what it prints goes to standard error.
 bool build(const std::filesystem::path& folder, const std::string& name) {
     fmt::print(stderr, "riprap: building {}, some minutes the first time\n", name);
-    std::fflush(stderr);
-    std::string cmake = "cmake", flag = "--build", place = folder.string(), option = "--target", target = name;
-    char* words[] = {cmake.data(), flag.data(), place.data(), option.data(), target.data(), nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    pid_t child{};
-    const int failure = posix_spawnp(&child, words[0], &actions, nullptr, words, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) {
-        return false;
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return run_to_end({"cmake", "--build", folder.string(), "--target", name}, ChildOutput::error) == 0;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct SweepWords {
     bool is_quiet{false}, is_gather{false}, is_script_only{false};
 };
 
-/// The study that the words describe. @throws CaseError where they describe none
+/// Reads the study that the words describe. @throws CaseError where they describe none
 run::SweepOptions study_of(const SweepWords& words) {
     const std::filesystem::path file = run::find_case(words.case_text);
     run::SweepOptions options;
@@ -96,7 +96,7 @@ int submit_study(const SweepWords& words, const run::SweepOptions& options) {
     return run::submit(scripts);
 }
 
-/// The study in a folder, for what takes part in it: a task of a cluster, or the gathering of tables.
+/// Reads the study in a folder, for what takes part in it: a task of a cluster, or the gathering of tables.
 run::SweepOptions study_in_folder(const SweepWords& words) {
     run::SweepOptions options = run::read_plan(words.out);
     options.threads = words.threads;
@@ -124,7 +124,7 @@ int sweep(const SweepWords& words) {
     return code;
 }
 
-/// Options that make a study a job array of Slurm, and those with which its tasks call this program.
+/// Adds the options that make a study a job array of Slurm, and those with which its tasks call this program.
 void add_slurm_options(CLI::App& command, SweepWords& words) {
     command.add_option("--submit", words.submit, "Hand the runs in as a job array instead: slurm")
         ->check(CLI::IsMember({"slurm"}))

@@ -99,7 +99,60 @@ TEST_F(SlurmStudy, WhatDoesNotGoTogetherIsRefused) {
     EXPECT_THAT(ending.err, HasSubstr("has runs 1 to 3"));
 }
 
-/// What a task does when Slurm speaks to it: with a run that obeys or is at its end, in place of the program.
+/// Stands for the programs of a cluster that takes all.
+class SlurmCluster : public SlurmStudy {
+ protected:
+    SlurmCluster() {
+        write_program("sbatch", "echo \"$@\" >>" + out("asked") + "\necho $(($(wc -l <" + out("asked") + ") + 40))");
+        write_program("squeue", "cat " + out("queue") + " 2>/dev/null");
+        write_program("scontrol", "echo 'MaxArraySize            = 3'");
+        setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
+    }
+    void write_program(const std::string& name, const std::string& text) const {
+        write_file(name, "#!/bin/bash\n" + text + "\n");
+        std::filesystem::permissions(out(name), std::filesystem::perms::owner_all);
+    }
+    Ending hand_in(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> words{"sweep",  case_file(),           "--out",    out("study"),
+                                       "--vary", "end=0.005,0.01,0.02", "--submit", "slurm"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+};
+
+TEST_F(SlurmCluster, GetsArraysOfAtMostItsSizeAndTheTablesAfterThem) {
+    const Ending ending = hand_in();
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("3 runs; by its first steps run_001 takes"), HasSubstr("jobs 41,42,43")));
+    EXPECT_EQ(text_of(out("asked")),
+              "--parsable --array=1-2 --export=ALL,RIPRAP_FIRST=0 slurm_task.sh\n"
+              "--parsable --array=1 --export=ALL,RIPRAP_FIRST=2 slurm_task.sh\n"
+              "--parsable --dependency=afterany:41:42 slurm_gather.sh\n");
+}
+
+TEST_F(SlurmCluster, DoesNotGetAStudyTwiceAtATime) {
+    ASSERT_EQ(hand_in({"--quiet"}).code, 0);
+    write_file("queue", "41 main riprap-study\n");
+    const Ending ending = hand_in({"--quiet"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, AllOf(HasSubstr("the study is under way: jobs 41,42,43"), HasSubstr("not handed in")));
+}
+
+TEST_F(SlurmCluster, IsMissedWhereThereIsNone) {
+    write_program("sbatch", "exit 127");  // as a shell that finds none
+    const Ending ending = hand_in({"--quiet"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, HasSubstr("there is no sbatch on this machine"));
+}
+
+TEST_F(SlurmCluster, GetsAStudyWhoseFirstRunIsRefused) {
+    const Ending ending =
+        run({"sweep", case_file(), "--out", out("study"), "--vary", "end=-1,0.01", "--submit", "slurm"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("the first is refused"), HasSubstr("jobs 41,42")));
+}
+
+/// Speaks to a task as Slurm does, with a run that obeys or is at its end in place of the program.
 class SlurmTask : public SlurmStudy {
  protected:
     /// Runs slurm_task.sh, sends it signals one after another. @returns whether it asked to be queued again
@@ -111,10 +164,10 @@ class SlurmTask : public SlurmStudy {
         write_script("task", task);
         write_script("program", "#!/bin/bash\n" + program);
         write_script("scontrol", "#!/bin/bash\ntouch " + out("queued_again") + "\n");
-        const std::string command = "cd " + folder.path().string() +
-                                    " && export PATH=$PWD:$PATH SLURM_ARRAY_TASK_ID=1 " +
-                                    "SLURM_JOB_ID=7; ./task & task=$!; sleep 0.3; for s in " + signals +
-                                    "; do kill -$s $task; sleep 0.1; done; wait $task";
+        const std::string command =
+            "cd " + folder.path().string() + " && export PATH=$PWD:$PATH SLURM_ARRAY_TASK_ID=1 " +
+            "SLURM_JOB_ID=7; ./task & task=$!; until [ -e started ]; do sleep 0.05; done; for s in " + signals +
+            "; do kill -$s $task; sleep 0.1; done; wait $task";
         EXPECT_EQ(std::system(("bash -c '" + command + "' >/dev/null 2>&1").c_str()) & 0x7f, 0);
         return std::filesystem::exists(out("queued_again"));
     }
@@ -122,7 +175,7 @@ class SlurmTask : public SlurmStudy {
         write_file(name, text);
         std::filesystem::permissions(out(name), std::filesystem::perms::owner_all);
     }
-    const std::string obedient_ = "trap 'exit 143' TERM\nfor i in $(seq 100); do sleep 0.05; done\n";
+    const std::string obedient_ = "trap 'exit 143' TERM\ntouch started\nfor i in $(seq 100); do sleep 0.05; done\n";
 };
 
 TEST_F(SlurmTask, ARunOutOfTimeIsQueuedAgain) { EXPECT_TRUE(is_queued_again(obedient_, "USR1")); }
@@ -130,12 +183,13 @@ TEST_F(SlurmTask, ARunOutOfTimeIsQueuedAgain) { EXPECT_TRUE(is_queued_again(obed
 TEST_F(SlurmTask, ARunThatIsCancelledStaysStopped) { EXPECT_FALSE(is_queued_again(obedient_, "TERM")); }
 
 TEST_F(SlurmTask, ARunThatIsCancelledWhenItsTimeIsUpStaysStopped) {
-    EXPECT_FALSE(
-        is_queued_again("trap 'sleep 0.5; exit 143' TERM\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1 TERM"));
+    EXPECT_FALSE(is_queued_again(
+        "trap 'sleep 0.5; exit 143' TERM\ntouch started\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1 TERM"));
 }
 
 TEST_F(SlurmTask, ARunThatEndsAsItsTimeIsUpIsNotQueuedAgain) {
-    EXPECT_FALSE(is_queued_again("trap 'exit 0' TERM\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1"));
+    EXPECT_FALSE(
+        is_queued_again("trap 'exit 0' TERM\ntouch started\nfor i in $(seq 100); do sleep 0.05; done\n", "USR1"));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "riprap/run/sweep_slurm.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,9 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <optional>
 
+#include "riprap/core/child_process.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/sweep_plan.hpp"
@@ -21,7 +22,7 @@ namespace riprap::run {
 
 namespace {
 
-/// A text as one word of the shell.
+/// Quotes a text as one word of the shell.
 std::string word(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
@@ -42,7 +43,7 @@ void require_plain(const std::string& text) {
     }
 }
 
-/// Lines of #SBATCH that both jobs share.
+/// Writes the lines of #SBATCH that both jobs share.
 std::string heading_of(const SlurmOptions& slurm, const std::string& name, const std::string& log) {
     std::string text = fmt::format("#!/bin/bash\n#SBATCH --job-name={}\n#SBATCH --output={}\n", name, log);
     const std::array<std::pair<const char*, std::string>, 2> asked{
@@ -53,8 +54,8 @@ std::string heading_of(const SlurmOptions& slurm, const std::string& name, const
     return text;
 }
 
-/// The job of one run. Before its time is up Slurm sends USR1: the run is asked to stop, writes a checkpoint, and the
-/// task goes back into the queue. A cancelled job gets TERM and stays stopped.
+/// Writes the job of one run. Before its time is up Slurm sends USR1: the run is asked to stop, writes a checkpoint,
+/// and the task goes back into the queue. A cancelled job gets TERM and stays stopped.
 std::string task_script(const SweepOptions& options, const SlurmOptions& slurm) {
     std::string text = heading_of(slurm, "riprap-study", "slurm_%A_%a.log");
     text += fmt::format("#SBATCH --cpus-per-task={}\n", std::max(1, options.threads));
@@ -101,7 +102,7 @@ std::string gather_script(const SweepOptions& options, const SlurmOptions& slurm
                        word(whole_path(options.out)));
 }
 
-/// Unfinished runs by the array that they go into: first number of the array less one, and indices in it.
+/// Sorts unfinished runs by the array that they go into: first number of the array less one, and indices in it.
 std::map<std::size_t, std::vector<std::size_t>> arrays_of(const SweepOptions& options, std::int64_t largest_index) {
     const auto most = static_cast<std::size_t>(std::max<std::int64_t>(1, largest_index));
     std::map<std::size_t, std::vector<std::size_t>> arrays;
@@ -191,17 +192,13 @@ std::int64_t largest_array_index() {
 }
 
 int submit(const SlurmScripts& scripts) {
-    const std::string command =
-        fmt::format("command -v sbatch >/dev/null || exit 127; exec {}", word(whole_path(scripts.submit)));
-    std::fflush(stdout);
-    const int status = std::system(command.c_str());  // NOLINT(cert-env33-c,concurrency-mt-unsafe): the user's sbatch
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : static_cast<int>(ExitCode::internal);
-    constexpr int not_found = 127;
+    const std::optional<int> code = run_to_end({whole_path(scripts.submit)});
+    constexpr int not_found = 127;  // as the shell tells it of sbatch
     if (code != 0) {
-        throw FileError(
-            fmt::format("{}: the scripts are in '{}'; run slurm_submit.sh there where Slurm answers",
-                        code == not_found ? "there is no sbatch on this machine" : "sbatch refused the study",
-                        scripts.submit.parent_path().string()));
+        throw FileError(fmt::format(
+            "{}: the scripts are in '{}'; run slurm_submit.sh there where Slurm answers",
+            code == not_found ? "there is no sbatch on this machine" : "the study was not handed in, see above",
+            scripts.submit.parent_path().string()));
     }
     return 0;
 }

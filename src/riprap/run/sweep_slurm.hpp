@@ -13,7 +13,7 @@
 
 namespace riprap::run {
 
-/// What a cluster wants to know of a job; empty = the cluster's own default.
+/// Holds what a cluster is asked for; empty = its own default.
 struct SlurmOptions {
     std::string partition, time, account, memory;
     int jobs{0};                       ///< runs at a time; 0 = as many as the cluster gives
@@ -21,12 +21,12 @@ struct SlurmOptions {
     std::int64_t largest_index{1000};  ///< of an array: MaxArraySize - 1
 };
 
-/// The scripts of a study, in its folder.
+/// Names the scripts of a study, in its folder.
 struct SlurmScripts {
     std::filesystem::path task, gather, submit;
 };
 
-/// Numbers from 1 as Slurm writes them: {1, 2, 3, 7} as "1-3,7".
+/// Writes numbers from 1 as Slurm reads them: {1, 2, 3, 7} as "1-3,7".
 std::string array_of(const std::vector<std::size_t>& numbers);
 
 /// Writes slurm_task.sh, the job of one run, slurm_gather.sh, which makes the tables after the last one, and
@@ -34,7 +34,8 @@ std::string array_of(const std::vector<std::size_t>& numbers);
 /// would pass the cluster's limit. All are meant to be read, and may be edited before slurm_submit.sh is run.
 SlurmScripts write_slurm_scripts(const SweepOptions& options, const SlurmOptions& slurm);
 
-/// Largest index of an array here, by `scontrol show config`; 1000, Slurm's default, where that cannot be asked.
+/// Asks for the largest index of an array here, by `scontrol show config`; 1000, Slurm's default, where that cannot be
+/// asked.
 std::int64_t largest_array_index();
 
 /// Runs slurm_submit.sh. @returns 0 @throws FileError where there is no sbatch, or it refuses the study
