@@ -82,7 +82,7 @@ double way_of(const std::string& text, const std::string& name, double time) {
 
 // Story: the pressure of the pocket was that of the air around it, and the block fell through the water.
 TEST(PressedPockets, CarryABlockAsWideAsItsTankWithEverySolidAtAnyAngle) {
-    for (const char* solid : {"distance_potential_dem", "explicit_dda", "planar_dda", "sphere_dem"}) {
+    for (const char* solid : {"distance_potential_dem", "explicit_dda", "implicit_dda", "planar_dda", "sphere_dem"}) {
         const Turned upright;
         EXPECT_LT(
             way_of(upright.tank(

@@ -23,7 +23,7 @@ struct PlaneScene {
     PlaneScene(double angle, double size, double friction) {
         // An overlap of some 1e-4 of the size, whatever it is.
         const double stiffness = 2500 * size * size * g / (1e-4 * size);
-        add_material(system, {2500, 1e10, 0.25}, {stiffness, 0.4 * stiffness, false, friction, 0, 0, 0.2});
+        add_material(system, {2500, 1e9, 0.25}, {stiffness, 0.4 * stiffness, false, friction, 0, 0, 0.2});
         system.is_planar = true;
         system.gravity = g * Vec3{std::sin(angle), -std::cos(angle), 0};
         add_box(system, blocks, {40 * size, size, 1}, {.position = {15 * size, -0.5 * size, 0}, .is_fixed = true});
@@ -109,7 +109,9 @@ TEST_P(DdaInThePlane, AStackOnASlopeStaysInThePlane) {
 TEST_P(DdaInThePlane, ABoxThatTumblesDownASlopeStaysInThePlane) {
     PlaneScene scene(35 * degree, 0.5, 0.9);
     scene.add_box_at(0, 0.3, 0.3, 0.6);
-    expect_in_plane(scene.after(1, 1e-3, GetParam()), scene.blocks);
+    const affine::BlockState blocks = scene.after(1, 1e-3, GetParam());
+    expect_in_plane(blocks, scene.blocks);
+    EXPECT_LT(affine::rows_at(blocks.deformation, 1)(0, 0), 0.7);  // it has turned over its corner
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, DdaInThePlane, ::testing::Bool(),
