@@ -13,7 +13,7 @@
 
 #include "riprap/geometry/dda_markup.hpp"
 
-// What both readers of the files of the 2D-DDA family share.
+// Shares what both readers of the files of the 2D-DDA family need.
 
 namespace riprap::geometry::dda_text {
 
