@@ -11,6 +11,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
+#include "riprap/solid/affine/layer_plane.hpp"
 #include "riprap/solid/affine/renamed_points.hpp"
 #include "riprap/solid/affine/round_blocks.hpp"
 #include "riprap/solid/affine/seams.hpp"
@@ -90,7 +91,7 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
     const auto [begin, end] = rows.of(pair);
     const contact::PlaneFeature before =
         begin < end ? contact::unpack_feature(history.plane[begin]) : contact::PlaneFeature{};
-    contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
+    contact::CommonPlane plane = plane_between(a, b, before, reach);
     if (plane.gap > reach) {
         separating = plane.normal;
         return;
