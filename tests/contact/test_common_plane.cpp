@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "contact/common_plane_support.hpp"
+#include "riprap/contact/narrowphase/hull_size.hpp"
 #include "riprap/contact/narrowphase/plane_section.hpp"
 
 namespace riprap::contact {
@@ -27,6 +29,37 @@ TEST(CommonPlane, two_stacked_cubes_overlap_along_the_face_they_share) {
     const CommonPlane plane = common_plane(a.view(), b.view(), {}, 1);
     EXPECT_NEAR(plane.gap, -0.01, 1e-15);
     EXPECT_NEAR(plane.normal.z, 1, 1e-15);
+}
+
+TEST(CommonPlane, tolerances_follow_the_breadth_of_rods_and_the_radius_of_other_bodies) {
+    const auto size = [](const Vec3& sides) { return size_of(Hull(box(sides), {}).view()); };
+    EXPECT_DOUBLE_EQ(size({1, 1, 1}), std::sqrt(0.75));
+    EXPECT_DOUBLE_EQ(size({1, 1, 0.01}), 0.5 * std::sqrt(2.0001));
+    EXPECT_DOUBLE_EQ(size({1000, 250, 1}), 0.5 * std::sqrt(1000 * 1000 + 250 * 250 + 1));
+    EXPECT_DOUBLE_EQ(size({1, 1, 12}), 0.5 * std::sqrt(146));
+    // Corners of the far end lie twice as far from the diagonal as from the axis.
+    EXPECT_NEAR(size({1e-3, 1e-3, 1}), 5 * std::sqrt(2) * 1e-3, 1e-7);
+    const Hull section(box({1e-3, 1e-3, 1}), {}), above(box({1e-3, 1e-3, 1}), {{0, 1e-3 - 1e-9, 0}, {}});
+    const CommonPlane plane = common_plane(section.view(), above.view(), {}, 1);
+    EXPECT_NEAR(contact_tolerance(section.view(), above.view(), plane), 2e-9 + 5 * std::sqrt(2) * 1e-7, 1e-10);
+}
+
+TEST(CommonPlane, a_brick_beyond_an_edge_stands_on_it_however_small_its_section_is_beside_its_thickness) {
+    for (const double size : {1e-4, 1e-3, 1.0, 100.0}) {
+        const Hull support(box({2 * size, 0.5 * size, 1}), {{-size, -0.25 * size, 0}, {}});
+        for (const double depth : {1e-7 * size, 2e-6 * size}) {
+            for (const double angle : {1e-7, 1e-6, 1e-5, 1e-4}) {
+                const Vec3 middle{0.02 * size + 0.125 * size * angle, 0.125 * size - 0.02 * size * angle - depth, 0};
+                const Hull brick(box({size, 0.25 * size, 1}), {middle, turn({0, 0, -1}, angle)});
+                const PlaneContacts found = contacts_of(support, brick);
+                double deepest = 0;
+                for (int k = 0; k < found.count; ++k) {
+                    deepest = std::min(deepest, found.contacts[static_cast<std::size_t>(k)].gap);
+                }
+                EXPECT_NEAR(deepest, -depth, 0.05 * depth) << size << ' ' << depth << ' ' << angle;
+            }
+        }
+    }
 }
 
 TEST(CommonPlane, the_pruned_search_finds_the_separating_axis_of_the_search_without_pruning) {

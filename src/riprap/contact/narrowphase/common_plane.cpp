@@ -6,6 +6,7 @@
 
 #include "riprap/contact/narrowphase/best_plane.hpp"
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
+#include "riprap/contact/narrowphase/hull_size.hpp"
 #include "riprap/core/index.hpp"
 
 namespace riprap::contact {
@@ -60,16 +61,7 @@ void offer_links(const PlacedHull& a, const PlacedHull& b, std::int32_t va, std:
     offer_across(b, vb);
 }
 
-double smaller_size(const PlacedHull& a, const PlacedHull& b) {
-    const auto size = [](const PlacedHull& hull) {
-        double square = 0;
-        for (const Vec3& x : hull.vertices) {
-            square = std::max(square, norm_squared(x - hull.centre));
-        }
-        return std::sqrt(square);
-    };
-    return std::min(size(a), size(b));
-}
+double smaller_size(const PlacedHull& a, const PlacedHull& b) { return std::min(size_of(a), size_of(b)); }
 
 /// A half-space allows one plane: its own.
 CommonPlane plane_of_half_space(const PlacedHull& a, const PlacedHull& b) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "riprap/contact/narrowphase/hull_size.hpp"
 #include "riprap/contact/narrowphase/touching_set.hpp"
 #include "riprap/core/index.hpp"
 
@@ -195,7 +196,9 @@ void add_edges(const Sides& s, double slack, PlaneContacts& found) {
         return;
     }
     const double apart = std::abs(cross(q - p, u)) / std::sqrt(dot(u, u));
-    if (apart > slack + 1e-3 * std::sqrt(std::max(dot(u, u), dot(v, v)))) {
+    const double length = std::sqrt(std::max(dot(u, u), dot(v, v)));
+    // Edges of a slender body are longer than its faces are wide: those of either side would count as one.
+    if (apart > slack + 1e-3 * std::min(length, 2 * std::min(size_of(s.a), size_of(s.b)))) {
         return;
     }
     for (int i = 0; i < 2; ++i) {
@@ -216,14 +219,7 @@ std::string_view to_string(ContactType type) {
 }
 
 double contact_tolerance(const PlacedHull& a, const PlacedHull& b, const CommonPlane& plane) {
-    double size = 1e300;
-    for (const PlacedHull* hull : {&a, &b}) {
-        double square = 0;
-        for (const Vec3& x : hull->vertices) {
-            square = std::max(square, norm_squared(x - hull->centre));
-        }
-        size = hull->is_half_space() ? size : std::min(size, std::sqrt(square));
-    }
+    const double size = std::min(size_of(a), size_of(b));
     return std::min(2 * std::abs(plane.gap) + 1e-4 * size, 0.1 * size);
 }
 

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "riprap/contact/narrowphase/hull_size.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
+#include "riprap/solid/affine/layer_plane.hpp"
 #include "riprap/solid/affine/renamed_points.hpp"
 #include "riprap/solid/affine/round_blocks.hpp"
 #include "riprap/solid/affine/seams.hpp"
@@ -46,18 +48,6 @@ class RowsOfPairs {
     const std::vector<std::uint64_t>& pair_;
     std::size_t row_;
 };
-
-/// Radius about the centre; without bound for a half-space [m].
-double size_of(const contact::PlacedHull& hull) {
-    if (hull.is_half_space()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    double square = 0;
-    for (const Vec3& x : hull.vertices) {
-        square = std::max(square, norm_squared(x - hull.centre));
-    }
-    return std::sqrt(square);
-}
 
 /// Appends the contact points of one pair with ground.
 void find_in_ground_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
@@ -101,12 +91,12 @@ void find_in_pair(const contact::PartPair& pair, const contact::PlacedHull& a, c
     const auto [begin, end] = rows.of(pair);
     const contact::PlaneFeature before =
         begin < end ? contact::unpack_feature(history.plane[begin]) : contact::PlaneFeature{};
-    contact::CommonPlane plane = contact::common_plane(a, b, before, reach);
+    contact::CommonPlane plane = plane_between(a, b, before, reach);
     if (plane.gap > reach) {
         separating = plane.normal;
         return;
     }
-    const double widest = 0.1 * std::min(size_of(a), size_of(b));
+    const double widest = 0.1 * std::min(contact::size_of(a), contact::size_of(b));
     contact::PlaneContacts points;
     // Takes what may close within the reach of a step too, not only what touches now.
     const auto find_points = [&] {

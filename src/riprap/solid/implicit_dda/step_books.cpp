@@ -36,15 +36,19 @@ void remember(Scratch& scratch, double bond_length, affine::BlockContactHistory&
             found.old >= 0 && scratch.old.mode[at(found.old)] != static_cast<std::uint8_t>(ContactMode::open);
         const bool was_closed = was_kept || found.gap < 0;
         const Vec3 slip = slip_kept(found, c);
+        const double lost_bond = bond_loss(found, c);
+        const double sheared = trial.mode == ContactMode::slide && lost_bond == 0
+                                   ? trial.friction * dot(slip - trial.slip_before, trial.direction)
+                                   : 0;
         if (trial.mode == ContactMode::slide) {
-            report.friction_loss += trial.friction * dot(trial.step_slip, trial.direction);
+            report.friction_loss += trial.friction * dot(trial.step_slip, trial.direction) - sheared;
         }
         const double stored = trial.mode == ContactMode::open ? 0 : spring_energy(c.springs, trial.gap, slip);
         const double held = was_closed ? spring_energy(c.springs, found.gap, trial.slip_before) : 0;
         // Work done by the blocks against the springs, as the equations count it, less the energy stored.
         double work = trial.mode == ContactMode::open ? 0 : c.springs.normal * trial.gap * (trial.gap - found.gap);
-        work += trial.mode == ContactMode::lock ? c.springs.shear * dot(trial.slip, trial.step_slip) : 0;
-        report.numerical_loss += work - (stored - held) - bond_loss(found, c);
+        work += trial.mode == ContactMode::lock ? c.springs.shear * dot(trial.slip, trial.step_slip) : sheared;
+        report.numerical_loss += work - (stored - held) - lost_bond;
         report.lost_energy -= held;
         report.contact += stored;
         const bool is_closed = trial.mode != ContactMode::open;
