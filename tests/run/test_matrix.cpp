@@ -110,14 +110,23 @@ TEST(MissingPhysics, is_found_by_trying_the_smallest_case_with_it) {
 }
 
 TEST(MethodScales, quarter_and_quadruple_the_step_and_the_stiffness_that_the_case_has) {
-    const auto runs =
-        method_scales("[solid]\nstep = 0.001\ncontact_stiffness = 1e8\n[material.rock]\ndensity = 1.0\n", "planar_dda");
+    const auto runs = method_scales("[solid]\nstep = 0.001\ncontact_stiffness = 1e8\n[material.rock]\ndensity = 1.0\n",
+                                    "planar_dda", {});
     ASSERT_EQ(runs.size(), 4U);
     EXPECT_EQ(runs[0].label, "step x 1/4");
     EXPECT_THAT(runs[0].overrides, ::testing::ElementsAre("solid.step=0.00025"));
     EXPECT_THAT(runs[3].overrides, ::testing::ElementsAre("solid.contact_stiffness=400000000.0"));
+    solid::ImplicitDdaSettings left;
+    left.step = 2e-3;
+    left.elasticity.contact_stiffness = 3e6;
+    const auto left_runs =
+        method_scales("[solid]\nstep = \"auto\"\ncontact_stiffness = \"auto\"\n[material.rock]\ndensity = 1.0\n",
+                      "implicit_dda", left);
+    ASSERT_EQ(left_runs.size(), 4U);
+    EXPECT_THAT(left_runs[1].overrides, ::testing::ElementsAre("solid.step=0.008"));
+    EXPECT_THAT(left_runs[2].overrides, ::testing::ElementsAre("solid.contact_stiffness=750000.0"));
     const auto explicit_runs = method_scales(
-        "time_step_factor = 0.5\n[solid]\n[material.rock]\nnormal_stiffness = 1e6\n", "distance_potential_dem");
+        "time_step_factor = 0.5\n[solid]\n[material.rock]\nnormal_stiffness = 1e6\n", "distance_potential_dem", {});
     ASSERT_EQ(explicit_runs.size(), 4U);
     EXPECT_THAT(explicit_runs[1].overrides, ::testing::ElementsAre("time_step_factor=1.0"));  // no share is above 1
     EXPECT_THAT(explicit_runs[2].overrides, ::testing::ElementsAre("material.rock.normal_stiffness=250000.0"));

@@ -136,8 +136,14 @@ void note_refusal(const Asked& asked, const CaseError& error, MatrixEntry& entry
                                 : fmt::format("{}", fmt::join(lacking, ", "));
 }
 
+/// A case as a method has read it.
+struct Resolved {
+    std::string toml;
+    sim::SolidSettings settings;
+};
+
 MatrixEntry run_one(const Asked& asked, const std::string& solid, const std::string& fluid,
-                    const scene::Variation& variation, std::string* resolved) {
+                    const scene::Variation& variation, Resolved* resolved) {
     MatrixEntry entry{.solid = solid, .fluid = fluid, .variation = variation.label};
     entry.value = entry.ns = entry.residual = missing;
     std::vector<std::string> overrides = asked.options.overrides;
@@ -149,7 +155,7 @@ MatrixEntry run_one(const Asked& asked, const std::string& solid, const std::str
     try {
         Simulation simulation(scene::read_case(asked.options.case_path, overrides));
         if (resolved != nullptr) {
-            *resolved = simulation.loaded().resolved_toml;
+            *resolved = {simulation.loaded().resolved_toml, simulation.model().solid};
         }
         run_to_end(simulation, asked.options, entry);
     } catch (const CaseError& error) {
@@ -166,16 +172,16 @@ void run_pair(const Asked& asked, const std::string& solid, const std::string& f
               const std::function<void(const MatrixEntry&)>& each, std::vector<MatrixEntry>& entries) {
     std::vector<scene::Variation> variations = asked.variations;
     for (std::size_t i = 0; i < variations.size(); ++i) {
-        std::string resolved;
+        Resolved resolved;
         entries.push_back(run_one(asked, solid, fluid, variations[i], i == 0 ? &resolved : nullptr));
         if (each) {
             each(entries.back());
         }
-        if (i == 0 && resolved.empty()) {
+        if (i == 0 && resolved.toml.empty()) {
             return;
         }
         if (i == 0 && asked.options.has_scales) {
-            for (scene::Variation& scale : method_scales(resolved, solid)) {
+            for (scene::Variation& scale : method_scales(resolved.toml, solid, resolved.settings)) {
                 variations.push_back(std::move(scale));
             }
         }

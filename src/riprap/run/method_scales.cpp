@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
@@ -30,31 +31,59 @@ bool has_key(const std::string& solid, std::string_view name) {
     return false;
 }
 
-/// Appends "table.key=value times factor" where the resolved case has a number there.
+/// Appends "table.key=value times factor" where the resolved case has a number there, or leaves it to its blocks.
+/// @param chosen  that number then; 0 = none
 void scale(const Value& table, const std::string& path, std::string_view key, double factor, double most,
-           std::vector<std::string>& overrides) {
+           std::vector<std::string>& overrides, double chosen = 0) {
     const Value* value = table.find(key);
-    if (value != nullptr && value->is_number()) {
-        overrides.push_back(
-            fmt::format("{}{}={}", path, key, scene::number_text(std::min(factor * value->as_number(), most))));
+    const double number = value != nullptr && value->is_number() ? value->as_number() : value != nullptr ? chosen : 0;
+    if (number > 0) {
+        overrides.push_back(fmt::format("{}{}={}", path, key, scene::number_text(std::min(factor * number, most))));
     }
 }
 
-std::vector<std::string> scaled_step(const Value& root, const std::string& solid, double factor) {
+/// Returns the step that an implicit method wants; 0 for others [s].
+double wanted_step(const sim::SolidSettings& settings) {
+    return std::visit(
+        [](const auto& own) {
+            if constexpr (requires { own.step; }) {
+                return own.step;
+            }
+            return 0.0;
+        },
+        settings);
+}
+
+/// Returns the stiffness of a contact point; 0 for methods without one, and where it is one of an area [N/m].
+double point_stiffness(const sim::SolidSettings& settings) {
+    return std::visit(
+        [](const auto& own) {
+            if constexpr (requires { own.elasticity.stiffness_per_area; }) {
+                return own.elasticity.stiffness_per_area ? 0.0 : own.elasticity.contact_stiffness;
+            }
+            return 0.0;
+        },
+        settings);
+}
+
+std::vector<std::string> scaled_step(const Value& root, const std::string& solid, double factor,
+                                     const sim::SolidSettings& settings) {
     std::vector<std::string> overrides;
     if (has_key(solid, "step")) {
-        scale(get(root, "solid"), "solid.", "step", factor, 1e9, overrides);
+        scale(get(root, "solid"), "solid.", "step", factor, 1e9, overrides, wanted_step(settings));
     } else {
         scale(root, "", "time_step_factor", factor, 1, overrides);
     }
     return overrides;
 }
 
-std::vector<std::string> scaled_stiffness(const Value& root, const std::string& solid, double factor) {
+std::vector<std::string> scaled_stiffness(const Value& root, const std::string& solid, double factor,
+                                          const sim::SolidSettings& settings) {
     constexpr double any = 1e300;
     std::vector<std::string> overrides;
     const char* key = has_key(solid, "contact_stiffness") ? "contact_stiffness" : "youngs_modulus";
-    scale(get(root, "solid"), "solid.", key, factor, any, overrides);
+    scale(get(root, "solid"), "solid.", key, factor, any, overrides, point_stiffness(settings));
+    scale(get(root, "solid"), "solid.", "contact_stiffness_per_area", factor, any, overrides);
     const scene::Key* of_materials = scene::material_table().find("normal_stiffness");
     for (const scene::Entry& material : get(root, "material").entries) {
         if (of_materials != nullptr && of_materials->is_of(solid)) {
@@ -67,15 +96,17 @@ std::vector<std::string> scaled_stiffness(const Value& root, const std::string& 
 
 }  // namespace
 
-std::vector<scene::Variation> method_scales(const std::string& resolved_toml, const std::string& solid) {
+std::vector<scene::Variation> method_scales(const std::string& resolved_toml, const std::string& solid,
+                                            const sim::SolidSettings& settings) {
     std::vector<Diagnostic> problems;
     const Value root = scene::parse_toml(resolved_toml, "the resolved case", problems);
     std::vector<scene::Variation> runs;
     for (const Factor& factor : factors) {
-        runs.push_back({fmt::format("step x {}", factor.text), scaled_step(root, solid, factor.value)});
+        runs.push_back({fmt::format("step x {}", factor.text), scaled_step(root, solid, factor.value, settings)});
     }
     for (const Factor& factor : factors) {
-        runs.push_back({fmt::format("stiffness x {}", factor.text), scaled_stiffness(root, solid, factor.value)});
+        runs.push_back(
+            {fmt::format("stiffness x {}", factor.text), scaled_stiffness(root, solid, factor.value, settings)});
     }
     std::erase_if(runs, [](const scene::Variation& run) { return run.overrides.empty(); });
     return runs;

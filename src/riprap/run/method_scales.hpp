@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "riprap/scene/build/variations.hpp"
+#include "riprap/sim/settings.hpp"
 
 namespace riprap::run {
 
@@ -14,6 +15,8 @@ namespace riprap::run {
 /// own key `step`, or time_step_factor; the stiffness its key `contact_stiffness`, else `youngs_modulus`, and the
 /// normal_stiffness of materials where it reads that.
 /// @param resolved_toml  the case with this method, every key with its value
-std::vector<scene::Variation> method_scales(const std::string& resolved_toml, const std::string& solid);
+/// @param settings       of the method in that case: the step and the stiffness that the case leaves to its blocks
+std::vector<scene::Variation> method_scales(const std::string& resolved_toml, const std::string& solid,
+                                            const sim::SolidSettings& settings);
 
 }  // namespace riprap::run

@@ -11,6 +11,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/check_spreads.hpp"
+#include "riprap/scene/build/choose_contact.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/build/variations.hpp"
@@ -190,6 +191,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_sections(build);
     build_contact(build);
     build_supports(build);
+    choose_contact(build);
     build.has_all_bodies = problems.empty();
     if (build.has_sound_bodies) {
         build_fluid(build);

@@ -37,7 +37,7 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
                "Damping force per mass and velocity.")};
     return {.help = "explicit discontinuous deformation analysis, deformable convex blocks",
             .keys = within(&ExplicitDdaSettings::engine, engine_keys) +
-                    within(&ExplicitDdaSettings::elasticity, affine::elastic_keys_in_space()),
+                    within(&ExplicitDdaSettings::elasticity, affine::elastic_keys_of_waves()),
             .check = [](const ExplicitDdaSettings& settings) { return affine::problems_of(settings.elasticity); }};
 }
 

@@ -55,9 +55,7 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                "Share of the velocity that the next step begins with: 1 = dynamic, 0 = static.")};
     return {.help = "implicit discontinuous deformation analysis, deformable convex blocks",
             .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys) +
-                    within(&S::elasticity, affine::elastic_keys_in_space()) +
-                    KeyList<S>{number(&S::step, "step", dimension::time, positive(),
-                                      "Time step; shorter where contacts do not settle.")},
+                    within(&S::elasticity, affine::elastic_keys_in_space()) + KeyList<S>{affine::wanted_step<S>()},
             .check = [](const S& settings) { return affine::problems_of(settings.elasticity); }};
 }
 

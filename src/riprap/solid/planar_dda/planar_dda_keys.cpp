@@ -24,8 +24,7 @@ MethodKeys<PlanarDdaSettings> PlanarDdaSettings::keys() {
         .keys = within(&S::elasticity, affine::elastic_keys()) +
                 KeyList<S>{choice(&S::plane, "plane", {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
                                   "Plane stress or plane strain."),
-                           number(&S::step, "step", dimension::time, positive(),
-                                  "Time step; shorter where contacts do not settle."),
+                           affine::wanted_step<S>(),
                            number(&S::max_displacement, "displacement_limit", dimension::plain, above(0, 1),
                                   "Displacement of a corner in a step, over the side of the smallest block, for which "
                                   "contacts are sought; three times as much cuts the step.")} +
