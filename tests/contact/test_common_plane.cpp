@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -204,6 +205,30 @@ TEST(PlaneContacts, faces_that_cross_without_a_corner_inside_touch_at_four_cross
         EXPECT_NEAR(std::abs(c.on_a.x), 0.5, 1e-12);
         EXPECT_NEAR(std::abs(c.on_a.y), 0.5, 1e-12);
         EXPECT_NEAR(c.area, 0.25, 1e-12);
+    }
+}
+
+TEST(PlaneContacts, a_brick_that_tilts_on_a_long_floor_keeps_the_end_that_is_still_in) {
+    for (const double length : {1.5, 4.0, 40.0, 4000.0}) {
+        for (const double depth : {1e-5, 1e-4, 1e-3}) {
+            for (const double angle : {0.0, 0.5}) {  // of the floor and the brick about the vertical
+                const Quat about = turn({0, 0, 1}, angle);
+                const Hull floor(box({length, 2, 0.5}), {rotate(about, {-0.5 * length, 0, -0.25}), about});
+                // Its right end is 0.48 beyond the end of the floor; its left one, 0.52 on it, is in by a twentieth.
+                const double tilt = 0.95 * depth / 0.52;
+                const Vec3 middle{-0.02, 0, 0.125 - depth + 0.02 * tilt};
+                const Hull brick(box({1, 1, 0.25}), {rotate(about, middle), about * turn({0, 1, 0}, tilt)});
+                const PlaneContacts found = contacts_of(floor, brick);
+                ASSERT_EQ(found.count, 4) << length << ' ' << depth << ' ' << angle;
+                std::array<double, 4> gaps;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    gaps[k] = found.contacts[k].gap;
+                }
+                std::sort(gaps.begin(), gaps.end());
+                EXPECT_NEAR(gaps[0], -depth, 0.02 * depth) << length << ' ' << depth << ' ' << angle;
+                EXPECT_NEAR(gaps[3], -0.05 * depth, 0.02 * depth) << length << ' ' << depth << ' ' << angle;
+            }
+        }
     }
 }
 

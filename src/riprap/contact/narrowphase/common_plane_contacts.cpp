@@ -24,10 +24,7 @@ struct Facing {
     double offset;
 
     Facing(const PlacedHull& hull, const Vec3& outward) {
-        std::size_t best = 0;
-        for (std::size_t f = 1; f < hull.normals.size(); ++f) {
-            best = dot(hull.normals[f], outward) > dot(hull.normals[best], outward) ? f : best;
-        }
+        const std::size_t best = facing_face(hull, outward);
         normal = hull.normals[best];
         offset = hull.is_half_space()
                      ? hull.offset
@@ -48,15 +45,33 @@ struct Sides {
     std::int32_t id_b(int i) const { return set_b.vertex[at(i)]; }
 };
 
+/// Returns the distance of the farthest corner from the centre [m].
+double radius_of(const PlacedHull& hull) {
+    double square = 0;
+    for (const Vec3& x : hull.vertices) {
+        square = std::max(square, norm_squared(x - hull.centre));
+    }
+    return std::sqrt(square);
+}
+
+/// A tolerance stands for an angle: a face that falls by it over half of the smaller body falls by more over its own
+/// length, and its far corners touch as well. Else a block that tilts by 1e-4 on a long floor would stand on the end of
+/// the floor alone, and lose a corner that is still in.
+Touch touch_of(double own_radius, double other_radius, double tolerance) {
+    return {tolerance, std::max(1.0, 2 * own_radius / other_radius - 1) * tolerance};
+}
+
 Sides sides_of(const PlacedHull& a, const PlacedHull& b, const Vec3& n, double tolerance) {
     const PlaneAxes axes = axes_across(n, a.is_half_space() ? b.centre : a.centre);
     Sides sides{a, b, n, {}, {}};
-    if (!a.is_half_space()) {
-        sides.set_a = touching_set(a, n, tolerance, axes);
+    if (a.is_half_space() || b.is_half_space()) {
+        const bool is_a = a.is_half_space();
+        (is_a ? sides.set_b : sides.set_a) = touching_set(is_a ? b : a, is_a ? -n : n, {tolerance, 0}, axes);
+        return sides;
     }
-    if (!b.is_half_space()) {
-        sides.set_b = touching_set(b, -n, tolerance, axes);
-    }
+    const double of_a = radius_of(a), of_b = radius_of(b);
+    sides.set_a = touching_set(a, n, touch_of(of_a, of_b, tolerance), axes);
+    sides.set_b = touching_set(b, -n, touch_of(of_b, of_a, tolerance), axes);
     return sides;
 }
 

@@ -130,11 +130,26 @@ PlaneAxes axes_across(const Vec3& normal, const Vec3& origin) {
     return {origin, x, riprap::cross(normal, x)};
 }
 
-TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, double tolerance, const PlaneAxes& axes) {
+std::size_t facing_face(const PlacedHull& hull, const Vec3& outward) {
+    std::size_t best = 0;
+    for (std::size_t f = 1; f < hull.normals.size(); ++f) {
+        best = riprap::dot(hull.normals[f], outward) > riprap::dot(hull.normals[best], outward) ? f : best;
+    }
+    return best;
+}
+
+TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, const Touch& touch, const PlaneAxes& axes) {
     const double most = riprap::dot(outward, hull.vertices[at(support_vertex(hull, outward))]);
+    const auto face = touch.of_face > touch.of_corner
+                          ? hull.topology->loop(static_cast<std::int32_t>(facing_face(hull, outward)))
+                          : std::span<const std::int32_t>{};
+    const auto touches = [&](std::size_t v) {
+        const double below = most - riprap::dot(outward, hull.vertices[v]);
+        return below <= touch.of_corner || (below <= touch.of_face && std::ranges::find(face, v) != face.end());
+    };
     TouchingSet set;
     for (std::size_t v = 0; v < hull.vertices.size() && set.count < most_touching; ++v) {
-        if (riprap::dot(outward, hull.vertices[v]) >= most - tolerance) {
+        if (touches(v)) {
             set.vertex[at(set.count)] = static_cast<std::int32_t>(v);
             set.point[at(set.count)] = axes.project(hull.vertices[v]);
             ++set.count;

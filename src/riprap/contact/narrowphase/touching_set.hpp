@@ -38,8 +38,17 @@ struct PlaneAxes {
 };
 PlaneAxes axes_across(const Vec3& normal, const Vec3& origin);
 
-/// Corners of `hull` within `tolerance` of the farthest along `outward`, reduced to their convex hull in the plane.
-TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, double tolerance, const PlaneAxes& axes);
+/// Returns the face of a hull that turns most towards `outward`. Not for half-spaces.
+std::size_t facing_face(const PlacedHull& hull, const Vec3& outward);
+
+/// How far below the farthest corner along a direction others count as touching [m].
+struct Touch {
+    double of_corner;  ///< of any
+    double of_face;    ///< of those of the face that turns most towards the direction; counts where larger
+};
+
+/// Corners of `hull` that touch along `outward`, reduced to their convex hull in the plane.
+TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, const Touch& touch, const PlaneAxes& axes);
 
 /// A corner of the intersection of two touching sets, and what makes it: a corner of A (b_from < 0), a corner of B
 /// (a_from < 0), or the crossing of an edge of A with one of B. Numbers count within the sets.
