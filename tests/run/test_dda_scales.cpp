@@ -218,6 +218,29 @@ TEST(DdaScales, FollowTheSquareOfTheSizeInSpaceTheSizeInThePlaneAndItsRootInTime
     }
 }
 
+TEST(DdaScales, TheFootOfAStackCarriesAllBlocksOfIt) {
+    const Scene scene{.method = "planar_dda"};
+    const auto stiffness = [&](int blocks, double apart) {
+        std::string bodies;
+        for (int i = 0; i < blocks; ++i) {
+            bodies += scene.box(fmt::format("block{}", i), 0.5, 0.5, i * apart, 0.25 + (apart > 0 ? 0 : 0.5 * i));
+        }
+        return chosen(scene.text(0, -g, 1, scene.floor() + bodies)).stiffness;
+    };
+    const double one = 2000 * 2500 * 0.25 * g / 0.25;
+    EXPECT_NEAR(stiffness(1, 0), one, 1e-9 * one);
+    EXPECT_NEAR(stiffness(4, 0), 4 * one, 1e-9 * one);
+    EXPECT_NEAR(stiffness(9, 0), 9 * one, 1e-9 * one);
+    EXPECT_NEAR(stiffness(4, 0.6), one, 1e-9 * one);  // beside each other
+}
+
+TEST(DdaScales, ALargeBlockUnderAPebbleCarriesThePebbleAlone) {
+    const Scene scene{.method = "planar_dda"};
+    const std::string pebble = scene.box("pebble", 0.02, 0.02, 0, 1.01), block = scene.box("block", 1, 1, 0, 0.5);
+    const double alone = chosen(scene.text(0, -g, 1, block)).stiffness;
+    EXPECT_NEAR(chosen(scene.text(0, -g, 1, block + pebble)).stiffness, (1 + 0.02 * 0.02) * alone, 1e-9 * alone);
+}
+
 TEST(DdaScales, SmallBlocksOfTheExplicitMethodAreOnlyAsStiffAsTheirPressureAsks) {
     EXPECT_NEAR(chosen(cube("explicit_dda", 1)).modulus, 4.905e9, 1);  // 400000 2500 9.81 0.5
     EXPECT_NEAR(chosen(cube("explicit_dda", 1e-3)).modulus, 4e5 * 2500 * g * 0.5e-3, 1);

@@ -30,8 +30,9 @@ KeyList<Elasticity> ratio_and_stiffness() {
                    "Poisson's ratio of all blocks."),
             number_or_left(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness,
                            "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential "
-                           "one. \"auto\": 2000 m a/R of the block for which that is most, m its mass, R its inscribed "
-                           "radius, a what gravity, loads or its speed at the start give it.")};
+                           "one. \"auto\": 2000 F/R of the block for which that is most, R its inscribed radius, F the "
+                           "weight of the blocks that may stand on it, or what loads or its speed at the start give "
+                           "it.")};
 }
 
 KeyList<Elasticity> stiffness_of_areas() {

@@ -81,6 +81,33 @@ std::vector<double> forces_on(const SolidScene& scene, const body::BodyState& bo
     return sums;
 }
 
+/// What all blocks that may move weigh on the lowest of them.
+struct Pile {
+    double mass{0};    ///< [kg]
+    double height{0};  ///< from the lowest centre to the highest, along gravity [m]
+
+    /// Returns how many blocks of this mass and inscribed radius one of them may carry, itself among them [-].
+    double layers(double of_mass, double radius) const {
+        return std::max(1.0, std::min(mass / of_mass, 1 + height / (2 * radius)));
+    }
+};
+
+Pile pile_of(const SolidScene& scene, const body::BodyState& bodies) {
+    const double gravity = norm(scene.gravity.value);
+    const Vec3 up = gravity > 0 ? -1 / gravity * scene.gravity.value : Vec3{};
+    Pile pile;
+    double low = infinity, high = -infinity;
+    for (std::size_t b = 0; b < at(scene.bodies.size()); ++b) {
+        if (body::may_move(scene.bodies, b)) {
+            pile.mass += scene.bodies.mass[b];
+            low = std::min(low, dot(up, bodies.position[b]));
+            high = std::max(high, dot(up, bodies.position[b]));
+        }
+    }
+    pile.height = std::max(0.0, high - low);
+    return pile;
+}
+
 /// Tells whether something moves bodies that default_scales() does not look at.
 bool has_movers(const SolidScene& scene, bool has_water) {
     return has_water || std::ranges::any_of(scene.bodies.drive, [](body::Drive d) { return d == body::Drive::driven; });
@@ -93,19 +120,26 @@ DefaultScales default_scales(const SolidScene& scene, const body::BodyState& bod
     const Pull gravity{norm(scene.gravity.value), "its weight"};
     const Pull least =
         gravity.value == 0 && has_movers(scene, has_water) ? Pull{standard_pull, "standard gravity"} : gravity;
+    const Pile pile = pile_of(scene, bodies);
     DefaultScales found;
     const auto look = [&](std::size_t b, double radius, const Pull& pull) {
+        const double mass = scene.bodies.mass[b], layers = pile.layers(mass, radius);
+        const bool carries = gravity.value * layers > pull.value;
+        const double load = mass * std::max(pull.value, gravity.value * layers);
         const std::string text =
             fmt::format("of '{}', R = {:.3g} m, a = {:.3g} m/s^2 by {}",
                         scene.bodies.name(BodyId{static_cast<std::int32_t>(b)}), radius, pull.value, pull.why);
-        const double stiffness = springs_per_radius * scene.bodies.mass[b] * pull.value / radius;
+        const double stiffness = springs_per_radius * load / radius;
         const double step = step_per_radian * std::sqrt(radius / (springs_per_radius * pull.value));
         if (stiffness > found.stiffness) {
             found.stiffness = stiffness;
             found.of_stiffness = fmt::format("{:g} m a/R {}", springs_per_radius, text);
+            if (carries && layers > 1) {
+                found.of_stiffness += fmt::format(", under the weight of {:.3g} such blocks", layers);
+            }
         }
-        const double modulus = std::min(
-            modulus_of_rock, modulus_per_pressure * scene.bodies.mass[b] / volume_of(scene, b) * pull.value * radius);
+        const double modulus =
+            std::min(modulus_of_rock, modulus_per_pressure * mass / volume_of(scene, b) * pull.value * radius);
         if (modulus > found.modulus) {
             found.modulus = modulus;
             found.of_modulus =

@@ -33,8 +33,11 @@ inline constexpr double standard_pull = 9.81;
 
 /// Stiffness of a contact point and time step that follow from the blocks that forces move,
 ///
-///     k = 2000 max(m a/R),    dt = 0.2 min(sqrt(R/(2000 a))),    E = min(5 GPa, 4e5 max(rho a R)),
+///     k = 2000 max(F/R),    dt = 0.2 min(sqrt(R/(2000 a))),    E = min(5 GPa, 4e5 max(rho a R)),
+///     F = max(m a, g min(M, m (1 + H/(2 R)))),
 ///
+/// F: load on a block: its own, or the weight of the blocks that may stand on it [N]; M: mass of all blocks that may
+/// move [kg]; H: height of the highest of their centres above the lowest [m];
 /// m: mass [kg], of a metre of thickness in the plane; R: inscribed radius, of the section in the plane [m]; rho: mass
 /// over volume [kg/m^3]; E: modulus of explicit_dda, whose steps resolve the waves in blocks [Pa]; a: the
 /// largest of gravity, loads and tension of bolts over m, and v^2/(4 R), which stops the block within its width 2 R
