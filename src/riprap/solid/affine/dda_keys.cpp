@@ -30,7 +30,7 @@ KeyList<Elasticity> ratio_and_stiffness() {
                    "Poisson's ratio of all blocks."),
             number_or_left(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness,
                            "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential "
-                           "one. \"auto\": 2000 F/R of the block for which that is most, R its inscribed radius, F the "
+                           "one. \"auto\": 2000 F/R of the block for which that is most, R half its edge, F the "
                            "weight of the blocks that may stand on it, or what loads or its speed at the start give "
                            "it.")};
 }

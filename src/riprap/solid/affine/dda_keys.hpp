@@ -37,7 +37,7 @@ BoundKey<S> wanted_step() {
     return number_or_left(
         &S::step, "step", dimension::time,
         "Time step; shorter where contacts do not settle. \"auto\": 0.2 sqrt(R/(2000 a)) of the block "
-        "for which that is least, R its inscribed radius, a what gravity, loads or its speed at the "
+        "for which that is least, R half its edge, a what gravity, loads or its speed at the "
         "start give it.");
 }
 

@@ -24,21 +24,18 @@ struct Pull {
     const char* why{""};
 };
 
-/// Inscribed radius of the thinnest part of a body; infinite for half-spaces [m].
-double radius_of(const SolidScene& scene, std::size_t body) {
-    double least = infinity;
-    for (std::int32_t p = scene.bodies.part_begin[body]; p < scene.bodies.part_begin[body + 1]; ++p) {
-        least = std::min(least, scene.shapes.view(scene.bodies.parts[at(p)].shape).inscribed_radius);
-    }
-    return least;
-}
-
 double volume_of(const SolidScene& scene, std::size_t body) {
     double sum = 0;
     for (std::int32_t p = scene.bodies.part_begin[body]; p < scene.bodies.part_begin[body + 1]; ++p) {
         sum += scene.shapes.volume(scene.bodies.parts[at(p)].shape);
     }
     return sum;
+}
+
+/// Half of the edge of a cube, in the plane of a square, as large as the body; infinite for half-spaces [m].
+double radius_of(const SolidScene& scene, std::size_t body) {
+    const double volume = volume_of(scene, body);
+    return 0.5 * (scene.bodies.is_planar ? std::sqrt(volume) : std::cbrt(volume));
 }
 
 /// Speed of the fastest corner at most: that of the centre and that of turning [m/s].
@@ -86,7 +83,7 @@ struct Pile {
     double mass{0};    ///< [kg]
     double height{0};  ///< from the lowest centre to the highest, along gravity [m]
 
-    /// Returns how many blocks of this mass and inscribed radius one of them may carry, itself among them [-].
+    /// Returns how many blocks of this mass and half edge one of them may carry, itself among them [-].
     double layers(double of_mass, double radius) const {
         return std::max(1.0, std::min(mass / of_mass, 1 + height / (2 * radius)));
     }

@@ -13,7 +13,7 @@ namespace riprap::solid::affine {
 /// the bodies are known. No key has this value.
 inline constexpr double left_to_blocks = std::numeric_limits<double>::quiet_NaN();
 
-/// A contact point of default stiffness that carries a whole block gives way by this part of its inscribed radius [-].
+/// A contact point of default stiffness that carries a whole block gives way by this part of half its edge [-].
 /// A block of rock with faces of 1 m then has 1e8 N/m, the default of blocks of every size before.
 inline constexpr double springs_per_radius = 2000;
 
@@ -37,11 +37,11 @@ inline constexpr double standard_pull = 9.81;
 ///     F = max(m a, g min(M, m (1 + H/(2 R)))),
 ///
 /// F: load on a block: its own, or the weight of the blocks that may stand on it [N]; M: mass of all blocks that may
-/// move [kg]; H: height of the highest of their centres above the lowest [m];
-/// m: mass [kg], of a metre of thickness in the plane; R: inscribed radius, of the section in the plane [m]; rho: mass
-/// over volume [kg/m^3]; E: modulus of explicit_dda, whose steps resolve the waves in blocks [Pa]; a: the
-/// largest of gravity, loads and tension of bolts over m, and v^2/(4 R), which stops the block within its width 2 R
-/// from the speed v of its fastest corner at the start [m/s^2].
+/// move [kg]; H: height of the highest of their centres above the lowest [m]; m: mass, of a metre of thickness in the
+/// plane [kg]; R: half the edge of a cube, in the plane of a square, as large as the block, so that slivers of a cut
+/// slope count by their volume [m]; rho: mass over volume [kg/m^3]; E: modulus of explicit_dda, whose steps resolve the
+/// waves in blocks [Pa]; a: the largest of gravity, loads and tension of bolts over m, and v^2/(4 R), which stops the
+/// block within its width 2 R from the speed v of its fastest corner at the start [m/s^2].
 ///
 /// A scene s times as large that goes by the same numbers of Froude has k s in the plane, k s^2 in space and dt
 /// sqrt(s): depths of contacts are the same shares of blocks, and steps the same shares of times.
