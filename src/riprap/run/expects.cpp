@@ -53,19 +53,22 @@ void look_at_trigger(RunningFigures& f, double time, double trigger, double valu
     f.previous_trigger = trigger;
 }
 
-/// Counts the crossings of a level; before add(), which forgets the last value.
+/// Counts the crossings of a level, of which every other one is in the direction of the first; before add(), which
+/// forgets the last value.
 void look_at_crossing(RunningFigures& f, double time, double value, double level) {
     if (f.count == 0 || (f.previous < level) == (value < level)) {
         return;
     }
-    f.last_crossing = f.previous_time + (time - f.previous_time) * (level - f.previous) / (value - f.previous);
-    f.first_crossing = f.crossings == 0 ? f.last_crossing : f.first_crossing;
     f.crossings += 1;
+    if (std::fmod(f.crossings, 2) == 1) {
+        f.last_crossing = f.previous_time + (time - f.previous_time) * (level - f.previous) / (value - f.previous);
+        f.first_crossing = f.crossings == 1 ? f.last_crossing : f.first_crossing;
+    }
 }
 
 /// Returns the mean time between crossings in one direction, from three crossings on [s].
 double period_of(const RunningFigures& f) {
-    return f.crossings < 3 ? missing : 2 * (f.last_crossing - f.first_crossing) / (f.crossings - 1);
+    return f.crossings < 3 ? missing : (f.last_crossing - f.first_crossing) / std::floor((f.crossings - 1) / 2);
 }
 
 void add(RunningFigures& f, double time, double value) {
