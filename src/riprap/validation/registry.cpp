@@ -61,7 +61,6 @@ std::span<const ValidationCase> zhao_cases() {
 std::span<const ValidationCase> rigid_cases() {
     static constexpr std::array cases{
         ValidationCase{"rigid", "axis_flip", "A free body tumbles about its middle axis", false, rigid::axis_flip},
-        ValidationCase{"rigid", "pendulum", "A pendulum on a knife edge", false, rigid::pendulum},
         ValidationCase{"rigid", "spinning_top", "A top on its tip precesses", false, rigid::spinning_top},
         ValidationCase{"rigid", "tip_or_slide", "A block on a slope raised slowly tips or slides", false,
                        rigid::tip_or_slide},
@@ -71,8 +70,6 @@ std::span<const ValidationCase> rigid_cases() {
         ValidationCase{"rigid", "bounce", "A cube dropped face down bounces and comes to rest", false, rigid::bounce},
         ValidationCase{"rigid", "stacks", "Stacked blocks carry their weight; bricks lean out to the harmonic limit",
                        false, rigid::stacks},
-        ValidationCase{"rigid", "keystone", "A roof block wedged between two that are pushed together", false,
-                       rigid::keystone},
         ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
                        rigid::toppling_columns},
         ValidationCase{"rigid", "granular_column", "Columns of grains collapse and run out (Lube et al.)", true,

@@ -13,11 +13,9 @@ void bounce(const CaseSetting& setting, CaseReport& report);
 void stacks(const CaseSetting& setting, CaseReport& report);
 void shaken_block(const CaseSetting& setting, CaseReport& report);
 void rocking(const CaseSetting& setting, CaseReport& report);
-void keystone(const CaseSetting& setting, CaseReport& report);
 void toppling_columns(const CaseSetting& setting, CaseReport& report);
 void arch(const CaseSetting& setting, CaseReport& report);
 void granular_column(const CaseSetting& setting, CaseReport& report);
-void pendulum(const CaseSetting& setting, CaseReport& report);
 void spinning_top(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::rigid
