@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "riprap/run/simulation.hpp"
 
@@ -15,17 +16,17 @@ namespace {
 /// Bodies slower than this are at rest [m/s].
 constexpr double rest_speed = 0.01;
 
-/// Makes a body that is driven stand where its motion starts.
+/// Stops a free body, and makes one that is driven stand where its motion starts.
 void stand_still(body::BodySet& bodies, body::BodyState& state, BodyId body) {
     const auto b = static_cast<std::size_t>(body.value);
+    state.velocity[b] = {};
+    state.angular_momentum[b] = {};
     if (bodies.drive[b] == body::Drive::driven) {
         const body::DrivenBody& driven = bodies.driven_bodies[static_cast<std::size_t>(bodies.driven[b])];
         const body::DrivenState start =
             evaluate(bodies.motions[static_cast<std::size_t>(driven.motion)], driven.start, 0);
         state.position[b] = start.pose.position;
         state.orientation[b] = start.pose.orientation;
-        state.velocity[b] = {};
-        state.angular_momentum[b] = {};
         bodies.drive[b] = body::Drive::fixed;
         bodies.driven[b] = -1;
     }
@@ -48,6 +49,7 @@ scene::LoadedCase dry_case(const scene::LoadedCase& loaded) {
     dry.model.output.faces.clear();
     dry.model.output.damage.clear();
     dry.model.expects.clear();
+    std::erase_if(dry.model.loads, [](const body::PointLoad& load) { return load.start > 0; });
     for (std::int32_t b = 0; b < dry.model.bodies.size(); ++b) {
         stand_still(dry.model.bodies, dry.state.bodies, BodyId{b});
     }
