@@ -80,6 +80,55 @@ TEST(ForeignTables, a_heading_in_other_units_or_orders_is_refused_at_its_cell) {
                 ElementsAre(StartsWith("t.csv:1:1:")));
 }
 
+TEST(ForeignTables, units_and_quantities_that_are_not_read_are_refused_by_every_reader) {
+    const TemporaryFolder folder;
+    const auto motion = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0,0,0,0\n1,1,1,1\n");
+        return problems_of(minimal_case + "motion = { table = { file = \"t.csv\" } }\n", {}, folder.path());
+    };
+    EXPECT_THAT(motion("t [s],x [ft],y [ft],z [ft]"),
+                ElementsAre(AllOf(StartsWith("t.csv:1:7: \"x [ft]\" stands over column x"),
+                                  HasSubstr("numbers in m: those in ft times 0.3048"))));
+    for (const std::string heading :
+         {"t,x [in],y,z", "t,x [inches],y,z", "t,x_yd,y,z", "t,x [mi],y,z", "t,x [furlong],y,z", "t [min],x,y,z",
+          "t [d],x,y,z", "# x in mm", "Displacement in feet", "t [s],x [m/s],y,z", "t,x_m/s,y_m/s,z_m/s",
+          "t,x [MM],y,z", "t,x [\xC2\xB5m],y,z", "t,vx,vy,vz"}) {
+        EXPECT_THAT(motion(heading), ElementsAre(HasSubstr("t.csv:1:"))) << heading;
+    }
+    for (const std::string heading :
+         {"t [sec],x [metres],y [M],z [meter]", "Time (seconds),x (m),y (m),z (m a.s.l.)", "T [S],X [M],Y [M],Z [M]",
+          "t [s],x [-],y [-],z [-]", "Zeit [s],Weg x [m],Weg y [m],Weg z [m]"}) {
+        EXPECT_THAT(motion(heading), IsEmpty()) << heading;
+    }
+    const auto force = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0,1,1,1\n1,1,1,1\n");
+        return problems_of(minimal_case + "[[body.load]]\ntable = { file = \"t.csv\" }\n", {}, folder.path());
+    };
+    EXPECT_THAT(force("t,Fx [kip],Fy [kip],Fz [kip]"), ElementsAre(HasSubstr("those in kip times 4448.221615")));
+    EXPECT_THAT(force("t,Fx [lbf],Fy [lbf],Fz [lbf]"), ElementsAre(HasSubstr("those in lbf times 4.448221615")));
+    EXPECT_THAT(force("t,Fx [kgf],Fy [kgf],Fz [kgf]"), ElementsAre(HasSubstr("those in kgf times 9.80665")));
+    for (const std::string heading : {"t,Fx_t,Fy_t,Fz_t", "t,Fx_kg,Fy_kg,Fz_kg", "t,Fx [lb],Fy,Fz", "t,Mx,My,Mz",
+                                      "# Forces in kN", "t,Fx [daN],Fy,Fz", "t,Fx,Fy"}) {
+        EXPECT_THAT(force(heading), testing::SizeIs(1)) << heading;
+    }
+    EXPECT_THAT(force("t,Fx [newtons],Fy [N],Fz (N)"), IsEmpty());
+    const auto sea = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0.4,0\n0.6,1e-3\n0.8,2e-4\n1.2,0\n");
+        return problems_of(
+            minimal_case +
+                "motion = { wave_maker = { wave = \"irregular\", depth = 0.5, spectrum_file = \"t.csv\" } }\n",
+            {}, folder.path());
+    };
+    for (const std::string heading : {"f [Hz],S [m\xC2\xB2/Hz]", "f [1/s],S [m2s]", "freq (Hz),PSD (m^2/Hz)",
+                                      "f [s-1],S [m^2 s]", "frequency,E(f)"}) {
+        EXPECT_THAT(sea(heading), IsEmpty()) << heading;
+    }
+    for (const std::string heading :
+         {"omega,S", "w,S", "T,S", "f [rad/s],S", "f,S [ft^2/Hz]", "f [Hz],S [cm2/Hz]", "k [1/m],S", "f [rpm],S"}) {
+        EXPECT_THAT(sea(heading), ElementsAre(HasSubstr("t.csv:1:"))) << heading;
+    }
+}
+
 /// A case with ground from a file under a cube.
 std::string on_ground(const std::string& shape) {
     return R"(gravity = [0, 0, -9.81]
