@@ -156,12 +156,34 @@ TEST(ForeignHeights, are_told_with_extent_holes_and_precision) {
     const LoadedCase loaded =
         read(on_ground("{ terrain = { file = \"h.csv\", origin = [432150, 5103420, 0] } }"), {}, folder.path());
     EXPECT_THAT(
-        loaded.notes,
+        loaded.warnings,  // what bodies fall through is said by a run too
         Contains(HasSubstr("h.csv: 5 by 5 points 1 by 1 m apart, 1 without height, the first at (432152, 5103422)")));
     EXPECT_THAT(
         loaded.notes,
         Contains(HasSubstr("x 0 to 4, y 0 to 4, z 10.5 to 14.5 m; 28 triangles in 1 part, 1 hole; steepest 45 deg")));
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("up to 14.5 m from the origin, where double precision resolves")));
+}
+
+TEST(ForeignHeights, a_cut_to_nothing_says_why_and_nodata_makes_holes) {
+    const TemporaryFolder folder;
+    std::string text;
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            text += fmt::format("{} {} {}\n", 10 * i, 10 * j, i == 2 && j == 3 ? 0 : 400 + 30 * i + 15 * j);
+        }
+    }
+    folder.write("h.xyz", text);
+    const auto problem = [&](const std::string& more) {
+        return problems_of(on_ground("{ terrain = { file = \"h.xyz\"" + more + " } }"), {}, folder.path());
+    };
+    EXPECT_THAT(problem(""), ElementsAre(AllOf(StartsWith("h.xyz:21:7: a height of 0 m"), HasSubstr("nodata = 0"))));
+    EXPECT_THAT(problem(", nodata = \"none\""), IsEmpty());
+    EXPECT_THAT(read(on_ground("{ terrain = { file = \"h.xyz\", nodata = 0 } }"), {}, folder.path()).warnings,
+                Contains(HasSubstr("1 without height, the first at (20, 30): no ground in the cells around them")));
+    EXPECT_THAT(problem(", nodata = 0, resolution = 1e-6"),
+                ElementsAre(HasSubstr("a resolution of 1e-06 m makes 2.5e+15 heights of 50 by 50 m; at most 4000000")));
+    EXPECT_THAT(problem(", nodata = 0, region = [[60, 60], [70, 70]]"),
+                ElementsAre(HasSubstr("the region holds no ground: heights go from (0, 0) to (50, 50)")));
 }
 
 TEST(ForeignHeights, ground_at_map_coordinates_is_the_ground_at_the_origin) {
