@@ -48,7 +48,8 @@ shape = {{ box = [0.2, 0.1] }}
 position = [0.3, {}]
 velocity = [0.0, -1.6]
 )",
-                       solid, has_points ? "contact_stiffness = 1e8\n" : "", has_step ? "step = 1e-3\n" : "", spacing, 0.34 + shift, 0.462 + shift);
+                       solid, has_points ? "contact_stiffness = 1e8\n" : "", has_step ? "step = 1e-3\n" : "", spacing,
+                       0.34 + shift, 0.462 + shift);
 }
 
 class GridGaps : public ::testing::TestWithParam<const char*> {};
