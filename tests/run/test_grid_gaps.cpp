@@ -15,7 +15,7 @@ namespace {
 constexpr double spacing = 0.025, mass = 700 * 0.2 * 0.1;  // of a block [kg/m]
 
 /// Two flat blocks, one falling onto water and the other onto it, both `shift` higher in the cells.
-/// The springs of DDA are those of the story; softer ones, as chosen for such light blocks, overlap by millimetres.
+/// Gives DDA the springs of the story. On those of the defaults, 8e6 N/m, one phase of 20 gave the air 58 J.
 std::string falling_blocks(const std::string& solid, double shift) {
     const bool has_points = solid.ends_with("_dda");
     const bool has_step = has_points && solid != "explicit_dda";

@@ -133,7 +133,7 @@ CornerFoot::Wrench CornerFoot::push(const Slopes& slopes) const {
         const double depth = std::max(corner.depth, 0.0), ay = along(a, y);
         return half / whole * (depth * depth * (1 + ay) - ay * along(g, y) - along(all, y));
     };
-    // What an edge gains by its shift outwards, at one end and at the other, over half of its length.
+    // Returns what an edge gains by its shift outwards, at one end, over half of its length.
     const auto gain = [&](const PatchCorner& corner, const PatchCorner& other) {
         const auto beside = [&](const PatchCorner& c) {
             return along(g, {c.place.x - patch_.centroid.x, c.place.y - patch_.centroid.y});

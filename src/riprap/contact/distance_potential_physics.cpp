@@ -49,7 +49,7 @@ void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cach
             return;
         }
     } else {
-        // What turns the faces asks for the energy of the potential.
+        // Takes the energy of the potential along: what turns the faces asks for it.
         DistancePotentialOptions wanted = options;
         wanted.with_energy = options.with_energy || foot.share() > 0;
         if (!find_potential(pair, wanted, cache, normal)) {

@@ -32,7 +32,7 @@ struct HeightGrid {
 /// Points that a grid may have.
 inline constexpr std::int64_t most_heights = 4'000'000;
 
-/// What a case says of heights that stand for none.
+/// Holds what a case says of heights that stand for none.
 struct NoHeight {
     std::optional<double> mark{};  ///< this number of the file
     bool is_certain{false};        ///< there is no other: no height is suspected

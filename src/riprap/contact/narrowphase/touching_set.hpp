@@ -41,7 +41,7 @@ PlaneAxes axes_across(const Vec3& normal, const Vec3& origin);
 /// Returns the face of a hull that turns most towards `outward`. Not for half-spaces.
 std::size_t facing_face(const PlacedHull& hull, const Vec3& outward);
 
-/// How far below the farthest corner along a direction others count as touching [m].
+/// Says how far below the farthest corner along a direction others count as touching [m].
 struct Touch {
     double of_corner;  ///< of any
     double of_face;    ///< of those of the face that turns most towards the direction; counts where larger

@@ -45,7 +45,7 @@ std::string text_of(const HeightGrid& grid) {
                               grid.y0 + grid.dy * static_cast<double>(n / grid.columns));
 }
 
-/// What the case says of heights that stand for none.
+/// Holds what the case says of heights that stand for none.
 geometry::NoHeight no_height_of(const Value& table) {
     const Value* nodata = table.find("nodata");
     if (nodata == nullptr) {

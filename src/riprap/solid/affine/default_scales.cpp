@@ -78,7 +78,7 @@ std::vector<double> forces_on(const SolidScene& scene, const body::BodyState& bo
     return sums;
 }
 
-/// What all blocks that may move weigh on the lowest of them.
+/// Tells what all blocks that may move weigh on the lowest of them.
 struct Pile {
     double mass{0};    ///< [kg]
     double height{0};  ///< from the lowest centre to the highest, along gravity [m]
