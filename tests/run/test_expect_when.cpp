@@ -68,6 +68,8 @@ TEST(ExpectWhen, FailsWhenTheLevelIsNeverReached) {
 TEST(ExpectWhen, NeedsATriggerAndALevel) {
     EXPECT_THROW(result_of("quantity = 'time'\nreduce = 'when'\n"), CaseError);
     EXPECT_THROW(result_of("quantity = 'time'\nwhen = 'tilt'\nreaches = 1.0\n"), CaseError);
+    EXPECT_THROW(result_of("quantity = 'time'\nreduce = 'when'\nwhen = 'tilt'\n"), CaseError);
+    EXPECT_THROW(result_of("quantity = 'time'\nreaches = 1.0\n"), CaseError);
     EXPECT_THROW(result_of("quantity = 'time'\nreduce = 'when'\nwhen = 'tillt'\nreaches = 1.0\n"), CaseError);
 }
 

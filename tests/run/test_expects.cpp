@@ -120,6 +120,48 @@ TEST(Expects, TellsWhenATriggerReachedItsLevel) {
     EXPECT_EQ(results[0].time, 0.5);  // on the way from 0 to 3, not on the way back
 }
 
+/// Judges answers over values of x at steps of 1 s; every step goes through a checkpoint.
+std::vector<ExpectResult> judge_series(const std::vector<sim::Expect>& expects, const std::vector<double>& values) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = expects;
+    ExpectWatch watch(loaded.model);
+    sim::State state = loaded.state;
+    for (const double x : values) {
+        state.bodies.position[2].x = x;
+        ExpectWatch fresh(loaded.model);
+        fresh.load(watch.save());
+        fresh.look({loaded.model, loaded.state, state, nullptr, nullptr});
+        watch.load(fresh.save());
+        state.time += 1;
+    }
+    return watch.judge(true);
+}
+
+TEST(Expects, APeriodIsTheMeanTimeBetweenPassagesOfALevelInOneDirection) {
+    sim::Expect period = expect("period"), never = expect("period");
+    period.reaches = 1;
+    never.reaches = 5;
+    const auto results =
+        judge_series({period, never}, {0, 4, 4, 0, 4, 4, 0});  // up at 0.25 and 3.25, down at 2.75, 5.75
+    EXPECT_DOUBLE_EQ(results[0].value, 3);
+    EXPECT_EQ(results[0].unit, "s");
+    EXPECT_TRUE(std::isnan(results[0].time));
+    EXPECT_TRUE(std::isnan(results[1].value));
+    EXPECT_THAT(verdict_table(results), HasSubstr("it passed its level less than three times"));
+}
+
+TEST(Expects, FiguresOfACheckpointOfVersion02AreTaken) {
+    scene::LoadedCase loaded = falling_blocks();
+    loaded.model.expects = {expect("max")};
+    ExpectWatch watch(loaded.model);
+    watch.look({loaded.model, loaded.state, loaded.state, nullptr, nullptr});
+    std::vector<double> numbers = watch.save();
+    numbers.resize(13);  // without crossings
+    ExpectWatch resumed(loaded.model);
+    resumed.load(numbers);
+    EXPECT_EQ(resumed.judge(true)[0].value, watch.judge(true)[0].value);
+}
+
 TEST(Expects, AMeanIsOverTimeHoweverUnevenTheSteps) {
     scene::LoadedCase loaded = falling_blocks();
     loaded.model.expects = {expect("mean")};

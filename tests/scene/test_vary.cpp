@@ -61,6 +61,14 @@ TEST(Vary, changes_several_keys_together_by_rows) {
     EXPECT_THAT(runs[0].overrides, ::testing::ElementsAre("gravity.0=1.0", "gravity.1=2.0"));
 }
 
+TEST(Vary, marks_runs_of_the_long_version) {
+    const auto runs =
+        runs_of("[[vary]]\nkey = \"end\"\nvalues = [2.0]\n[[vary]]\nkey = \"end\"\nvalues = [60.0]\nfull = true\n");
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_FALSE(runs[0].is_full);
+    EXPECT_TRUE(runs[1].is_full);
+}
+
 TEST(Vary, refuses_a_key_that_the_case_does_not_have_with_its_place) {
     EXPECT_THAT(problem_of("[[vary]]\nkey = \"body.block.colour\"\nvalues = [1.0]\n"),
                 ::testing::StartsWith("case.toml:18:7: body.block.colour = 1: unknown key 'colour'"));

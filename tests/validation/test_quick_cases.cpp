@@ -24,12 +24,13 @@ TEST_P(QuickCase, reaches_its_published_or_exact_answers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
-                         testing::Values("zhao/golden_values", "zhao/two_tetrahedra", "rigid/free_flight",
-                                         "rigid/axis_flip", "rigid/collisions", "rigid/dragged_block",
-                                         "water/stacked_blocks", "water/submerged_square", "water/standing_wave",
-                                         "water/dam_break_front", "mikola/submarine_wedge", "mellado/normal_impact",
-                                         "mellado/unit_checks", "mellado/oblique_impact", "dda/planar_rotation",
-                                         "dda/planar_incline", "dda/planar_column", "dda/planar_tip_or_slide"),
+                         testing::Values("zhao/golden_values", "zhao/two_tetrahedra", "rigid/free_fall",
+                                         "rigid/spinning_projectile", "rigid/axis_flip", "rigid/two_cubes",
+                                         "rigid/dragged_block", "water/stacked_blocks", "water/submerged_square",
+                                         "water/standing_wave", "water/dam_break_front", "mikola/submarine_wedge",
+                                         "mellado/normal_impact", "mellado/unit_checks", "mellado/oblique_impact",
+                                         "dda/planar_rotation", "dda/planar_incline", "dda/planar_column",
+                                         "dda/planar_tip_or_slide"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '/', '_');

@@ -10,6 +10,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/tint.hpp"
+#include "riprap/sim/reductions.hpp"
 
 namespace riprap::run {
 
@@ -17,9 +18,10 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0,       missing, missing,
-                                      missing, missing,  missing,   missing, missing, missing};
+constexpr RunningFigures nothing_seen{missing, infinity, -infinity, 0,       0,       missing, missing, missing,
+                                      missing, missing,  missing,   missing, missing, 0,       missing, missing};
 constexpr std::size_t numbers_each = sizeof(RunningFigures) / sizeof(double);
+constexpr std::size_t numbers_before_crossings = numbers_each - 3;  // in checkpoints of version 0.2
 
 /// Interpolates the value at the moment when x, which went from x0 to x1 since the last step, was `level`.
 double between(const RunningFigures& f, double value, double x0, double x1, double level) {
@@ -49,6 +51,24 @@ void look_at_trigger(RunningFigures& f, double time, double trigger, double valu
         }
     }
     f.previous_trigger = trigger;
+}
+
+/// Counts the crossings of a level, of which every other one is in the direction of the first; before add(), which
+/// forgets the last value.
+void look_at_crossing(RunningFigures& f, double time, double value, double level) {
+    if (f.count == 0 || (f.previous < level) == (value < level)) {
+        return;
+    }
+    f.crossings += 1;
+    if (std::fmod(f.crossings, 2) == 1) {
+        f.last_crossing = f.previous_time + (time - f.previous_time) * (level - f.previous) / (value - f.previous);
+        f.first_crossing = f.crossings == 1 ? f.last_crossing : f.first_crossing;
+    }
+}
+
+/// Returns the mean time between crossings in one direction, from three crossings on [s].
+double period_of(const RunningFigures& f) {
+    return f.crossings < 3 ? missing : (f.last_crossing - f.first_crossing) / std::floor((f.crossings - 1) / 2);
 }
 
 void add(RunningFigures& f, double time, double value) {
@@ -91,10 +111,13 @@ double reduce(const RunningFigures& f, const std::string& how) {
         const double duration = f.previous_time - f.first_time;
         return duration > 0 ? f.integral / duration : f.last;
     }
+    if (how == "period") {
+        return period_of(f);
+    }
     return how == "at" || how == "when" ? f.at : f.last;
 }
 
-/// Time of the figure that `reduce` returns; missing for a mean [s].
+/// Time of the figure that `reduce` returns; missing for a mean and a period [s].
 double time_of(const RunningFigures& f, const std::string& how) {
     if (how == "min" || (how == "extreme" && is_lower_extreme(f))) {
         return f.minimum_time;
@@ -105,7 +128,7 @@ double time_of(const RunningFigures& f, const std::string& how) {
     if (how == "last") {
         return f.previous_time;
     }
-    return how == "mean" || std::isnan(f.at) ? missing : f.at_time;
+    return how == "mean" || how == "period" || std::isnan(f.at) ? missing : f.at_time;
 }
 
 /// Tells whether the run lasts to the end of the window of an expected answer.
@@ -115,9 +138,10 @@ bool is_reached(const sim::Expect& expect, double end) {
 
 /// Returns the reason why there is no value.
 std::string cause_of_none(const ExpectResult& result) {
-    return result.reduce == "when" ? "the quantity of 'when' did not reach its level"
-           : result.reduce == "at" ? "the quantity had none at that time"
-                                   : "no step of its window had one";
+    return result.reduce == "when"     ? "the quantity of 'when' did not reach its level"
+           : result.reduce == "at"     ? "the quantity had none at that time"
+           : result.reduce == "period" ? "it passed its level less than three times"
+                                       : "no step of its window had one";
 }
 
 /// Colour of a verdict on a terminal.
@@ -145,9 +169,9 @@ std::string_view to_string(Verdict verdict) {
 ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(model.expects.size(), nothing_seen) {
     std::vector<Diagnostic> problems;
     for (const sim::Expect& expect : model.expects) {
-        if (std::find(sim::reduces.begin(), sim::reduces.end(), expect.reduce) == sim::reduces.end()) {
+        if (std::find(sim::reductions.begin(), sim::reductions.end(), expect.reduce) == sim::reductions.end()) {
             problems.push_back(problem_of(expect, "reduce = '" + expect.reduce + "' is unknown",
-                                          fmt::format("one of {}", fmt::join(sim::reduces, ", "))));
+                                          fmt::format("one of {}", fmt::join(sim::reductions, ", "))));
         }
         const auto find = [&](const std::string& quantity) {
             const std::optional<sim::Column> column = sim::find_column(model, quantity);
@@ -176,6 +200,8 @@ void ExpectWatch::look(const sim::Moment& moment) {
                 look_at_time(figures_[i], moment.state.time, value, expect.at);
             } else if (expect.reduce == "when") {
                 look_at_trigger(figures_[i], moment.state.time, evaluate(triggers_[i], moment), value, expect.reaches);
+            } else if (expect.reduce == "period") {
+                look_at_crossing(figures_[i], moment.state.time, value, expect.reaches);
             }
             add(figures_[i], moment.state.time, value);
         }
@@ -189,7 +215,7 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
         ExpectResult result{.name = expect.name,
                             .quantity = expect.quantity,
                             .reduce = expect.reduce,
-                            .unit = columns_[i].unit,
+                            .unit = expect.reduce == "period" ? "s" : columns_[i].unit,
                             .citation = expect.citation,
                             .value = reduce(figures_[i], expect.reduce),
                             .time = time_of(figures_[i], expect.reduce),
@@ -213,13 +239,16 @@ std::vector<double> ExpectWatch::save() const {
 }
 
 void ExpectWatch::load(const std::vector<double>& numbers) {
-    if (numbers.size() != figures_.size() * numbers_each) {
+    const bool is_before_crossings = numbers.size() == figures_.size() * numbers_before_crossings;
+    if (numbers.size() != figures_.size() * numbers_each && !is_before_crossings) {
         throw CheckpointError(
             "the expected answers in the checkpoint are not those of the case, or another version of Riprap wrote "
             "them");
     }
-    if (!numbers.empty()) {
-        std::memcpy(static_cast<void*>(figures_.data()), numbers.data(), numbers.size() * sizeof(double));
+    const std::size_t stored = is_before_crossings ? numbers_before_crossings : numbers_each;
+    for (std::size_t i = 0; i < figures_.size(); ++i) {
+        figures_[i] = nothing_seen;
+        std::memcpy(static_cast<void*>(&figures_[i]), numbers.data() + i * stored, stored * sizeof(double));
     }
 }
 

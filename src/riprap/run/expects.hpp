@@ -16,7 +16,8 @@ struct RunningFigures {
     double last, minimum, maximum;
     double integral;  ///< over time, by the trapezoidal rule [its unit times s]: steps may differ in length
     double count, first_time, previous_time, previous, previous_trigger, at;
-    double minimum_time, maximum_time, at_time;  ///< when these were first there [s]
+    double minimum_time, maximum_time, at_time;       ///< when these were first there [s]
+    double crossings, first_crossing, last_crossing;  ///< of a level; times of the first direction [-], [s], [s]
 };
 
 /// Judgement of one [[expect]].

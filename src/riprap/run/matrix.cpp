@@ -200,7 +200,9 @@ MatrixResult run_matrix(const MatrixOptions& options, const std::function<void(c
     std::vector<Diagnostic> ignored;
     Asked asked{options, tree_of(options, plain.source_text), {scene::Variation{}}};
     for (scene::Variation& run : variations_of(scene::parse_toml(plain.resolved_toml, "the resolved case", ignored))) {
-        asked.variations.push_back(std::move(run));
+        if (!run.is_full) {
+            asked.variations.push_back(std::move(run));
+        }
     }
     std::vector<std::string> fluids;
     if (plain.model.has_fluid()) {

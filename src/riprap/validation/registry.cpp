@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "riprap/validation/case_files.hpp"
 #include "riprap/validation/cross/scene.hpp"
 #include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/dda/planar_cases.hpp"
@@ -59,28 +60,16 @@ std::span<const ValidationCase> zhao_cases() {
 
 std::span<const ValidationCase> rigid_cases() {
     static constexpr std::array cases{
-        ValidationCase{"rigid", "free_flight", "Free fall; a spinning projectile", false, rigid::free_flight},
         ValidationCase{"rigid", "axis_flip", "A free body tumbles about its middle axis", false, rigid::axis_flip},
-        ValidationCase{"rigid", "pendulum", "A pendulum on a knife edge", false, rigid::pendulum},
         ValidationCase{"rigid", "spinning_top", "A top on its tip precesses", false, rigid::spinning_top},
-        ValidationCase{"rigid", "sliding_block", "A block on an incline slides, holds, stops", false,
-                       rigid::sliding_block},
         ValidationCase{"rigid", "tip_or_slide", "A block on a slope raised slowly tips or slides", false,
                        rigid::tip_or_slide},
         ValidationCase{"rigid", "shaken_block", "A block on a base that speeds up ever faster tips or slides", false,
                        rigid::shaken_block},
         ValidationCase{"rigid", "rocking", "A block rocks from one edge to the other (Housner)", false, rigid::rocking},
         ValidationCase{"rigid", "bounce", "A cube dropped face down bounces and comes to rest", false, rigid::bounce},
-        ValidationCase{"rigid", "collisions", "Equal cubes in a row hand on their speed", false, rigid::collisions},
         ValidationCase{"rigid", "stacks", "Stacked blocks carry their weight; bricks lean out to the harmonic limit",
                        false, rigid::stacks},
-        ValidationCase{"rigid", "dragged_block", "A block on a plank sliding on ice", false, rigid::dragged_block},
-        ValidationCase{"rigid", "plane_failure", "A block on a joint with cohesion and water pressure", false,
-                       rigid::plane_failure},
-        ValidationCase{"rigid", "keystone", "A roof block wedged between two that are pushed together", false,
-                       rigid::keystone},
-        ValidationCase{"rigid", "rock_wedges", "Wedges on two joint planes hold or slide (Hoek and Bray)", false,
-                       rigid::rock_wedges},
         ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
                        rigid::toppling_columns},
         ValidationCase{"rigid", "granular_column", "Columns of grains collapse and run out (Lube et al.)", true,
@@ -367,6 +356,8 @@ std::span<const ValidationCase> all_cases() {
               mellado_cases(), grid_cases(), dda_in_plane_cases(), ding_in_plane_cases()}) {
             all.insert(all.end(), suite.begin(), suite.end());
         }
+        const std::vector<ValidationCase> files = file_cases(all);
+        all.insert(all.end(), files.begin(), files.end());
         const std::vector<ValidationCase> crossed = cross::scenes();
         all.insert(all.end(), crossed.begin(), crossed.end());
         return all;

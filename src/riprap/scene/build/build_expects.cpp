@@ -94,7 +94,7 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     }
     if (expect.reduce == "at" || expect.reduce == "when") {
         build.problem(given->place, fmt::format("'from' and 'to' say nothing where reduce = \"{}\"", expect.reduce),
-                      "with last, min, max, extreme or mean");
+                      "with last, min, max, extreme, mean or period");
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
@@ -121,6 +121,22 @@ void check_needs(CaseBuild& build, const Value& table, const std::string& name) 
     }
 }
 
+/// Reads the level that a quantity passes: that of `when` for reduce = "when", its own for "period".
+void read_level(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    const Value *when = table.find("when"), *reaches = table.find("reaches");
+    const bool is_when = expect.reduce == "when";
+    if (is_when != (when != nullptr) || (is_when && reaches == nullptr)) {
+        build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");
+        return;
+    }
+    if (reaches != nullptr && !is_when && expect.reduce != "period") {
+        build.problem(reaches->place, fmt::format("'reaches' says nothing where reduce = \"{}\"", expect.reduce),
+                      "with when or period");
+    }
+    expect.when = when != nullptr ? when->text : "";
+    expect.reaches = reaches != nullptr ? reaches->as_number() : 0;
+}
+
 void read_expect(CaseBuild& build, const Value& table) {
     sim::Expect expect;
     expect.name = get_text(table, "name");
@@ -141,12 +157,7 @@ void read_expect(CaseBuild& build, const Value& table) {
     }
     read_window(build, table, expect);
     const Value* when = table.find("when");
-    if ((expect.reduce == "when") != (when != nullptr)) {
-        build.problem(table.place, "'when' and 'reaches' go with reduce = \"when\"", "give all or none");
-    } else if (when != nullptr) {
-        expect.when = when->text;
-        expect.reaches = get_number(table, "reaches");
-    }
+    read_level(build, table, expect);
     if (const Value* value = table.find("value")) {
         expect.value = value->as_number();
         const Value* absolute = table.find("tolerance");

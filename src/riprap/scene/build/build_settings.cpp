@@ -44,6 +44,14 @@ void build_settings(CaseBuild& build) {
     const Value& step = get(root, "time_step");
     model.time.time_step = step.is_text() ? 0 : step.as_number();
     read_keys(root, time_keys(), model.time);
+    for (const std::string_view key : {"settle_static", "settle_time_step"}) {
+        const Value* given = root.find(key);
+        const bool is_asked = given != nullptr && (given->is_number() || given->boolean);
+        if (is_asked && model.time.settle <= 0) {
+            build.problem(given->place, fmt::format("'{}' says nothing where bodies do not settle", key),
+                          "with settle above 0");
+        }
+    }
 
     model.solid = SolidMethods::read(get(root, "solid"), "[solid]", build.problems, build.warnings);
 }

@@ -110,7 +110,7 @@ void add_runs(const Value& vary, const Value& checked, std::vector<Variation>& r
     const std::vector<std::string> keys = keys_of(vary);
     const std::vector<std::vector<double>> rows = rows_of(vary);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        Variation run{label_of(vary, keys, rows[i], rows.size()), {}};
+        Variation run{label_of(vary, keys, rows[i], rows.size()), {}, get_boolean(vary, "full")};
         for (std::size_t k = 0; k < keys.size(); ++k) {
             run.overrides.push_back(fmt::format("{}={}", keys[k], number_text(rows[i][k])));
         }

@@ -14,6 +14,7 @@ namespace riprap::scene {
 struct Variation {
     std::string label;                   ///< "body.disc.density = 700"
     std::vector<std::string> overrides;  ///< "key=value" each, those of the expected answers included
+    bool is_full{false};                 ///< only in the long version of the validation
 };
 
 /// Returns the runs that the [[vary]] of a case ask for, in their order.

@@ -115,6 +115,15 @@ Table rows_of_case() {
           "halved for a while after a step that was refused. A number is refused above the limit unless "
           "force_time_step is set.",
           Value::of("auto")},
+         {"settle_static",
+          {boolean()},
+          "Bodies settle without inertia: implicit methods start each step at rest, explicit ones take a tenth of the "
+          "velocities in each step. A body that cannot stand creeps meanwhile, and starts from rest at time 0.",
+          Value::of(false)},
+         {"settle_time_step",
+          {number(dimension::time, positive())},
+          "Time step while bodies settle; that of the run when not given.",
+          {}},
          {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
          {"material",
           {named_tables(material_table, limits::materials)},

@@ -7,6 +7,7 @@
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/sim/abilities.hpp"
 #include "riprap/sim/quantity.hpp"
+#include "riprap/sim/reductions.hpp"
 
 namespace riprap::scene {
 
@@ -105,6 +106,18 @@ std::string ability_help() {
     return help;
 }
 
+const Table& close_table() {
+    static const Table table{
+        "expect.close",
+        "close = { ... }",
+        "A wider band about `value` and the reason for it. `riprap run` still asks for the narrow one.",
+        {{"tolerance", {number(dimension::plain, positive())}, "Absolute error, in SI.", {}},
+         {"relative_tolerance", {number(dimension::plain, positive())}, "Relative error.", {}},
+         {"reason", {text()}, "The property of the method that moves the value, with its size.", {}, true}},
+        {{GroupRule::exactly_one, {"tolerance", "relative_tolerance"}}}};
+    return table;
+}
+
 const Table& damage_table() {
     static const Table table{
         "output.damage",
@@ -162,9 +175,9 @@ const Table& expect_table() {
           {},
           true},
          {"reduce",
-          {choice({sim::reduces.begin(), sim::reduces.end()})},
+          {choice({sim::reductions.begin(), sim::reductions.end()})},
           "Reduction of the column to one number. extreme: the lowest or the highest, whichever is farther from zero, "
-          "with its sign.",
+          "with its sign. period: the mean time between two passages of the level `reaches` in one direction.",
           Value::of("last")},
          {"from",
           {number(dimension::time, non_negative())},
@@ -179,17 +192,30 @@ const Table& expect_table() {
           {text()},
           "For reduce = \"when\": the value is taken at the moment at which this other quantity first passes a level.",
           {}},
-         {"reaches", {number(dimension::plain)}, "The level that `when` has to reach, from above or below, in SI.", {}},
+         {"reaches",
+          {number(dimension::plain)},
+          "The level that `when` has to reach, from above or below, in SI; for reduce = \"period\" that of the "
+          "quantity "
+          "itself, 0 when not given.",
+          {}},
          {"value", {number(dimension::plain)}, "The expected number, in SI.", {}},
          {"tolerance", {number(dimension::plain, non_negative())}, "Accepted absolute error, in SI.", {}},
          {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
          {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
          {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
+         {"published", {number(dimension::plain)}, "What the source prints, where that is not `value`, in SI.", {}},
+         {"close",
+          {form::table(close_table)},
+          "A wider band that a known property of the method explains: `riprap validate` says \"close\" there.",
+          {}},
+         {"bookkeeping",
+          {boolean()},
+          "An account that the program has to keep whatever it computes, no comparison with nature or theory.",
+          Value::of(false)},
          {"needs", {list(choice(ability_words()), 1, 8)}, ability_help(), {}},
          {"citation", {text()}, "Source of the value: a formula, a paper, an experiment.", {}, true}},
         {{GroupRule::exactly_one, {"value", "low"}},
          {GroupRule::all_or_none, {"low", "high"}},
-         {GroupRule::all_or_none, {"when", "reaches"}},
          {GroupRule::at_most_one, {"tolerance", "relative_tolerance"}}}};
     return table;
 }

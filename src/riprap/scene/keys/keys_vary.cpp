@@ -43,6 +43,7 @@ const Table& vary_table() {
           {list(list(number(dimension::plain), 1, most_keys), 1, most_values)},
           "Of several keys: a row with a value of each for every run, in SI.",
           {}},
+         {"full", {boolean()}, "Only with `riprap validate --full`: for runs that take long.", Value::of(false)},
          {"expect", {table_list(vary_expect_table)}, "What the expected answers are then.", Value::array()}},
         {{GroupRule::exactly_one, {"values", "rows"}}}};
     return table;

@@ -7,23 +7,15 @@
 
 namespace riprap::validation::rigid {
 
-void free_flight(const CaseSetting& setting, CaseReport& report);
 void axis_flip(const CaseSetting& setting, CaseReport& report);
-void sliding_block(const CaseSetting& setting, CaseReport& report);
 void tip_or_slide(const CaseSetting& setting, CaseReport& report);
 void bounce(const CaseSetting& setting, CaseReport& report);
-void collisions(const CaseSetting& setting, CaseReport& report);
 void stacks(const CaseSetting& setting, CaseReport& report);
-void dragged_block(const CaseSetting& setting, CaseReport& report);
 void shaken_block(const CaseSetting& setting, CaseReport& report);
 void rocking(const CaseSetting& setting, CaseReport& report);
-void plane_failure(const CaseSetting& setting, CaseReport& report);
-void keystone(const CaseSetting& setting, CaseReport& report);
-void rock_wedges(const CaseSetting& setting, CaseReport& report);
 void toppling_columns(const CaseSetting& setting, CaseReport& report);
 void arch(const CaseSetting& setting, CaseReport& report);
 void granular_column(const CaseSetting& setting, CaseReport& report);
-void pendulum(const CaseSetting& setting, CaseReport& report);
 void spinning_top(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::rigid

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies that turn about a point that contact and friction hold: a pendulum on a knife edge, a top on its tip.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "riprap/geometry/convex_hull.hpp"
-#include "riprap/validation/case_trial.hpp"
 #include "riprap/validation/rigid/cases.hpp"
 #include "riprap/validation/scene_builder.hpp"
 
@@ -15,53 +13,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-/// Moments per area of the staple of case.toml about the knife edge: mass over density [m^2], first moment below the
-/// edge [m^3], second moment [m^4].
-struct Staple {
-    double area{0}, below{0}, second{0};
-
-    void add(double width, double height, double x, double y) {
-        const double a = width * height;
-        area += a;
-        below -= a * y;
-        second += a * ((width * width + height * height) / 12 + x * x + y * y);
-    }
-    /// 2 pi sqrt(I_O/(m g d)) for small swings [s]
-    double period() const { return 2 * M_PI * std::sqrt(second / (gravity * below)); }
-};
-
 }  // namespace
-
-void pendulum(const CaseSetting& setting, CaseReport& report) {
-    constexpr double tilt = 0.03;  // its square over 16 is 6e-5 of the period
-    Staple staple;
-    staple.add(0.6, 0.1, 0, 0.05);
-    staple.add(0.1, 0.9, -0.25, -0.45);
-    staple.add(0.1, 0.9, 0.25, -0.45);
-    Trial trial = trial_of(setting);
-    trial.follow_energy(false);
-    const BodyId body = trial.body("staple");
-    const auto b = static_cast<std::size_t>(body.value);
-    // Turned about the edge, at rest.
-    const Quat turned = turn({0, 0, 1}, tilt);
-    trial.state().bodies.position[b] = rotate(turned, trial.state().bodies.position[b]);
-    trial.state().bodies.orientation[b] = turned * trial.state().bodies.orientation[b];
-    std::vector<double> crossings;
-    double before = tilt;
-    trial.run_until(8, [&](const Trial& now) {
-        const double angle = to_rotation_vector(now.orientation(body)).z;
-        if (before * angle < 0) {
-            crossings.push_back(now.time() - now.dt() * angle / (angle - before));
-        }
-        before = angle;
-    });
-    const double exact = staple.period() * (1 + tilt * tilt / 16);
-    report.judge({"period of a pendulum on a knife edge", "s", {}, exact, "2 pi sqrt(I_O/(m g d))"},
-                 crossings.size() > 2
-                     ? 2 * (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1)
-                     : std::nan(""),
-                 Relative{1e-3});
-}
 
 void spinning_top(const CaseSetting&, CaseReport& report) {
     // A pyramid of 24 sides that stands on its tip, spun fast: a symmetric top.

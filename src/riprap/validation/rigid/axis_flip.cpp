@@ -9,8 +9,6 @@ namespace riprap::validation::rigid {
 
 namespace {
 
-constexpr double gravity = 9.81;
-
 SceneBuilder one_body(const Vec3& size, const Vec3& velocity, const Vec3& spin) {
     SceneBuilder scene;
     scene.add_material({.name = "rock", .density = 2500, .normal_stiffness = 1e8});
@@ -22,43 +20,6 @@ SceneBuilder one_body(const Vec3& size, const Vec3& velocity, const Vec3& spin) 
     scene.add_body(body);
     return scene;
 }
-
-}  // namespace
-
-void free_flight(const CaseSetting&, CaseReport& report) {
-    {
-        SceneBuilder scene = one_body({1, 1, 1}, {}, {});
-        scene.model.gravity.value = {0, 0, -gravity};
-        Trial trial(std::move(scene));
-        const double height = 10.6, time = std::sqrt(2 * height / gravity);
-        trial.set_dt(time / 1000);
-        trial.run_until(time);
-        report.judge({"free fall, height fallen after sqrt(2 h/g)", "m", {}, height, {}}, -trial.position(BodyId{0}).z,
-                     Relative{1e-12});
-        report.judge({"free fall, speed", "m/s", {}, std::sqrt(2 * gravity * height), {}}, -trial.velocity(BodyId{0}).z,
-                     Relative{1e-12});
-    }
-    {
-        // Spin about a principal axis: the path is a parabola and the angle omega t.
-        const Vec3 velocity{3, -2, 20};
-        const double spin = 7;
-        SceneBuilder scene = one_body({1, 0.7, 0.4}, velocity, {0, 0, spin});
-        scene.model.gravity.value = {0, 0, -gravity};
-        Trial trial(std::move(scene));
-        const double time = 1000 * 2 * M_PI / spin;
-        trial.set_dt(time / 200000);
-        trial.run_until(time);
-        const Vec3 exact = time * velocity + Vec3{0, 0, -0.5 * gravity * time * time};
-        report.judge_below({"spinning projectile, distance from the parabola over its length", "-", {}, {}, {}},
-                           norm(trial.position(BodyId{0}) - exact) / norm(exact), 1e-10);
-        report.judge_below({"spinning projectile, error of the angle after 1000 turns", "rad", {}, {}, {}},
-                           norm(to_rotation_vector(trial.orientation(BodyId{0}))), 1e-10);
-        report.judge({"spinning projectile, spin", "rad/s", {}, spin, {}}, trial.angular_velocity(BodyId{0}).z,
-                     Relative{1e-12});
-    }
-}
-
-namespace {
 
 /// A body with given principal moments, without gravity, starting with `spin`.
 Trial free_rotor(const Vec3& moments, const Vec3& spin) {

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/validation/case_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "riprap/core/parallel.hpp"
+#include "riprap/io/atomic_file.hpp"
+#include "riprap/run/find_case.hpp"
+#include "riprap/run/run_case.hpp"
+#include "riprap/run/run_folder.hpp"
+#include "riprap/run/simulation.hpp"
+#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/validation/cross/scene.hpp"
+
+namespace riprap::validation {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Tells whether a case says what it expects, read without parsing: a listing must not fail on a broken case.
+bool has_answers(const fs::path& file) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind("[[expect]]", 0) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The folder of the runs, gone with it where nobody asked to keep them.
+class RunRoot {
+ public:
+    explicit RunRoot(const CaseSetting& setting) : is_kept_(!setting.results.empty()) {
+        if (is_kept_) {
+            path_ = setting.results / setting.folder.filename();
+            return;
+        }
+        std::string name = (fs::temp_directory_path() / "riprap-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw FileError("no folder can be made in " + fs::temp_directory_path().string());
+        }
+        path_ = name;
+    }
+    RunRoot(const RunRoot&) = delete;
+    RunRoot& operator=(const RunRoot&) = delete;
+    ~RunRoot() {
+        std::error_code ignored;
+        if (!is_kept_) {
+            fs::remove_all(path_, ignored);
+        }
+    }
+    const fs::path& path() const { return path_; }
+
+ private:
+    bool is_kept_;
+    fs::path path_;
+};
+
+/// Runs one variation and returns what its summary says of the expected answers.
+json answers_of(scene::LoadedCase loaded, const fs::path& out, const AfterStep& after_step) {
+    run::RunOptions options;
+    options.out = out;
+    options.threads = parallel::thread_count();
+    options.force = true;
+    options.silent = true;
+    options.overrides = loaded.overrides;
+    if (after_step) {
+        options.watch = [&after_step](run::Simulation& simulation) {
+            after_step(simulation.state().time, simulation.end());
+            return true;
+        };
+    }
+    run::run_loaded(std::move(loaded), options);
+    constexpr std::size_t most = std::size_t{16} << 20U;
+    const json summary = json::parse(io::read_file(run::RunFolder{out}.summary(), most));
+    if (summary.at("status") != "finished") {
+        throw std::runtime_error(summary.at("reason").get<std::string>());
+    }
+    return summary.at("expects");
+}
+
+std::optional<CloseBand> close_band(const scene::Value& expect, double value) {
+    const scene::Value* close = expect.find("close");
+    if (close == nullptr) {
+        return std::nullopt;
+    }
+    const scene::Value* absolute = close->find("tolerance");
+    const double margin =
+        absolute != nullptr ? absolute->as_number() : scene::get_number(*close, "relative_tolerance") * std::abs(value);
+    return CloseBand{value - margin, value + margin, scene::get_text(*close, "reason")};
+}
+
+/// Reports one answer of a run. @param expect  as the case has it, @param found  as the run judged it
+void report_answer(const scene::Value& expect, const json& found, const std::string& label, CaseReport& report) {
+    Reference reference;
+    reference.quantity = found.at("name").get<std::string>() + (label.empty() ? "" : "; " + label);
+    reference.unit = found.at("unit").get<std::string>();
+    const double low = found.at("low").get<double>(), high = found.at("high").get<double>();
+    const json& number = found.at("value");
+    const double value = number.is_number() ? number.get<double>() : std::nan("");
+    if (const scene::Value* exact = expect.find("value")) {
+        reference.exact = exact->as_number();
+    }
+    if (const scene::Value* published = expect.find("published")) {
+        reference.paper = published->as_number();
+    }
+    if (scene::get_boolean(expect, "bookkeeping")) {
+        reference.kind = Kind::bookkeeping;
+    }
+    report.judge(reference, value, low, high, close_band(expect, reference.exact.value_or(0.5 * (low + high))));
+}
+
+void run_variation(const CaseSetting& setting, const scene::Variation& variation, const fs::path& out,
+                   CaseReport& report) {
+    scene::LoadedCase loaded = scene::read_case((setting.folder / "case.toml").string(), variation.overrides);
+    std::vector<Diagnostic> ignored;
+    const scene::Value checked = scene::parse_toml(loaded.resolved_toml, "the resolved case", ignored);
+    const scene::Value* expects = checked.find("expect");
+    const json answers = answers_of(std::move(loaded), out, setting.after_step);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        report_answer(expects->items.at(i), answers[i], variation.label, report);
+    }
+}
+
+}  // namespace
+
+std::vector<ValidationCase> file_cases(std::span<const ValidationCase> coded) {
+    static std::deque<std::string> texts;  // cases hold views
+    std::vector<ValidationCase> cases;
+    for (const run::KnownCase& known : run::known_cases("validation")) {
+        const std::size_t slash = known.name.find('/');
+        if (slash == std::string::npos) {
+            continue;
+        }
+        const std::string suite = known.name.substr(0, slash), name = known.name.substr(slash + 1);
+        const bool is_coded = std::any_of(coded.begin(), coded.end(), [&](const ValidationCase& one) {
+            return one.suite == suite && one.name == name;
+        });
+        if (!is_coded && suite != cross::suite && has_answers(known.file)) {
+            const std::string_view kept_suite = texts.emplace_back(suite), kept_name = texts.emplace_back(name);
+            cases.push_back({kept_suite, kept_name, texts.emplace_back(known.title), false, run_case_file});
+        }
+    }
+    return cases;
+}
+
+void run_case_file(const CaseSetting& setting, CaseReport& report) {
+    const scene::LoadedCase plain = scene::read_case((setting.folder / "case.toml").string(), {});
+    std::vector<Diagnostic> ignored;
+    std::vector<scene::Variation> runs{{}};
+    for (scene::Variation& run : variations_of(scene::parse_toml(plain.resolved_toml, "the resolved case", ignored))) {
+        if (setting.is_full || !run.is_full) {
+            runs.push_back(std::move(run));
+        }
+    }
+    const RunRoot root(setting);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        try {
+            run_variation(setting, runs[i], root.path() / fmt::format("run_{}", i), report);
+        } catch (const std::exception& error) {
+            report.fail((runs[i].label.empty() ? "" : runs[i].label + ": ") + error.what());
+        }
+    }
+}
+
+}  // namespace riprap::validation

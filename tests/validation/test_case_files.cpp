@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Published cases that are case files: they run as everybody's do, and what they expect is judged.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "riprap/run/simulation.hpp"
+#include "riprap/scene/read_case.hpp"
+#include "riprap/validation/case_files.hpp"
+
+namespace riprap::validation {
+namespace {
+
+/// A driven block that swings with a period of 0.5 s, and a block that slides on ice at 2 m/s beside it.
+const std::string two_blocks = R"(
+dimension = 2
+gravity = [0.0, -9.81]
+settle = 0.1
+end = 1.4
+[material.ice]
+density = 2500.0
+normal_stiffness = 1.0e6
+damping_ratio = 0.5
+[[body]]
+name = "ground"
+shape = { half_space = { normal = [0.0, 1.0] } }
+material = "ice"
+fixed = true
+[[body]]
+name = "swing"
+shape = { box = [0.2, 0.2] }
+position = [0.0, 5.0]
+material = "ice"
+motion = { sinusoidal = { amplitude = [0.1, 0.0], period = 0.5 } }
+[[body]]
+name = "slider"
+shape = { box = [1.0, 0.2] }
+position = [1.0, 0.1]
+velocity = [2.0, 0.0]
+material = "ice"
+load = [{ force = [1.0e4, 0.0], start = 1.4 }]
+[[expect]]
+name = "period"
+quantity = "swing.displacement.x"
+reduce = "period"
+value = 0.5
+relative_tolerance = 1.0e-3
+citation = "its motion"
+[[expect]]
+name = "place"
+quantity = "slider.position.x"
+value = 3.8
+tolerance = 1.0e-3
+bookkeeping = true
+citation = "x + v t"
+)";
+
+std::vector<Result> results_of(const std::string& text) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "case_of_two_blocks";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "case.toml") << text;
+    CaseReport report("two_blocks");
+    run_case_file({.folder = folder, .results = {}}, report);
+    return report.results();
+}
+
+TEST(CaseFiles, APeriodIsTheTimeBetweenPassagesInOneDirection) {
+    const std::vector<Result> results = results_of(two_blocks);
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_NEAR(results[0].value, 0.5, 1e-4);
+    EXPECT_EQ(results[0].unit, "s");
+    EXPECT_EQ(results[0].verdict, Verdict::reproduced);
+    EXPECT_EQ(results[0].kind, Kind::physics);
+}
+
+TEST(CaseFiles, BodiesSettleFromRestAndTheirVelocityBeginsAtTime0) {
+    const std::vector<Result> results = results_of(two_blocks);
+    EXPECT_NEAR(results.at(1).value, 3.8, 1e-3);  // 4.0 where it slid while it settled, more where its load acted
+    EXPECT_EQ(results.at(1).kind, Kind::bookkeeping);
+}
+
+TEST(CaseFiles, EveryRunOfAVaryIsJudgedByItsOwnValueAndAWrongOneIsRed) {
+    const std::vector<Result> results =
+        results_of(two_blocks +
+                   "[[vary]]\nkey = \"body.swing.motion.sinusoidal.period\"\nvalues = [0.25, 0.3]\n"
+                   "[[vary.expect]]\nname = \"period\"\nvalues = [0.25, 0.25]\n");
+    ASSERT_EQ(results.size(), 6U);
+    EXPECT_EQ(results[2].verdict, Verdict::reproduced);
+    EXPECT_EQ(results[4].verdict, Verdict::not_reproduced);
+    EXPECT_NEAR(results[4].value, 0.3, 1e-4);
+}
+
+TEST(CaseFiles, ALongRunIsLeftOutAndAVaryOfAKeyThatDoesNotExistIsRefused) {
+    const std::vector<Result> results =
+        results_of(two_blocks + "[[vary]]\nkey = \"end\"\nvalues = [1.0]\nfull = true\n");
+    EXPECT_EQ(results.size(), 2U);  // only in the long version
+    EXPECT_THROW(results_of(two_blocks + "[[vary]]\nkey = \"ends\"\nvalues = [1.0]\n"), CaseError);
+}
+
+TEST(CaseFiles, EachPublishedCaseFileCanBeReadAndTakesFiveSteps) {
+    const std::vector<ValidationCase> cases = file_cases({});
+    EXPECT_GT(cases.size(), 15U);
+    const std::vector<std::string> soon{"settle=1e-4"};
+    for (const ValidationCase& one : cases) {
+        SCOPED_TRACE(std::string(one.suite) + "/" + std::string(one.name));
+        const std::filesystem::path file =
+            std::filesystem::path(RIPRAP_SOURCE_DIR "/validation") / one.suite / one.name / "case.toml";
+        run::Simulation simulation(scene::read_case(file.string(), soon));
+        for (int i = 0; i < 5 && simulation.steps_left() > 0; ++i) {
+            EXPECT_TRUE(simulation.step(sim::Measure::flow).is_accepted());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace riprap::validation
