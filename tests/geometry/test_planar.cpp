@@ -248,8 +248,14 @@ std::string load_of(const std::string& attributes, const std::string& records) {
 
 TEST(DdaFiles, ALoadWithAMissingColumnIsRefusedAtItsRecord) {
     EXPECT_EQ(analysis_problem_of(load_of("", " 0 1 2; 3 4 5; ")), "");
-    EXPECT_EQ(analysis_problem_of(load_of("", " 0 1 2 3 4 5 ")), "");
-    EXPECT_EQ(analysis_problem_of(load_of(" numpoints=\"2\"", "\n 0 1 2\n 3 4 5\n")), "");
+    EXPECT_EQ(analysis_problem_of(load_of("", " 0 1 0 1 4 5 ")), "");
+    EXPECT_EQ(analysis_problem_of(load_of(" numpoints=\"2\"", " 0 1 2 3 4 5 ")), "");
+    // Records of two as well, at the times 0, 2 and 4.
+    EXPECT_NE(analysis_problem_of(load_of("", " 0 1 2 3 4 5 "))
+                  .find("bad.ana:1:43: 6 numbers could be 3 records of two or 2 of three"),
+              std::string::npos)
+        << analysis_problem_of(load_of("", " 0 1 2 3 4 5 "));
+    EXPECT_NE(analysis_problem_of(load_of("", "\n0 1e6 1 1e6 2 1e6\n")).find("bad.ana:2:1:"), std::string::npos);
     // Six numbers, but three records of two.
     EXPECT_NE(analysis_problem_of(load_of("", "\n0 1\n2 3\n4 5\n")).find("bad.ana:2:1: a record of 2 numbers"),
               std::string::npos);
@@ -263,6 +269,42 @@ TEST(DdaFiles, ALoadWithAMissingColumnIsRefusedAtItsRecord) {
               std::string::npos);
     EXPECT_NE(analysis_problem_of(load_of(" numpoints=\"-1\"", " 0 1 2 ")).find("numpoints is \"-1\""),
               std::string::npos);
+}
+
+TEST(DdaFiles, ElementsThatAreNotReadAreRefusedWhereTheyHoldNumbers) {
+    const auto geometry = [](const std::string& inside) {
+        return problem_of("<DDA>\n<Geometry>\n" + inside + "\n</Geometry></DDA>");
+    };
+    const auto analysis = [](const std::string& inside) {
+        return analysis_problem_of("<DDA>\n<Analysis>\n" + inside + "\n</Analysis></DDA>");
+    };
+    EXPECT_NE(geometry("<Fixpointlist><Point> 1 2 </Point></Fixpointlist>")
+                  .find("bad.geo:3:1: <Fixpointlist> is not read; <Fixedpointlist>?"),
+              std::string::npos);
+    EXPECT_NE(geometry(" <jointlist/>").find("bad.geo:3:2: <jointlist> is not read; <Jointlist>?"), std::string::npos);
+    EXPECT_NE(geometry("<Boundlist><Line> 0 0 1 0 </Line></Boundlist>").find("<Boundlist> is not read"),
+              std::string::npos);
+    EXPECT_EQ(geometry("<Title> A slope of 1990 cut </Title><Author> N </Author>").find("Author"), std::string::npos);
+    EXPECT_EQ(geometry("<Author> N. N. </Author><Matlinelist><Line> 0 0 1 0 </Line></Matlinelist>"), "");
+    EXPECT_NE(analysis("<Blockmaterials><Unitmass> 2600 </Unitmass></Blockmaterials>")
+                  .find("bad.ana:3:1: <Blockmaterials> is not read; <Blockmaterial>?"),
+              std::string::npos);
+    EXPECT_NE(analysis("<Blockmaterial><Density> 2600 </Density></Blockmaterial>").find("<Density> is not read"),
+              std::string::npos);
+    EXPECT_NE(analysis("<Jointproperties><Cohesian> 1e5 </Cohesian></Jointproperties>").find("<Cohesion>?"),
+              std::string::npos);
+    EXPECT_NE(analysis("<Loadpoints><Load> 0 1 2; </Load></Loadpoints>").find("<Loadpoints> is not read"),
+              std::string::npos);
+    EXPECT_EQ(analysis("<Gravity flag=\"yes\"/><Units> SI </Units>"), "");
+}
+
+TEST(DdaFiles, NumbersBehindTheLastJointMaterialAreRefused) {
+    const std::string bare = "1 1000 1 1 0.005 0.001\n2600 25506 1e10 0.25 0 0 0 0 0 0 0 0 0\n25 0 0\n";
+    EXPECT_EQ(analysis_problem_of(bare), "");
+    EXPECT_EQ(analysis_problem_of(bare + "1.4\n"), "");  // of the over-relaxation
+    EXPECT_NE(analysis_problem_of(bare + "0 0 1e6\n1 0 1e6\n").find("bad.ana:4:1: 6 numbers follow the last joint"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(bare + "25 0\n").find("bad.ana:4:1: 2 numbers follow"), std::string::npos);
 }
 
 TEST(DdaFiles, ValuesThatNoMaterialHasAreRefusedAtTheirWord) {

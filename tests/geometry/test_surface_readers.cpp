@@ -37,6 +37,23 @@ std::vector<std::string> obj_problems(const std::string& bytes) {
     return problems_of([&] { read_obj(bytes, "f.obj", 1.0); });
 }
 
+TEST(SurfaceReaders, AByteOrderMarkAndBareCarriageReturnsChangeNothing) {
+    std::string stl =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+        "endfacet\nendsolid a\n";
+    std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n# a comment\nf 1 2 3\n";
+    for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+        for (const char end : {'\n', '\r'}) {
+            std::replace(stl.begin(), stl.end(), '\n', end);
+            std::replace(obj.begin(), obj.end(), '\n', end);
+            EXPECT_EQ(read_stl(mark + stl, "a.stl", 1).face_count(), 1U);
+            EXPECT_EQ(read_obj(mark + obj, "a.obj", 1).face_count(), 1U);
+        }
+        std::replace(stl.begin(), stl.end(), '\r', '\n');
+        std::replace(obj.begin(), obj.end(), '\r', '\n');
+    }
+}
+
 TEST(NumberParsing, TakesCNotationWhateverTheLocale) {
     std::setlocale(LC_ALL, "de_DE.UTF-8");
     EXPECT_EQ(parse_number("1.5"), 1.5);

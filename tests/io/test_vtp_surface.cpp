@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/vtp.hpp"
@@ -87,6 +88,25 @@ TEST(VtpSurface, WhatIsNoSurfaceIsNamed) {
     EXPECT_THAT(refusal(with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"4\"")), HasSubstr("more values"));
     EXPECT_THAT(refusal(with(text, "NumberOfStrips=\"0\"", "NumberOfStrips=\"1\"")), HasSubstr("Triangulate"));
     EXPECT_THAT(refusal(with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"99999999999\"")), HasSubstr("at most"));
+}
+
+TEST(VtpSurface, ProblemsNameTheLineAndColumnOfTheirElement) {
+    const std::string text = read_file(layouts / "ascii.vtp", 1 << 20);
+    const auto place = [](const std::string& damaged) {
+        try {
+            read_vtp_surface(damaged, "a.vtp", 1);
+        } catch (const CaseError& error) {
+            const SourcePlace at = error.problems().at(0).place;
+            return at.file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
+        }
+        return std::string();
+    };
+    EXPECT_EQ(place(with(text, "NumberOfPolys=\"2\"", "NumberOfPolys=\"3\"")), "a.vtp:4:5");
+    EXPECT_EQ(place(with(text, "1 1 0 0 1 0", "1 1 0 0 x 0")), "a.vtp:12:7");
+    EXPECT_EQ(place("solid cube"), "a.vtp:1:1");
+    std::string unnamed = text;  // the polygons have no offsets
+    unnamed.replace(unnamed.rfind("Name=\"offsets\""), 14, "Name=\"ends\"");
+    EXPECT_EQ(place(unnamed), "a.vtp:45:7");
 }
 
 }  // namespace

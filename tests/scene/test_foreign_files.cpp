@@ -80,6 +80,55 @@ TEST(ForeignTables, a_heading_in_other_units_or_orders_is_refused_at_its_cell) {
                 ElementsAre(StartsWith("t.csv:1:1:")));
 }
 
+TEST(ForeignTables, units_and_quantities_that_are_not_read_are_refused_by_every_reader) {
+    const TemporaryFolder folder;
+    const auto motion = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0,0,0,0\n1,1,1,1\n");
+        return problems_of(minimal_case + "motion = { table = { file = \"t.csv\" } }\n", {}, folder.path());
+    };
+    EXPECT_THAT(motion("t [s],x [ft],y [ft],z [ft]"),
+                ElementsAre(AllOf(StartsWith("t.csv:1:7: \"x [ft]\" stands over column x"),
+                                  HasSubstr("numbers in m: those in ft times 0.3048"))));
+    for (const std::string heading :
+         {"t,x [in],y,z", "t,x [inches],y,z", "t,x_yd,y,z", "t,x [mi],y,z", "t,x [furlong],y,z", "t [min],x,y,z",
+          "t [d],x,y,z", "# x in mm", "Displacement in feet", "t [s],x [m/s],y,z", "t,x_m/s,y_m/s,z_m/s",
+          "t,x [MM],y,z", "t,x [\xC2\xB5m],y,z", "t,vx,vy,vz"}) {
+        EXPECT_THAT(motion(heading), ElementsAre(HasSubstr("t.csv:1:"))) << heading;
+    }
+    for (const std::string heading :
+         {"t [sec],x [metres],y [M],z [meter]", "Time (seconds),x (m),y (m),z (m a.s.l.)", "T [S],X [M],Y [M],Z [M]",
+          "t [s],x [-],y [-],z [-]", "Zeit [s],Weg x [m],Weg y [m],Weg z [m]"}) {
+        EXPECT_THAT(motion(heading), IsEmpty()) << heading;
+    }
+    const auto force = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0,1,1,1\n1,1,1,1\n");
+        return problems_of(minimal_case + "[[body.load]]\ntable = { file = \"t.csv\" }\n", {}, folder.path());
+    };
+    EXPECT_THAT(force("t,Fx [kip],Fy [kip],Fz [kip]"), ElementsAre(HasSubstr("those in kip times 4448.221615")));
+    EXPECT_THAT(force("t,Fx [lbf],Fy [lbf],Fz [lbf]"), ElementsAre(HasSubstr("those in lbf times 4.448221615")));
+    EXPECT_THAT(force("t,Fx [kgf],Fy [kgf],Fz [kgf]"), ElementsAre(HasSubstr("those in kgf times 9.80665")));
+    for (const std::string heading : {"t,Fx_t,Fy_t,Fz_t", "t,Fx_kg,Fy_kg,Fz_kg", "t,Fx [lb],Fy,Fz", "t,Mx,My,Mz",
+                                      "# Forces in kN", "t,Fx [daN],Fy,Fz", "t,Fx,Fy"}) {
+        EXPECT_THAT(force(heading), testing::SizeIs(1)) << heading;
+    }
+    EXPECT_THAT(force("t,Fx [newtons],Fy [N],Fz (N)"), IsEmpty());
+    const auto sea = [&](const std::string& heading) {
+        folder.write("t.csv", heading + "\n0.4,0\n0.6,1e-3\n0.8,2e-4\n1.2,0\n");
+        return problems_of(
+            minimal_case +
+                "motion = { wave_maker = { wave = \"irregular\", depth = 0.5, spectrum_file = \"t.csv\" } }\n",
+            {}, folder.path());
+    };
+    for (const std::string heading : {"f [Hz],S [m\xC2\xB2/Hz]", "f [1/s],S [m2s]", "freq (Hz),PSD (m^2/Hz)",
+                                      "f [s-1],S [m^2 s]", "frequency,E(f)"}) {
+        EXPECT_THAT(sea(heading), IsEmpty()) << heading;
+    }
+    for (const std::string heading :
+         {"omega,S", "w,S", "T,S", "f [rad/s],S", "f,S [ft^2/Hz]", "f [Hz],S [cm2/Hz]", "k [1/m],S", "f [rpm],S"}) {
+        EXPECT_THAT(sea(heading), ElementsAre(HasSubstr("t.csv:1:"))) << heading;
+    }
+}
+
 /// A case with ground from a file under a cube.
 std::string on_ground(const std::string& shape) {
     return R"(gravity = [0, 0, -9.81]
@@ -107,12 +156,34 @@ TEST(ForeignHeights, are_told_with_extent_holes_and_precision) {
     const LoadedCase loaded =
         read(on_ground("{ terrain = { file = \"h.csv\", origin = [432150, 5103420, 0] } }"), {}, folder.path());
     EXPECT_THAT(
-        loaded.notes,
+        loaded.warnings,  // what bodies fall through is said by a run too
         Contains(HasSubstr("h.csv: 5 by 5 points 1 by 1 m apart, 1 without height, the first at (432152, 5103422)")));
     EXPECT_THAT(
         loaded.notes,
         Contains(HasSubstr("x 0 to 4, y 0 to 4, z 10.5 to 14.5 m; 28 triangles in 1 part, 1 hole; steepest 45 deg")));
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("up to 14.5 m from the origin, where double precision resolves")));
+}
+
+TEST(ForeignHeights, a_cut_to_nothing_says_why_and_nodata_makes_holes) {
+    const TemporaryFolder folder;
+    std::string text;
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            text += fmt::format("{} {} {}\n", 10 * i, 10 * j, i == 2 && j == 3 ? 0 : 400 + 30 * i + 15 * j);
+        }
+    }
+    folder.write("h.xyz", text);
+    const auto problem = [&](const std::string& more) {
+        return problems_of(on_ground("{ terrain = { file = \"h.xyz\"" + more + " } }"), {}, folder.path());
+    };
+    EXPECT_THAT(problem(""), ElementsAre(AllOf(StartsWith("h.xyz:21:7: a height of 0 m"), HasSubstr("nodata = 0"))));
+    EXPECT_THAT(problem(", nodata = \"none\""), IsEmpty());
+    EXPECT_THAT(read(on_ground("{ terrain = { file = \"h.xyz\", nodata = 0 } }"), {}, folder.path()).warnings,
+                Contains(HasSubstr("1 without height, the first at (20, 30): no ground in the cells around them")));
+    EXPECT_THAT(problem(", nodata = 0, resolution = 1e-6"),
+                ElementsAre(HasSubstr("a resolution of 1e-06 m makes 2.5e+15 heights of 50 by 50 m; at most 4000000")));
+    EXPECT_THAT(problem(", nodata = 0, region = [[60, 60], [70, 70]]"),
+                ElementsAre(HasSubstr("the region holds no ground: heights go from (0, 0) to (50, 50)")));
 }
 
 TEST(ForeignHeights, ground_at_map_coordinates_is_the_ground_at_the_origin) {

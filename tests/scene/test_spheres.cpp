@@ -95,7 +95,8 @@ TEST(Spheres, every_bad_list_is_told_of_at_its_place) {
     };
     EXPECT_THAT(list("0 0 0 0.2\n0 0 x 0.2\n"),
                 ElementsAre(HasSubstr("list.txt:2:5: \"x\" in column 3 is not a finite number")));
-    EXPECT_THAT(list("# none\n"), ElementsAre(HasSubstr("case.toml:10:20: list.txt lists no sphere")));
+    EXPECT_THAT(list("# none\n"),
+                ElementsAre(HasSubstr("list.txt:1:1: there is no row of numbers (file of case.toml:10:20)")));
     EXPECT_THAT(list("0 0 0 -0.2\n"), ElementsAre(HasSubstr("sphere 1 has radius -0.2 m")));
     EXPECT_THAT(list("0 0 0 0.2\n0 0 0.05 0.1\n"),
                 ElementsAre(HasSubstr("are equal, or one lies inside the other; each sphere once")));

@@ -6,6 +6,7 @@
 
 #include "riprap/geometry/dda_files.hpp"
 #include "riprap/geometry/dda_text.hpp"
+#include "riprap/geometry/dda_unread.hpp"
 
 namespace riprap::geometry {
 
@@ -41,7 +42,9 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
         } else if (element.name == "Ivelocity") {
             material.velocity = numbers.list<3>(element);
         } else {
-            note_unused(notes, element);
+            take_unread(elements, element,
+                        {"Unitmass", "Unitweight", "Youngsmod", "Poissonratio", "Istress", "Ivelocity"}, numbers,
+                        notes);
         }
     }
     return material;
@@ -59,7 +62,7 @@ DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const 
         } else if (element.name == "Tensile") {
             joint.tension = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else {
-            note_unused(notes, element);
+            take_unread(elements, element, {"Friction", "Cohesion", "Tensile"}, numbers, notes);
         }
     }
     return joint;
@@ -77,6 +80,22 @@ std::vector<std::size_t> ends_of_records(const MarkupElement& element) {
     return ends;
 }
 
+/// True where the numbers of one line could be records of a time and one component too: both times increase.
+bool may_be_pairs(const std::vector<Word>& words, std::size_t begin, std::size_t end) {
+    if (end == begin || (end - begin) % 6 != 0) {
+        return false;
+    }
+    const auto is_increasing = [&](std::size_t width) {
+        for (std::size_t k = begin + width; k < end; k += width) {
+            if (!(parse_number(words[k].text) > parse_number(words[k - width].text))) {
+                return false;
+            }
+        }
+        return true;
+    };
+    return is_increasing(2) && is_increasing(3);
+}
+
 /// Reads records of time and two components. Several may stand between marks; none may be cut by one.
 DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
     DdaLoadHistory history;
@@ -89,6 +108,13 @@ DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
         if ((end - begin) % 3 != 0) {
             numbers.report(element.words[begin], fmt::format("a record of {} numbers", end - begin),
                            "time and two components");
+            return history;
+        }
+        if (element.attribute("numpoints") == nullptr && may_be_pairs(element.words, begin, end)) {
+            numbers.report(element.words[begin],
+                           fmt::format("{} numbers could be {} records of two or {} of three", end - begin,
+                                       (end - begin) / 2, (end - begin) / 3),
+                           "';' after each record of time and two components, or their number as numpoints");
             return history;
         }
         for (; begin < end; begin += 3) {
@@ -132,7 +158,7 @@ void read_setting(const std::vector<MarkupElement>& elements, const MarkupElemen
             if (elements[child].name == "ShearNormRatio") {
                 analysis.shear_ratio = numbers.amount(elements[child], "value");
             } else {
-                note_unused(analysis.notes, elements[child]);
+                take_unread(elements, elements[child], {"ShearNormRatio"}, numbers, analysis.notes);
             }
         }
     } else if (element.name == "Blockmaterial") {
@@ -142,7 +168,10 @@ void read_setting(const std::vector<MarkupElement>& elements, const MarkupElemen
     } else if (element.name == "Loadpointlist") {
         read_loads(elements, element, numbers, analysis.loads);
     } else {
-        note_unused(analysis.notes, element);
+        take_unread(elements, element,
+                    {"Analysistype", "Planestrain", "Numtimesteps", "Maxtimestep", "Maxdisplacement", "Autopenalty",
+                     "AConstants", "Blockmaterial", "Jointproperties", "Loadpointlist"},
+                    numbers, analysis.notes);
     }
 }
 
@@ -201,8 +230,18 @@ void read_bare_analysis(std::string_view bytes, const std::string& file, Problem
         const double tension = numbers.number_in(reader.next_word(), "a tensile strength", 0, HUGE_VAL, not_negative);
         analysis.joints.push_back({angle * std::numbers::pi / 180, cohesion, tension});
     }
-    if (const Word rest = reader.next_word(); !rest.is_empty() && !numbers.has_problems()) {
-        analysis.notes.push_back(fmt::format("line {}: {} and what follows is not used", rest.line, quote(rest.text)));
+    const Word rest = reader.next_word();
+    if (rest.is_empty() || numbers.has_problems()) {
+        return;
+    }
+    std::size_t count = 1;  // one number may be the factor of the over-relaxation
+    for (; !reader.next_word().is_empty(); ++count) {
+    }
+    if (count > 1) {
+        numbers.report(rest, fmt::format("{} numbers follow the last joint material, and are not read", count),
+                       "loads as <Loadpointlist> of the marked-up form, or [[section.load]] of the case");
+    } else {
+        analysis.notes.push_back(fmt::format("line {}: {} is not used", rest.line, quote(rest.text)));
     }
 }
 

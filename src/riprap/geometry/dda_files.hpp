@@ -59,14 +59,14 @@ struct DdaAnalysis {
 
 /// Reads a geometry file from memory, in the form of marked-up elements (`<Jointlist>`, `<Joint type="1"> x1 y1 x2
 /// y2`) or in the older one of bare numbers (least distance; counts of joints, outline joints, material lines, bolts,
-/// fixed, load, measured and hole points; then a line of numbers for each). Elements that Riprap has no use for are
-/// noted.
+/// fixed, load, measured and hole points; then a line of numbers for each). Elements that are not known are
+/// refused where they hold numbers or nearly have the name of one that is, and noted else.
 /// @throws CaseError with every problem as file:line:column.
 DdaGeometry read_dda_geometry(std::string_view bytes, const std::string& file);
 
 /// Reads an analysis file. The form of bare numbers is: 0 static or 1 dynamic, number of steps, of block
 /// materials and of joint materials, displacement ratio, largest time step, 13 numbers for each block material and
-/// three for each joint material. @throws CaseError
+/// three for each joint material; more than one number behind these is refused. @throws CaseError
 DdaAnalysis read_dda_analysis(std::string_view bytes, const std::string& file);
 
 }  // namespace riprap::geometry

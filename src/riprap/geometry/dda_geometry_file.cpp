@@ -5,6 +5,7 @@
 
 #include "riprap/geometry/dda_files.hpp"
 #include "riprap/geometry/dda_text.hpp"
+#include "riprap/geometry/dda_unread.hpp"
 
 namespace riprap::geometry {
 
@@ -52,8 +53,13 @@ void read_geometry_list(const std::vector<MarkupElement>& elements, const Markup
             const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
             geometry.bolts.push_back({{x1, y1}, {x2, y2}, 0});
         }
+    } else if (list.name == "Matlinelist") {
+        note_unused(geometry.notes, list);  // blocks of a section are of one material
     } else {
-        note_unused(geometry.notes, list);
+        take_unread(elements, list,
+                    {"Edgenodedist", "Jointlist", "Fixedpointlist", "Loadpointlist", "Measuredpointlist",
+                     "Holepointlist", "Seispointlist", "Seismicpointlist", "Boltlist", "Matlinelist"},
+                    numbers, geometry.notes);
     }
 }
 

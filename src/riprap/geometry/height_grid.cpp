@@ -18,59 +18,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double same = 1e-6;  ///< of an interval: coordinates closer than this are equal
-
-[[noreturn]] void refuse_at(const std::string& file, const Word& word, std::string message, std::string allowed) {
-    throw CaseError(Diagnostic{{file, word.line, word.column}, std::move(message), std::move(allowed)});
-}
-
-double number_of(const std::string& file, const Word& word, std::string_view what) {
-    const auto value = parse_number(word.text);
-    if (!value || !std::isfinite(*value)) {
-        refuse_at(file, word, fmt::format("{} is {}", what, word.is_empty() ? "missing" : quote(word.text)),
-                  "a finite number");
-    }
-    return *value;
-}
-
-/// The lines before the heights of an ESRI ASCII grid.
-struct EsriHead {
-    std::optional<double> columns, rows, x, y, dx, dy;
-    double nodata{-9999};
-    bool x_is_corner{true}, y_is_corner{true};
-
-    /// True where `key` is one of the head.
-    bool take(const Word& key, double value) {
-        const auto is = [&key](std::string_view name) { return is_same_keyword(key.text, name); };
-        if (is("ncols")) {
-            columns = value;
-        } else if (is("nrows")) {
-            rows = value;
-        } else if (is("xllcorner") || is("xllcenter")) {
-            x = value;
-            x_is_corner = is("xllcorner");
-        } else if (is("yllcorner") || is("yllcenter")) {
-            y = value;
-            y_is_corner = is("yllcorner");
-        } else if (is("cellsize")) {
-            dx = dy = value;
-        } else if (is("dx")) {
-            dx = value;
-        } else if (is("dy")) {
-            dy = value;
-        } else if (is("nodata_value")) {
-            nodata = value;
-        } else {
-            return false;
-        }
-        return true;
-    }
-    bool is_complete() const { return columns && rows && x && y && dx && dy; }
-    bool is_sound() const {
-        const auto is_count = [](double n) { return n >= 2 && n == std::floor(n) && n <= 1e9; };
-        return is_count(*columns) && is_count(*rows) && *dx > 0 && *dy > 0 &&
-               *columns * *rows <= static_cast<double>(most_heights);
-    }
-};
+constexpr double off = 1e-2;   ///< of an interval: points this far off their place in a grid are taken to be there
 
 /// The places that a list of coordinates takes on an even scale.
 struct Scale {
@@ -79,79 +27,55 @@ struct Scale {
 };
 
 Scale scale_of(std::vector<double> values) {
+    // Twice what a point may be off its place, of the widest interval: coordinates nearer than this are one.
+    constexpr double scatter = 2 * off;
     std::sort(values.begin(), values.end());
     const double extent = values.back() - values.front();
-    double step = extent;
+    double widest = 0, step = extent, begin = values.front();
     for (std::size_t i = 1; i < values.size(); ++i) {
-        const double gap = values[i] - values[i - 1];
-        step = gap > 1e-9 * extent ? std::min(step, gap) : step;
+        widest = std::max(widest, values[i] - values[i - 1]);
+    }
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if (values[i] - values[i - 1] > scatter * widest) {
+            step = std::min(step, values[i] - begin);
+            begin = values[i];
+        }
     }
     const double intervals = step > 0 ? std::round(extent / step) : 0;
-    // The smallest gap carries the rounding of the file; the mean of all does not.
+    // The smallest interval carries the rounding of the file; the mean of all does not.
     return {values.front(), intervals > 0 ? extent / intervals : 0, static_cast<std::int64_t>(intervals) + 1};
+}
+
+/// Refuses a scale with places that no point has: intervals that differ, of which the wide ones would be holes.
+void check_evenness(const Scale& scale, const std::vector<double>& values, const NumberTable& table, std::size_t axis) {
+    std::vector<char> is_taken(riprap::at(scale.count), 0);
+    for (const double value : values) {
+        is_taken[riprap::at(std::llround((value - scale.first) / scale.step))] = 1;
+    }
+    const auto free = std::find(is_taken.begin(), is_taken.end(), 0);
+    if (free == is_taken.end()) {
+        return;
+    }
+    const double after = scale.first + static_cast<double>(free - is_taken.begin() - 1) * scale.step;
+    const auto next = std::find(free, is_taken.end(), 1);
+    const double until = scale.first + static_cast<double>(next - is_taken.begin()) * scale.step;
+    std::size_t row = 0;
+    while (std::abs(values[row] - until) > 0.5 * scale.step) {
+        ++row;
+    }
+    const char name = axis == 0 ? 'x' : 'y';
+    throw CaseError(Diagnostic{
+        table.place(row, axis),
+        fmt::format("no point between {} = {:.9g} and {:.9g} m, where others are {:.6g} m apart", name, after, until,
+                    scale.step),
+        "even intervals along x and along y: heights interpolated to such a grid, or the points without height in it "
+        "listed with a number that 'nodata' names"});
 }
 
 }  // namespace
 
-HeightGrid read_esri_ascii(std::string_view text, const std::string& file, double scale) {
-    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-    TextReader reader(text);
-    EsriHead head;
-    Word word = reader.peek_word();
-    while (!word.is_empty() && std::isalpha(static_cast<unsigned char>(word.text.front())) != 0) {
-        const Word key = reader.next_word();
-        if (!head.take(key, number_of(file, reader.next_word_on_line(), key.text))) {
-            refuse_at(file, key, fmt::format("{} is no key of an ESRI ASCII grid", quote(key.text)),
-                      "ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value");
-        }
-        word = reader.peek_word();
-    }
-    if (!head.is_complete() || !head.is_sound()) {
-        refuse(file, "the head of the grid is not complete, or its numbers make no grid",
-               fmt::format("ncols and nrows of at least 2 and {} points together, xllcorner, yllcorner, cellsize",
-                           most_heights));
-    }
-    HeightGrid grid;
-    grid.columns = static_cast<std::int64_t>(*head.columns);
-    grid.rows = static_cast<std::int64_t>(*head.rows);
-    grid.dx = scale * *head.dx;
-    grid.dy = scale * *head.dy;
-    grid.x0 = scale * *head.x + (head.x_is_corner ? 0.5 * grid.dx : 0);
-    grid.y0 = scale * *head.y + (head.y_is_corner ? 0.5 * grid.dy : 0);
-    grid.z.resize(riprap::at(grid.columns * grid.rows));
-    TextReader heights = reader;
-    for (std::int64_t row = grid.rows - 1; row >= 0; --row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            const double z = number_of(file, reader.next_word(), "a height");
-            // Programs round the mark of the head and those of the rows differently.
-            const bool is_none = std::abs(z - head.nodata) <= 1e-5 * std::abs(head.nodata);
-            grid.z[riprap::at(row * grid.columns + column)] = is_none ? none : scale * z;
-        }
-    }
-    if (const Word more = reader.next_word(); !more.is_empty()) {
-        refuse_at(file, more, fmt::format("more than the {} heights of the head", grid.columns * grid.rows),
-                  "ncols times nrows numbers");
-    }
-    if (const auto mark = find_mark_of_nothing(grid.z, std::max(grid.dx, grid.dy), scale)) {
-        Word found;
-        for (std::int64_t row = grid.rows - 1, left = 1; row >= 0 && left > 0; --row) {
-            for (std::int64_t column = 0; column < grid.columns && left > 0; ++column) {
-                found = heights.next_word();
-                left = riprap::at(row * grid.columns + column) == mark->index ? 0 : 1;
-            }
-        }
-        refuse_at(file, found, mark->message, fmt::format("NODATA_value {} in the head", found.text));
-    }
-    return grid;
-}
-
-bool is_esri_ascii(std::string_view text) {
-    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-    const std::string_view word = TextReader(text).next_word().text;
-    return is_same_keyword(word, "ncols") || is_same_keyword(word, "nrows");
-}
-
-HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form) {
+HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form,
+                    const NoHeight& no_height) {
     TableForm places = form != nullptr ? *form : table_of_places(most_heights);
     places.may_have_more = true;
     const NumberTable table = read_number_table(text, file, places);
@@ -175,7 +99,6 @@ HeightGrid read_xyz(std::string_view text, const std::string& file, double scale
     std::vector<std::size_t> row_of(grid.z.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
         const double column = (along[0][i] - x.first) / x.step, row = (along[1][i] - y.first) / y.step;
-        constexpr double off = 1e-2;  // of an interval
         if (std::abs(column - std::round(column)) > off || std::abs(row - std::round(row)) > off) {
             throw CaseError(Diagnostic{table.place(i, 0),
                                        fmt::format("point {} at ({:.9g}, {:.9g}) is off the grid of {:.6g} by {:.6g} m",
@@ -183,8 +106,9 @@ HeightGrid read_xyz(std::string_view text, const std::string& file, double scale
                                        "points of a rectangular grid, along x and y"});
         }
         const std::size_t n = riprap::at(std::llround(row) * x.count + std::llround(column));
-        const double z = scale * table.at(i, 2);
-        if (row_of[n] < count && z != grid.z[n]) {
+        const bool is_none = no_height.mark && is_same_mark(table.at(i, 2), *no_height.mark);
+        const double z = is_none ? none : scale * table.at(i, 2);
+        if (row_of[n] < count && z != grid.z[n] && !(is_none && std::isnan(grid.z[n]))) {
             throw CaseError(
                 Diagnostic{table.place(i, 2),
                            fmt::format("the height of ({:.9g}, {:.9g}) is {:.6g} m here and {:.6g} m in line {}",
@@ -194,12 +118,22 @@ HeightGrid read_xyz(std::string_view text, const std::string& file, double scale
         grid.z[n] = z;
         row_of[n] = i;
     }
-    if (const auto mark = find_mark_of_nothing(grid.z, std::max(grid.dx, grid.dy), scale)) {
-        throw CaseError(Diagnostic{table.place(row_of[mark->index], 2), mark->message,
-                                   "leave out the lines of points without height"});
+    check_evenness(x, along[0], table, 0);
+    check_evenness(y, along[1], table, 1);
+    const auto mark = no_height.is_certain
+                          ? std::nullopt
+                          : find_mark_of_nothing(grid.z, grid.columns, std::max(grid.dx, grid.dy), scale);
+    if (mark) {
+        throw CaseError(Diagnostic{
+            table.place(row_of[mark->index], 2), mark->message,
+            fmt::format("leave out the lines of points without height, or nodata = {:.9g}; nodata = \"none\" where it "
+                        "is a height",
+                        table.at(row_of[mark->index], 2))});
     }
     return grid;
 }
+
+bool is_same_mark(double value, double mark) { return std::abs(value - mark) <= 1e-5 * std::abs(mark); }
 
 double HeightGrid::height(double x, double y) const {
     const double u = (x - x0) / dx, v = (y - y0) / dy;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,20 +32,33 @@ struct HeightGrid {
 /// Points that a grid may have.
 inline constexpr std::int64_t most_heights = 4'000'000;
 
+/// What a case says of heights that stand for none.
+struct NoHeight {
+    std::optional<double> mark{};  ///< this number of the file
+    bool is_certain{false};        ///< there is no other: no height is suspected
+};
+
+/// True for the number of a mark; programs round it differently in heads and rows.
+bool is_same_mark(double value, double mark);
+
 /// Reads an ESRI ASCII grid: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx, dy),
-/// optionally NODATA_value, then the rows from north to south. Heights are those of the middles of cells.
+/// optionally NODATA_value, then the rows from north to south. Heights are those of the middles of cells. Lines that
+/// end elsewhere than rows do are refused.
 /// @param scale  metres per unit of the file, of all three coordinates [m]
 /// @throws CaseError with file:line:column, also for heights that are a mark for none (marks_of_nothing.hpp)
-HeightGrid read_esri_ascii(std::string_view text, const std::string& file, double scale);
+HeightGrid read_esri_ascii(std::string_view text, const std::string& file, double scale,
+                           const NoHeight& no_height = {});
 
 /// Tells whether a text begins as an ESRI ASCII grid does.
 bool is_esri_ascii(std::string_view text);
 
 /// Reads x, y, z per line (number_table.hpp) of the points of a rectangular grid in any order; points of the rectangle
-/// that are not listed have no height. Columns beyond the third are passed over.
+/// that are not listed have no height. Columns beyond the third are passed over. Places that no point at all has along
+/// x or y are refused: intervals that differ.
 /// @param form  of the columns, as table_of_places() gives it; null for that
 /// @throws CaseError with file:line:column, also for two heights at one place and for marks of none
-HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form = nullptr);
+HeightGrid read_xyz(std::string_view text, const std::string& file, double scale, const TableForm* form = nullptr,
+                    const NoHeight& no_height = {});
 
 /// A rectangle of the plane [m].
 struct Rectangle {

@@ -87,8 +87,18 @@ class TableReader {
         while (const auto line = lines_.next()) {
             read_line(*line);
         }
+        if (table_.lines.empty()) {
+            Diagnostic problem;
+            problem.place.file = table_.file;
+            problem.place.line = std::max(lines_.number(), 1U);
+            problem.place.column = 1;
+            problem.message = "there is no row of numbers";
+            problem.allowed = headings_.wanted();
+            throw CaseError(std::move(problem));
+        }
         marks_.check();
         check_counter();
+        check_count();
         std::vector<std::string> notes = headings_.take_notes();
         table_.notes.insert(table_.notes.end(), notes.begin(), notes.end());
         return std::move(table_);
@@ -114,7 +124,7 @@ class TableReader {
                 refuse_at(cells_.front().column, fmt::format("{} stands among the rows", quote(cells_.front().text)),
                           "headings before the first row only; comments begin with '#'");
             }
-            headings_.add(cells_, lines_.number());
+            headings_.add(line, cells_, lines_.number());
             return;
         }
         read_row();
@@ -124,7 +134,8 @@ class TableReader {
         if (table_.lines.empty()) {
             choice_ = headings_.choose(cells_.size());
             // Commas between columns cannot be told from decimal commas by a row alone.
-            count_ = choice_.is_named ? cells_.size() : number_count();
+            count_ = choice_.is_named ? std::max(choice_.cell_count, cells_.size()) : number_count();
+            may_be_count_ = form_.is_list && !choice_.is_named && std::all_of(cells_.begin(), cells_.end(), is_whole);
             is_open_ = form_.may_have_more && !choice_.is_named;
         }
         std::size_t found = is_open_ ? number_count() : cells_.size();
@@ -217,6 +228,35 @@ class TableReader {
             fmt::format("the first {} of {} columns are read as {}", table_.width, count_, headings_.names()));
     }
 
+    /// Refuses a first row of whole numbers that tells how many rows follow, as some programs write: "25 5 5".
+    void check_count() const {
+        const std::size_t width = table_.width, following = table_.row_count() - 1;
+        if (!may_be_count_ || width < 2 || following < 3) {
+            return;
+        }
+        const auto is_beyond = [&](std::size_t column) {
+            double most = table_.at(1, column);
+            for (std::size_t row = 2; row < table_.row_count(); ++row) {
+                most = std::max(most, table_.at(row, column));
+            }
+            return table_.at(0, column) > most;
+        };
+        const double first = table_.at(0, 0), second = table_.at(0, 1), count = static_cast<double>(following);
+        const bool is_count = first == count && is_beyond(0);
+        if (is_count || (first * second == count && is_beyond(0) && is_beyond(1))) {
+            throw CaseError(Diagnostic{
+                table_.place(0, 0), fmt::format("{} rows follow: does the first one count them?", following),
+                fmt::format("rows of numbers without their count, or a heading such as {} above a row that is one",
+                            headings_.names())});
+        }
+    }
+
+    /// True for "25", but not for "25.0".
+    static bool is_whole(const TableCell& cell) {
+        const auto number = parse_integer(cell.text);
+        return number && *number >= 0;
+    }
+
     LineReader lines_;
     const TableForm& form_;
     TableHeadings headings_;
@@ -226,6 +266,7 @@ class TableReader {
     ColumnChoice choice_;
     std::size_t count_{0};  ///< of columns in the first row
     bool is_open_{false}, is_counted_{true}, is_separated_by_commas_{false};
+    bool may_be_count_{false};  ///< the first row is of whole numbers, without names above it
     double last_{0};
 };
 
@@ -236,12 +277,15 @@ NumberTable read_number_table(std::string_view text, const std::string& file, co
 }
 
 TableForm table_of_places(std::int64_t most_rows) {
-    return {{{"x", {"x", "easting", "east", "e"}},
-             {"y", {"y", "northing", "north", "n"}},
-             {"z", {"z", "height", "elevation", "altitude", "elev", "alt", "h"}}},
+    return {{{"x", {"x", "easting", "east", "e", "rechtswert", "xcoord"}},
+             {"y", {"y", "northing", "north", "n", "hochwert", "ycoord"}},
+             {"z", {"z",           "height", "elevation", "altitude", "elev",   "alt",       "h",     "hoehe",
+                    "h\xC3\xB6he", "level",  "ground",    "bed",      "bottom", "topo",      "dem",   "dtm",
+                    "dsm",         "kote",   "kota",      "cota",     "value",  "grid_code", "zcoord"}}},
             false,
             most_rows,
-            {}};
+            {},
+            true};
 }
 
 }  // namespace riprap::geometry

@@ -15,7 +15,7 @@ namespace riprap::geometry {
 struct UnitAnswer {
     bool is_known{false};
     bool is_of_its_kind{false};  ///< a length where a length is read, ...
-    std::string problem;         ///< why numbers in this unit are not read; empty when they are
+    std::string problem;         ///< which numbers are read, where those in this unit are not; else empty
 };
 
 /// One column that a reader wants.
@@ -31,6 +31,7 @@ struct TableForm {
     std::int64_t most_rows{0};
     /// Looks at the unit in the heading of a column; may be empty.
     std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
+    bool is_list{false};  ///< rows in any order, such as points: a first row may count those that follow
 };
 
 /// Rows of finite numbers.
@@ -59,11 +60,13 @@ struct NumberTable {
 /// - numbers are those of C: 1, +0.5, 1e-3. A comma inside a cell is a decimal comma, where cells are not separated by
 ///   commas and no number of the file has a point; "1,234" alone could be either and is refused;
 /// - where the heading names every wanted column (see TableColumn::aliases), columns are taken by their names; else all
-///   columns are taken in order, and a heading that names one in another place is refused;
-/// - units in headings, in brackets, after "_" or "/" or in a line of their own, are given to TableForm::unit.
+///   columns are taken in order. A heading that names some of them and another quantity, or one of them in another
+///   place, is refused, and so is one of other quantities ("vx", "omega", "step");
+/// - units in headings, in brackets, after a mark or a blank, in a line of their own or in the words of a title ("in
+///   mm"), are given to TableForm::unit. One in brackets must be known.
 ///
 /// @throws CaseError with file:line:column for anything else: a cell that is no finite number, rows of another number
-/// of columns, text between rows, UTF-16, too many rows.
+/// of columns, text between rows, no row at all, a first row that counts the others, UTF-16, too many rows.
 NumberTable read_number_table(std::string_view text, const std::string& file, const TableForm& form);
 
 /// Columns of places: x, y, z.

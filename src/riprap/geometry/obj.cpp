@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "riprap/geometry/line_ends.hpp"
 #include "riprap/geometry/number_grain.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
@@ -239,7 +240,9 @@ class ObjReader {
 
 Surface read_obj(std::string_view bytes, const std::string& file, double scale) {
     check_surface_input(file, bytes.size(), scale);
-    return ObjReader(bytes, file, scale).read();
+    const std::string_view text = without_byte_order_mark(bytes);
+    const std::string with_line_feeds = has_bare_returns(text) ? line_feeds_in(text) : "";
+    return ObjReader(with_line_feeds.empty() ? text : with_line_feeds, file, scale).read();
 }
 
 }  // namespace riprap::geometry

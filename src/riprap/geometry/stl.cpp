@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "riprap/geometry/line_ends.hpp"
 #include "riprap/geometry/number_grain.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
@@ -240,7 +241,7 @@ bool is_binary_stl(std::string_view bytes) {
     if (bytes.size() >= header_size && bytes.size() == header_size + record_size * std::uint64_t{read_u32(bytes, 80)}) {
         return true;
     }
-    const std::string_view start = bytes.substr(0, 1024);
+    const std::string_view start = without_byte_order_mark(bytes).substr(0, 1024);
     const bool has_control_bytes =
         std::any_of(start.begin(), start.end(), [](char c) { return (c >= 0 && c < 9) || (c > 13 && c < 32); });
     return has_control_bytes || !is_same_keyword(TextReader(start).next_word().text, "solid");
@@ -248,7 +249,11 @@ bool is_binary_stl(std::string_view bytes) {
 
 Surface read_stl(std::string_view bytes, const std::string& file, double scale) {
     check_surface_input(file, bytes.size(), scale);
-    Surface surface = is_binary_stl(bytes) ? read_binary_stl(bytes, file, scale) : AsciiStl(bytes, file, scale).read();
+    const std::string_view text = without_byte_order_mark(bytes);
+    const bool is_binary = is_binary_stl(bytes);
+    const std::string with_line_feeds = !is_binary && has_bare_returns(text) ? line_feeds_in(text) : "";
+    Surface surface = is_binary ? read_binary_stl(bytes, file, scale)
+                                : AsciiStl(with_line_feeds.empty() ? text : with_line_feeds, file, scale).read();
     check_grain(surface);
     return surface;
 }

@@ -14,6 +14,7 @@ namespace riprap::geometry {
 struct ColumnChoice {
     std::vector<std::size_t> take;  ///< cell of each wanted column
     bool is_named{false};           ///< the heading names them
+    std::size_t cell_count{0};      ///< of the heading that names them
 };
 
 /// A cell of a heading: its name in lower case, and its unit.
@@ -22,6 +23,7 @@ struct HeadingCell {
     bool is_certain{false};  ///< the unit stands in brackets: no other text is meant
     SourcePlace place;
     std::string text;
+    std::size_t column{static_cast<std::size_t>(-1)};  ///< wanted column that it names, if any
 };
 
 /// Lines before the first row of a table, and what they say of its columns.
@@ -29,7 +31,7 @@ class TableHeadings {
  public:
     TableHeadings(std::string file, const TableForm& form) : file_(std::move(file)), form_(form) {}
 
-    void add(const std::vector<TableCell>& cells, std::uint32_t line);
+    void add(std::string_view text, const std::vector<TableCell>& cells, std::uint32_t line);
     /// A line behind '#', which may be a heading.
     void add_comment(std::string_view line, std::uint32_t number, std::uint32_t column);
     /// Chooses the cells to read in rows of `cell_count` cells. @throws CaseError where the headings contradict that
@@ -43,16 +45,27 @@ class TableHeadings {
     struct Line {
         std::vector<HeadingCell> cells;
         bool is_comment{false};
+        bool has_marks{false};  ///< commas, semicolons or tabs stand between all cells: no prose
+        std::string text;
+        SourcePlace place;
+        bool is_heading{false};  ///< of as many cells as the rows, and no title
     };
 
-    bool is_unit_line(const Line& line) const;
+    HeadingCell heading_cell(const TableCell& cell, std::uint32_t line) const;
     std::size_t column_named(const std::string& name) const;
+    std::size_t column_in_words(const std::string& name) const;
+    bool is_unit_line(const Line& line) const;
+    bool is_like_a_heading(const Line& line) const;
+    ColumnChoice choice_of(const Line& line) const;
+    void check_names(const Line& line) const;
+    void check_width(const Line& line, std::size_t cell_count) const;
     void check_unit(std::size_t column, const HeadingCell& cell);
-    ColumnChoice choose_by(const Line& line);
+    void check_title(const Line& line) const;
 
     std::string file_;
     const TableForm& form_;
     std::vector<Line> lines_;
+    std::vector<bool> has_unit_;  ///< of each column: a heading gives one that is read
     std::vector<std::string> notes_;
 };
 

@@ -123,6 +123,27 @@ void read_piece(std::string_view bytes, double scale, Surface& surface) {
     }
 }
 
+/// Where the element stands that a problem names: an array, the points, the polygons, else the piece.
+SourcePlace place_of(std::string_view bytes, const std::string& file, std::string_view problem) {
+    constexpr std::string_view array = "array '";
+    std::size_t from = 0;
+    std::string sought = problem.starts_with("point ")     ? "<Points"
+                         : problem.starts_with("polygon ") ? "<Polys"
+                         : problem.starts_with("it is no") ? "<VTKFile"
+                                                           : "<Piece";
+    if (const std::size_t at = problem.find(array); at != std::string_view::npos) {
+        const std::string_view name = problem.substr(at + array.size());
+        const std::string_view called = name.substr(0, name.find('\''));
+        sought = called == "Points" ? "<Points" : fmt::format("Name=\"{}\"", called);
+        from = called == "Points" ? 0 : std::min(bytes.find("<Polys"), bytes.size());
+    }
+    const std::size_t found = bytes.find(sought, from);
+    const std::string_view before = bytes.substr(0, found == std::string_view::npos ? from : found);
+    const std::size_t begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    return {file, static_cast<std::uint32_t>(1 + std::count(before.begin(), before.end(), '\n')),
+            static_cast<std::uint32_t>(1 + before.size() - begin)};
+}
+
 }  // namespace
 
 Surface read_vtp_surface(std::string_view bytes, const std::string& file, double scale) {
@@ -135,7 +156,8 @@ Surface read_vtp_surface(std::string_view bytes, const std::string& file, double
         read_piece(bytes, scale, surface);
         geometry::check_grain(surface);
     } catch (const FileError& error) {
-        geometry::refuse(file, error.what(), "a surface as ParaView and VTK write it (.vtp)");
+        throw CaseError(Diagnostic{place_of(bytes, file, error.what()), error.what(),
+                                   "a surface as ParaView and VTK write it (.vtp)"});
     }
     return surface;
 }

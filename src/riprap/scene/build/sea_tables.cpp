@@ -30,9 +30,11 @@ constexpr Dimension spectral_density{2, 0, 1, 0};
 
 /// Points f [1/s], S [m^2 s] from a file; nothing with a problem.
 std::optional<wave::Spectrum> read_spectrum(CaseBuild& build, const Value& file) {
-    const geometry::TableForm form = form_of(
-        {{{"f", {"f", "frequency"}}, dimension::frequency}, {{"S", {"s", "density", "spectrum"}}, spectral_density}},
-        limits::table_rows);
+    const geometry::TableForm form =
+        form_of({{{"f", {"f", "frequency", "freq", "frequenz", "hz"}}, dimension::frequency},
+                 {{"S", {"s", "density", "spectrum", "psd", "energy", "e", "see", "snn", "sxx", "syy", "szz", "seta"}},
+                  spectral_density}},
+                limits::table_rows);
     const auto rows = read_numbers(build.files, file.text, form, file.place, build.problems, build.notes);
     if (!rows) {
         return std::nullopt;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "riprap/geometry/ground_cells.hpp"
 #include "riprap/geometry/height_grid.hpp"
@@ -42,6 +43,15 @@ std::string text_of(const HeightGrid& grid) {
                               grid.y0 + grid.dy * static_cast<double>(n / grid.columns));
 }
 
+/// What the case says of heights that stand for none.
+geometry::NoHeight no_height_of(const Value& table) {
+    const Value* nodata = table.find("nodata");
+    if (nodata == nullptr) {
+        return {};
+    }
+    return nodata->text == "none" ? geometry::NoHeight{{}, true} : geometry::NoHeight{nodata->as_number(), true};
+}
+
 /// Intervals that the solid is thick where the case does not say.
 constexpr double default_thickness = 2;
 
@@ -58,6 +68,25 @@ geometry::Rectangle region_of(const Value* corners) {
     const auto& low = corners->items[0].items;
     const auto& high = corners->items[1].items;
     return {low[0].as_number(), low[1].as_number(), high[0].as_number(), high[1].as_number()};
+}
+
+/// Why a grid was cut to nothing.
+Diagnostic problem_of_cut(const HeightGrid& whole, const Value& table) {
+    const geometry::Rectangle region = region_of(table.find("region"));
+    const double width = std::min(whole.x_end(), region.x_high) - std::max(whole.x0, region.x_low);
+    const double depth = std::min(whole.y_end(), region.y_high) - std::max(whole.y0, region.y_low);
+    const Value* resolution = table.find("resolution");
+    if (!(width > 0 && depth > 0) || resolution == nullptr) {
+        return {table.place,
+                fmt::format("the region holds no ground: heights go from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g})",
+                            whole.x0, whole.y0, whole.x_end(), whole.y_end()),
+                "a region that lies within the file"};
+    }
+    const double step = resolution->as_number();
+    return {resolution->place,
+            fmt::format("a resolution of {:g} m makes {:.3g} heights of {:.6g} by {:.6g} m", step,
+                        (width / step + 1) * (depth / step + 1), width, depth),
+            fmt::format("at most {} heights: a coarser resolution or a smaller region", geometry::most_heights)};
 }
 
 bool are_few_enough(std::int64_t cells, const SourcePlace& place, std::vector<Diagnostic>& problems) {
@@ -105,8 +134,8 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
         const double unit = get_word(table, "units", length_units());
         const geometry::TableForm form = form_of(columns_of_places(), geometry::most_heights, unit);
         grid = ends_with(path->text, ".asc") || geometry::is_esri_ascii(*bytes)
-                   ? geometry::read_esri_ascii(*bytes, path->text, unit)
-                   : geometry::read_xyz(*bytes, path->text, unit, &form);
+                   ? geometry::read_esri_ascii(*bytes, path->text, unit, no_height_of(table))
+                   : geometry::read_xyz(*bytes, path->text, unit, &form, no_height_of(table));
     } catch (const CaseError& error) {
         add_problems_of(error, path->place, problems_);
         return std::nullopt;
@@ -114,10 +143,15 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
     for (const std::string& note : grid.notes) {
         notes_.push_back(fmt::format("{}: {}", path->text, note));
     }
-    grid = geometry::cut_grid(grid, region_of(table.find("region")), get_number_or(table, "resolution", 0));
-    if (!grid.z.empty()) {
-        notes_.push_back(fmt::format("{}: {}", path->text, text_of(grid)));
+    const HeightGrid whole = std::move(grid);
+    grid = geometry::cut_grid(whole, region_of(table.find("region")), get_number_or(table, "resolution", 0));
+    if (grid.z.empty()) {
+        problems_.push_back(problem_of_cut(whole, table));
+        return std::nullopt;
     }
+    // A run says what bodies fall through; the note of a grid without holes is for `check`.
+    const bool is_whole = std::all_of(grid.z.begin(), grid.z.end(), [](double z) { return std::isfinite(z); });
+    (is_whole ? notes_ : warnings_).push_back(fmt::format("{}: {}", path->text, text_of(grid)));
     const geometry::TriangleMesh mesh = geometry::mesh_of(grid, get_vector(table, "origin"));
     if (!are_few_enough(mesh.size(), table.place, problems_)) {
         return std::nullopt;

@@ -31,15 +31,16 @@ bool check_rows(CaseBuild& build, const TimeTable& rows, const SourcePlace& plac
 geometry::TableForm form_of_vectors(bool is_planar, bool is_force) {
     const Dimension& kind = is_force ? dimension::force : dimension::length;
     const bool per_width = is_force && is_planar;
-    std::vector<ReadColumn> columns{{{"t", {"t", "time"}}, dimension::time}};
+    std::vector<ReadColumn> columns{
+        {{"t", {"t", "time", "zeit", "temps", "tiempo", "sec", "seconds"}}, dimension::time}};
     if (is_force) {
         columns.push_back({{"Fx", {"fx", "x", "f_x", "px"}}, kind, per_width});
         columns.push_back({{"Fy", {"fy", "y", "f_y", "py"}}, kind, per_width});
         columns.push_back({{"Fz", {"fz", "z", "f_z", "pz"}}, kind, per_width});
     } else {
-        columns.push_back({{"x", {"x", "dx", "ux"}}, kind});
-        columns.push_back({{"y", {"y", "dy", "uy"}}, kind});
-        columns.push_back({{"z", {"z", "dz", "uz"}}, kind});
+        columns.push_back({{"x", {"x", "dx", "ux", "surge"}}, kind});
+        columns.push_back({{"y", {"y", "dy", "uy", "sway"}}, kind});
+        columns.push_back({{"z", {"z", "dz", "uz", "heave"}}, kind});
     }
     if (is_planar) {
         columns.pop_back();

@@ -105,6 +105,12 @@ const Table& terrain_table() {
           "Ground of a planar scene, instead of a file: points x, y from left to right.",
           {}},
          {"units", {choice(length_units())}, "Unit of the numbers in the file.", Value::of("m")},
+         {"nodata",
+          {choice({"none"}), number(dimension::plain)},
+          "Number of the file that stands for no height, or \"none\": all numbers are heights, also those that look "
+          "like "
+          "a mark for none.",
+          {}},
          {"region",
           {list(list(number(dimension::length), 2, 2), 2, 2)},
           "Low and high corner x, y of the part to take, in the coordinates of the file; all of it when not given.",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/heading_units.hpp"
 #include "riprap/scene/text/units.hpp"
 
 namespace riprap::scene {
@@ -14,22 +15,25 @@ namespace {
 
 /// Says what a unit over a column means, where numbers are read in `dimension`.
 geometry::UnitAnswer answer_to(std::string_view text, const ReadColumn& column, double scale) {
-    const std::optional<Unit> unit = parse_unit(text);
-    if (!unit) {
-        return {};
-    }
+    const std::optional<Unit> unit = parse_heading_unit(text);
     const bool is_length = column.dimension == dimension::length;
     const double factor = is_length ? scale : 1;
     const std::string read =
         factor == 1 ? si_unit(column.dimension) : fmt::format("{:g} {}", factor, si_unit(column.dimension));
+    if (!unit) {
+        return {false, false, fmt::format("numbers in {}", read)};
+    }
     if (!(unit->dimension == column.dimension)) {
         const bool is_per_width = column.is_force_in_plane && unit->dimension == dimension::stiffness;
+        // Weights are written in units of mass.
+        const bool is_weight = column.dimension == dimension::force && unit->dimension == Dimension{0, 1, 0, 0};
         return is_per_width && to_si(1, *unit) == 1
                    ? geometry::UnitAnswer{true, true, ""}
-                   : geometry::UnitAnswer{true, false, fmt::format("numbers in {}", read)};
+                   : geometry::UnitAnswer{true, is_weight || is_per_width, fmt::format("numbers in {}", read)};
     }
-    const bool is_same = std::abs(to_si(1, *unit) - factor) <= 1e-12 * factor;
-    return {true, true, is_same ? "" : fmt::format("numbers in {}", read)};
+    const double here = to_si(1, *unit) / factor;
+    const bool is_same = std::abs(here - 1) <= 1e-12;
+    return {true, true, is_same ? "" : fmt::format("numbers in {}: those in {} times {:.10g}", read, text, here)};
 }
 
 }  // namespace
@@ -45,6 +49,7 @@ std::vector<ReadColumn> columns_of_places() {
 geometry::TableForm form_of(std::vector<ReadColumn> columns, std::int64_t most_rows, double scale) {
     geometry::TableForm form;
     form.most_rows = most_rows;
+    form.is_list = columns.front().dimension == dimension::length;
     for (const ReadColumn& column : columns) {
         form.columns.push_back(column.column);
     }
