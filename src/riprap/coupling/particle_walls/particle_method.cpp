@@ -24,6 +24,7 @@ ParticleMethod::ParticleMethod(const FluidScene& scene, const Settings& water, c
         scratch.made_for = &water;
         scratch.scheme = make_scheme(water.scheme);
         scratch.bodies = describe_bodies(scene.bodies, water);
+        scratch.corners = find_corners(scene, water, state.bodies);
     }
 }
 
