@@ -177,18 +177,27 @@ void add_validate(CLI::App& app, Action& action, const Words& words, const Built
 
 void add_list(CLI::App& app, Action& action, const Words& words, const BuiltIn& built_in) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
-    command->footer("Example:\n  riprap list --costs");
+    command->footer("Example:\n  riprap list --costs\n  riprap list --published");
     auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
-    auto as_costs = std::make_shared<bool>(false);
+    auto as_costs = std::make_shared<bool>(false), as_published = std::make_shared<bool>(false);
     CLI::Option* json = command->add_flag("--json", *as_json, "As JSON");
     CLI::Option* names = command->add_flag("--names", *as_names, "Names of cases only, one a line")->excludes(json);
+    CLI::Option* costs = command
+                             ->add_flag("--costs", *as_costs,
+                                        "What the run of each case takes on this machine, by some steps of it: a "
+                                        "minute in all")
+                             ->excludes(names);
     command
-        ->add_flag("--costs", *as_costs,
-                   "What the run of each case takes on this machine, by some steps of it: a minute in all")
-        ->excludes(names);
-    command->callback([&action, &words, &built_in, as_json, as_names, as_costs] {
-        action = [&words, &built_in, as_json, as_names, as_costs] {
+        ->add_flag("--published", *as_published,
+                   "Published experiments and exact answers that are case files, by source")
+        ->excludes(names)
+        ->excludes(costs);
+    command->callback([&action, &words, &built_in, as_json, as_names, as_costs, as_published] {
+        action = [&words, &built_in, as_json, as_names, as_costs, as_published] {
             end_with_reader();
+            if (*as_published) {
+                return print_published(*as_json);
+            }
             if (*as_names || *as_costs) {
                 return *as_names ? print_case_names() : print_costs(*as_json);
             }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -52,7 +53,48 @@ void print(const std::string& heading, const std::vector<ListedCase>& entries) {
     }
 }
 
+/// Sources that a case file cites, each once, in its order; read line by line, as a listing must not fail on a case.
+std::vector<std::string> citations_of(const std::string& file) {
+    std::ifstream in(file);
+    std::vector<std::string> found;
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t begin = line.find('"'), end = line.rfind('"');
+        if (line.rfind("citation", 0) == 0 && begin < end) {
+            const std::string citation = line.substr(begin + 1, end - begin - 1);
+            if (std::find(found.begin(), found.end(), citation) == found.end()) {
+                found.push_back(citation);
+            }
+        }
+    }
+    return found;
+}
+
 }  // namespace
+
+int print_published(bool as_json) {
+    Json list = Json::array();
+    for (const ListedCase& entry : with_files("validation")) {
+        const std::vector<std::string> sources = citations_of(entry.file);
+        if (sources.empty()) {
+            continue;
+        }
+        if (as_json) {
+            list.push_back(
+                {{"name", entry.name}, {"title", entry.title}, {"file", entry.file}, {"citations", sources}});
+            continue;
+        }
+        fmt::print("{}  {}\n", entry.name, entry.title);
+        for (const std::string& source : sources) {
+            fmt::print("    {}\n", source);
+        }
+    }
+    if (as_json) {
+        fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
+    } else {
+        fmt::print("one of them as a case of your own: riprap new NAME --from validation/SUITE/CASE\n");
+    }
+    return 0;
+}
 
 int print_case_names() {
     for (const ListedCase& entry : examples()) {

@@ -7,6 +7,7 @@
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/run/find_case.hpp"
 
 namespace riprap {
 
@@ -164,11 +165,34 @@ tolerance = 0.06
 citation  = "1 % of the fall"
 )";
 
+void refuse_existing(const std::filesystem::path& folder) {
+    if (std::filesystem::exists(folder)) {
+        throw FileError(fmt::format("'{}' exists already; choose another name", folder.string()));
+    }
+}
+
+/// Copies a known case with the files that lie beside it.
+int copy_case(const std::string& name, const std::string& known) {
+    const std::filesystem::path folder(name), from = run::find_case(known);
+    refuse_existing(folder);
+    std::error_code problem;
+    if (from.filename() == "case.toml") {
+        std::filesystem::create_directories(folder.has_parent_path() ? folder.parent_path() : ".");
+        std::filesystem::copy(from.parent_path(), folder, std::filesystem::copy_options::recursive, problem);
+    } else {
+        std::filesystem::create_directories(folder);
+        std::filesystem::copy_file(from, folder / "case.toml", problem);
+    }
+    if (problem) {
+        throw FileError(fmt::format("'{}' cannot be copied to '{}': {}", from.string(), name, problem.message()));
+    }
+    fmt::print("{}\n", (folder / "case.toml").string());
+    return 0;
+}
+
 int write_case(const std::string& name, std::string_view text) {
     const std::filesystem::path folder(name), file = folder / "case.toml";
-    if (std::filesystem::exists(folder)) {
-        throw FileError(fmt::format("'{}' exists already; choose another name", name));
-    }
+    refuse_existing(folder);
     const std::string title = folder.filename().string();
     if (title.empty() || title.find_first_of("\"\\\n") != std::string::npos) {
         throw FileError(fmt::format("'{}' cannot be the name of a case; letters, digits, '_' and '-' can", name));
@@ -183,17 +207,28 @@ int write_case(const std::string& name, std::string_view text) {
 
 void add_new(CLI::App& app, Action& action) {
     struct Options {
-        std::string name;
+        std::string name, from;
         bool is_wet{false}, has_spheres{false};
     };
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("new", "Write a small commented case to start from");
     command->add_option("NAME", options->name, "The folder to make")->required();
     CLI::Option* water = command->add_flag("--water", options->is_wet, "With water");
-    command->add_flag("--spheres", options->has_spheres, "Of spheres and of a stone of many spheres")->excludes(water);
-    command->footer("Example:\n  riprap new my_slope && riprap run my_slope && riprap view runs/my_slope");
+    CLI::Option* spheres =
+        command->add_flag("--spheres", options->has_spheres, "Of spheres and of a stone of many spheres")
+            ->excludes(water);
+    command->add_option("--from", options->from, "A copy of a case, a published one too (riprap list --published)")
+        ->type_name("CASE")
+        ->excludes(water)
+        ->excludes(spheres);
+    command->footer(
+        "Example:\n  riprap new my_slope && riprap run my_slope && riprap view runs/my_slope\n"
+        "  riprap new my_arch --from validation/dda/planar_arch_falls");
     command->callback([&action, options] {
         action = [options] {
+            if (!options->from.empty()) {
+                return copy_case(options->name, options->from);
+            }
             return write_case(options->name, options->has_spheres ? sphere_case
                                              : options->is_wet    ? wet_case
                                                                   : dry_case);

@@ -26,7 +26,7 @@ std::string reader_sources() {
     }
     append("src/riprap/scene/read_case.cpp");
     append("src/riprap/run/ensemble.cpp");           // [[spread]]
-    append("src/riprap/run/settle.cpp");             // settle_static, settle_time_step
+    append("src/riprap/run/settle.cpp");             // settle_static and others
     append("src/riprap/validation/case_files.cpp");  // published, close, bookkeeping
     return text;
 }

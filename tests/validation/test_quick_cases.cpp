@@ -29,8 +29,9 @@ INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                                          "rigid/dragged_block", "water/stacked_blocks", "water/submerged_square",
                                          "water/standing_wave", "water/dam_break_front", "mikola/submarine_wedge",
                                          "mellado/normal_impact", "mellado/unit_checks", "mellado/oblique_impact",
-                                         "dda/planar_rotation", "dda/planar_incline", "dda/planar_column",
-                                         "dda/planar_tip_or_slide"),
+                                         "dda/planar_sliding_block", "dda/planar_pendulum",
+                                         "dda/planar_column_plane_stress", "dda/planar_slope_tip",
+                                         "dda/planar_keystone", "dda/rocking_3d_small"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '/', '_');

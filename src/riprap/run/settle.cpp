@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,29 +22,38 @@ namespace {
 /// Bodies slower than this are at rest [m/s].
 constexpr double rest_speed = 0.01;
 
-/// Share of its velocity that an explicit method takes from a body in each step of a static settle. At the usual step
-/// the fastest mode has a damping ratio of a sixth, slower ones have more.
-constexpr double damped_share = 0.1;
+/// Shares of its velocity that explicit methods take from a body in each step of a static settle. At the usual step of
+/// rigid bodies the fastest mode then has a damping ratio of a sixth, slower ones have more. Steps of explicit DDA are
+/// bounded by the strain of blocks, which swings some ten times as fast as blocks swing on their contacts.
+constexpr double damped_share = 0.1, damped_share_of_strained = 0.01;
 
 /// The keys of the case that only this file reads.
 struct Settling {
     bool is_static{false};
-    double time_step{0};  ///< 0 = that of the case [s]
+    double time_step{0};             ///< 0 = that of the case [s]
+    std::optional<double> friction;  ///< of all contacts, instead of that of the case [-]
 };
 
 Settling settling_of(const scene::LoadedCase& loaded) {
     std::vector<Diagnostic> ignored;
     const scene::Value checked = scene::parse_toml(loaded.resolved_toml, "the resolved case", ignored);
-    const scene::Value *is_static = checked.find("settle_static"), *step = checked.find("settle_time_step");
-    return {is_static != nullptr && is_static->boolean, step != nullptr ? step->as_number() : 0};
+    const scene::Value *is_static = checked.find("settle_static"), *step = checked.find("settle_time_step"),
+                       *friction = checked.find("settle_friction");
+    Settling settling{is_static != nullptr && is_static->boolean, step != nullptr ? step->as_number() : 0, {}};
+    if (friction != nullptr) {
+        settling.friction = friction->as_number();
+    }
+    return settling;
 }
 
 /// Takes inertia out of the settings of a method: implicit ones start each step at rest, explicit ones are damped.
 struct WithoutInertia {
-    double damping;  ///< of the velocity of explicit methods [1/s]
-    void operator()(solid::DemSettings& settings) const { settings.mass_damping = damping; }
-    void operator()(solid::SphereDemSettings& settings) const { settings.laws.mass_damping = damping; }
-    void operator()(solid::ExplicitDdaSettings& settings) const { settings.engine.mass_damping = damping; }
+    double dt;  ///< [s]
+    void operator()(solid::DemSettings& settings) const { settings.mass_damping = damped_share / dt; }
+    void operator()(solid::SphereDemSettings& settings) const { settings.laws.mass_damping = damped_share / dt; }
+    void operator()(solid::ExplicitDdaSettings& settings) const {
+        settings.engine.mass_damping = damped_share_of_strained / dt;
+    }
     void operator()(solid::ImplicitDdaSettings& settings) const { settings.engine.dynamic = 0; }
     void operator()(solid::PlanarDdaSettings& settings) const { settings.engine.dynamic_factor = 0; }
 };
@@ -60,9 +70,14 @@ void change_method(sim::Model& model, sim::State& state, const Settling& settlin
     if (settling.time_step > 0) {
         model.time.time_step = std::visit(OtherStep{settling.time_step}, model.solid) ? 0 : settling.time_step;
     }
+    if (settling.friction) {
+        for (material::PairProperties& pair : model.materials.pairs) {
+            pair.friction = *settling.friction;
+        }
+    }
     if (settling.is_static) {
         const double dt = sim::largest_time_step(model, sim::time_step_bound(model, state));
-        std::visit(WithoutInertia{damped_share / dt}, model.solid);
+        std::visit(WithoutInertia{dt}, model.solid);
     }
 }
 
@@ -128,6 +143,7 @@ scene::LoadedCase dry_case(const scene::LoadedCase& loaded) {
     dry.model.output.damage.clear();
     dry.model.expects.clear();
     std::erase_if(dry.model.loads, [](const body::PointLoad& load) { return load.start > 0; });
+    dry.model.gravity.rate = 0;
     for (body::PointLoad& load : dry.model.loads) {
         load.stop = std::numeric_limits<double>::infinity();  // it acts at time 0
     }

@@ -7,10 +7,11 @@ namespace riprap::run {
 
 /// Lets the free bodies of a case come to rest before time 0, for TimeSettings::settle, as if there were no water:
 /// armour settles dry. Free bodies start from rest, driven ones stand where they start, nothing is released, and loads
-/// that start later than time 0 do not act, others do not stop. With `settle_static` methods lose their inertia
-/// meanwhile. `state`, that of the case at time 0, gets where bodies lie then, how they are strained, and the contacts
-/// that hold them; velocities are those of the case. Depends on the case alone: a run that is resumed settles again, to
-/// the same bits. A warning says how fast the fastest body still moves where that is above a centimetre a second.
+/// that start later than time 0 do not act, others do not stop, gravity does not turn. With `settle_static` methods
+/// lose their inertia meanwhile. `state`, that of the case at time 0, gets where bodies lie then, how they are
+/// strained, and the contacts that hold them; velocities are those of the case. Depends on the case alone: a run that
+/// is resumed settles again, to the same bits. A warning says how fast the fastest body still moves where that is above
+/// a centimetre a second.
 /// @throws CaseError where bodies cannot settle
 void settle(scene::LoadedCase& loaded, sim::State& state);
 

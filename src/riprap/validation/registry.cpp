@@ -6,7 +6,6 @@
 
 #include "riprap/validation/case_files.hpp"
 #include "riprap/validation/cross/scene.hpp"
-#include "riprap/validation/dda/cases_3d.hpp"
 #include "riprap/validation/dda/planar_cases.hpp"
 #include "riprap/validation/ding/breakwater.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
@@ -163,20 +162,6 @@ std::span<const ValidationCase> ding_in_space_cases() {
     return cases;
 }
 
-std::span<const ValidationCase> dda_in_space_cases() {
-    static constexpr std::array cases{
-        ValidationCase{"dda", "rock_wedges_3d", "3D-DDA: wedges on two joint planes hold or slide (Hoek and Bray)",
-                       false, dda::rock_wedges_3d},
-        ValidationCase{"dda", "tipping_3d", "3D-DDA: a block on a slope raised slowly tips", false, dda::tipping_3d},
-        ValidationCase{"dda", "sliding_block_3d", "3D-DDA: a block on an incline slides, holds, stops", false,
-                       dda::sliding_block_3d},
-        ValidationCase{"dda", "stack_3d", "3D-DDA: stacked blocks carry their weight", false, dda::stack_3d},
-        ValidationCase{"dda", "rocking_3d", "3D-DDA: a block rocks from one edge to the other (Housner)", false,
-                       dda::rocking_3d},
-    };
-    return cases;
-}
-
 std::span<const ValidationCase> mellado_cases() {
     static constexpr std::array cases{
         ValidationCase{"mellado", "unit_checks", "Pieces that the other cases rest on, by themselves", false,
@@ -273,28 +258,6 @@ std::span<const ValidationCase> grid_cases() {
 
 std::span<const ValidationCase> dda_in_plane_cases() {
     static constexpr std::array cases{
-        ValidationCase{"dda", "planar_rotation", "A deformable block turns 100 times", false, dda::planar_rotation},
-        ValidationCase{"dda", "planar_pendulum", "A square pinned at a corner swings", false, dda::planar_pendulum},
-        ValidationCase{"dda", "planar_incline", "A block on an incline slides, holds, stops", false,
-                       dda::planar_incline},
-        ValidationCase{"dda", "planar_tip_or_slide", "A block on a slope raised slowly tips or slides", false,
-                       dda::planar_tip_or_slide},
-        ValidationCase{"dda", "planar_shaken_block", "A block pushed sideways ever harder tips or slides", false,
-                       dda::planar_shaken_block},
-        ValidationCase{"dda", "planar_stacks", "Stacked blocks carry their weight; bricks lean out", false,
-                       dda::planar_stacks},
-        ValidationCase{"dda", "planar_dragged_block", "A block on a plank pulled on ice", false,
-                       dda::planar_dragged_block},
-        ValidationCase{"dda", "planar_rocking", "A block rocks from one corner to the other (Housner)", false,
-                       dda::planar_rocking},
-        ValidationCase{"dda", "planar_toppling", "Sixteen columns on a stepped base (Goodman and Bray)", false,
-                       dda::planar_toppling},
-        ValidationCase{"dda", "planar_plane_failure", "A bonded block on a joint with water pressure", false,
-                       dda::planar_plane_failure},
-        ValidationCase{"dda", "planar_arch", "A semicircular arch stands or falls", false, dda::planar_arch},
-        ValidationCase{"dda", "planar_keystone", "A roof block wedged between two that are pushed together", false,
-                       dda::planar_keystone},
-        ValidationCase{"dda", "planar_column", "An elastic column under its weight", false, dda::planar_column},
         ValidationCase{"dda", "planar_bar_impact", "An elastic bar hits a wall", false, dda::planar_bar_impact},
         ValidationCase{"dda", "planar_cantilever", "A cantilever of bonded triangles bends and swings", true,
                        dda::planar_cantilever},
@@ -352,8 +315,8 @@ std::span<const ValidationCase> all_cases() {
     static const std::vector<ValidationCase> cases = [] {
         std::vector<ValidationCase> all;
         for (const std::span<const ValidationCase> suite :
-             {zhao_cases(), rigid_cases(), water_cases(), mikola_cases(), ding_in_space_cases(), dda_in_space_cases(),
-              mellado_cases(), grid_cases(), dda_in_plane_cases(), ding_in_plane_cases()}) {
+             {zhao_cases(), rigid_cases(), water_cases(), mikola_cases(), ding_in_space_cases(), mellado_cases(),
+              grid_cases(), dda_in_plane_cases(), ding_in_plane_cases()}) {
             all.insert(all.end(), suite.begin(), suite.end());
         }
         const std::vector<ValidationCase> files = file_cases(all);

@@ -44,7 +44,7 @@ void build_settings(CaseBuild& build) {
     const Value& step = get(root, "time_step");
     model.time.time_step = step.is_text() ? 0 : step.as_number();
     read_keys(root, time_keys(), model.time);
-    for (const std::string_view key : {"settle_static", "settle_time_step"}) {
+    for (const std::string_view key : {"settle_static", "settle_time_step", "settle_friction"}) {
         const Value* given = root.find(key);
         const bool is_asked = given != nullptr && (given->is_number() || given->boolean);
         if (is_asked && model.time.settle <= 0) {

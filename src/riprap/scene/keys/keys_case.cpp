@@ -118,11 +118,17 @@ Table rows_of_case() {
          {"settle_static",
           {boolean()},
           "Bodies settle without inertia: implicit methods start each step at rest, explicit ones take a tenth of the "
-          "velocities in each step. A body that cannot stand creeps meanwhile, and starts from rest at time 0.",
+          "velocities in each step, explicit_dda a hundredth. A body that cannot stand creeps meanwhile, and starts "
+          "from rest at time 0.",
           Value::of(false)},
          {"settle_time_step",
           {number(dimension::time, positive())},
           "Time step while bodies settle; that of the run when not given.",
+          {}},
+         {"settle_friction",
+          {number(dimension::plain, non_negative())},
+          "Friction coefficient of all contacts while bodies settle, instead of theirs: a high one holds what would "
+          "slide, until time 0; none lets a heap lie close.",
           {}},
          {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
          {"material",

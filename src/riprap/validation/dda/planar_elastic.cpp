@@ -15,50 +15,13 @@ namespace riprap::validation::dda {
 
 namespace {
 
-constexpr double gravity = 9.81;
 using geometry::Vec2;
 using solid::planar_dda::Joint;
-using solid::planar_dda::PlaneState;
 
 /// A joint that never breaks.
 Joint glue(double stiffness) {
     return {.normal_stiffness = stiffness, .shear_stiffness = stiffness, .cohesion = 1e15, .tension = 1e15};
 }
-
-}  // namespace
-
-void planar_column(const CaseSetting&, CaseReport& report) {
-    const double height = 1, E = 1e10, density = 1000, nu = 0.3;
-    const int count = 10;
-    for (const PlaneState plane : {PlaneState::stress, PlaneState::strain}) {
-        PlanarTrial trial({density, E, nu}, {.normal_stiffness = 1e12, .shear_stiffness = 4e11});
-        trial.model.plane = plane;
-        trial.settings = solid::planar_dda::settings_for(1);
-        trial.add_box({-1, -1}, {2, 1}, true);
-        for (int k = 0; k < count; ++k) {
-            trial.add_box({-0.1, height * k / count}, {0.2, height / count});
-        }
-        trial.settle(0.05, 2000, 1e-14);
-        double settlement = 0, stress_error = 0;
-        for (int k = 1; k <= count; ++k) {
-            const double exact = -density * gravity * (height - height * (k - 0.5) / count);
-            stress_error = std::max(stress_error, std::abs(trial.state.stress_y[at(k)] / exact - 1));
-            settlement += (1 - trial.state.stretch_yy[at(k)]) * height / count;
-        }
-        const bool is_stress = plane == PlaneState::stress;
-        const std::string name = is_stress ? "plane stress: " : "plane strain: ";
-        const double exact = density * gravity * height * height / (2 * E) * (is_stress ? 1 : 1 - nu * nu);
-        report.judge({name + "settlement of the top by strain",
-                      "m",
-                      {},
-                      exact,
-                      "E = 1e10 Pa, so that strains (1e-6) are small against the band"},
-                     settlement, Relative{1e-6});
-        report.judge_below({name + "largest relative error of a block's stress", "-", {}, 0.0, {}}, stress_error, 1e-6);
-    }
-}
-
-namespace {
 
 /// An elastic bar of `count` bonded blocks flies at a wall.
 void hit_wall(int count, const CaseSetting& setting, CaseReport& report) {
