@@ -266,7 +266,7 @@ TEST(EndCauseList, NamesAStiffnessWithAReserveOfFour) {
     // 2 m g/K, K = A k/r, is 0.75 r: k = 8/3 m g/A.
     const double just = 8.0 / 3 * 2500 * 9.81;
     const auto block = [](double stiffness) {
-        return gravity + "end = 1\n" + rock(fmt::format("{}", stiffness)) + ground +
+        return gravity + "end = 1\n[solid]\nsides = 'contactor'\n" + rock(fmt::format("{}", stiffness)) + ground +
                falling_cube("position = [0, 0, 0.5]");
     };
     EXPECT_THAT(end_of(block(0.9 * just)).text, HasSubstr("deep in each other"));

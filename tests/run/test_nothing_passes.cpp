@@ -249,7 +249,7 @@ TEST(LedgerVerdict, LeavesABodyThatSpinsWithoutGravityAlone) {
 TEST(LedgerVerdict, GoesBackToWhereTheLedgerClosedAndTriesAShorterStep) {
     // The longest step that the bound allows misses more of a hard impact than this case accepts; half of it does not.
     const std::string text =
-        "gravity = [0, 0, 0]\nend = 0.3\ntime_step_factor = 1\n[output]\nledger_tolerance = 0.004\n" + rock("2e7") +
+        "gravity = [0, 0, 0]\nend = 0.3\ntime_step_factor = 1\n[output]\nledger_tolerance = 0.003\n" + rock("3e7") +
         body("wall", "cube = 1", "fixed = true") +
         body("block", "cube = 1", "position = [0, 0, 1.5]\nvelocity = [0, 0, -12]");
     const End end = end_of(text);

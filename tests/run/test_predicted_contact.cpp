@@ -166,15 +166,18 @@ TEST(PredictedTipping, OfASingleBlockIsWarnedOfWhereGravityLeansWithTheMethodsTh
     const auto tips = Contains(AllOf(HasSubstr("'brick' tips at"), HasSubstr("implicit_dda"),
                                      Not(HasSubstr("planar_dda")), Not(HasSubstr("sphere_dem"))));
     // A rigid brick tips at 18.4 degrees, atan(0.1/0.3).
-    const std::string leaning = "gravity = [2.04, 0, -9.6]";  // by 12 degrees
-    EXPECT_THAT(check_of(block(leaning)).warnings, tips);
+    const std::string leaning = "gravity = [2.04, 0, -9.6]";      // by 12 degrees
+    const std::string fields = "[solid]\nsides = 'contactor'\n";  // without corners
+    EXPECT_THAT(check_of(block(leaning, fields)).warnings, tips);
+    EXPECT_FALSE(check_of(block(leaning)).tipping);
     EXPECT_THAT(check_of(block(leaning, "[solid]\nmethod = 'implicit_dda'\n")).warnings,
                 Not(Contains(HasSubstr("tips at"))));
     const std::string upright = "gravity = [0, 0, -9.81]";
-    EXPECT_THAT(check_of(block(upright)).warnings, Not(Contains(HasSubstr("tips at"))));
-    EXPECT_TRUE(check_of(block(upright)).tipping);
+    EXPECT_THAT(check_of(block(upright, fields)).warnings, Not(Contains(HasSubstr("tips at"))));
+    EXPECT_TRUE(check_of(block(upright, fields)).tipping);
     EXPECT_THAT(
-        check_of(block("gravity = { value = [0, 0, -9.81], rotation = { axis = [0, 1, 0], rate = 0.2 } }")).warnings,
+        check_of(block("gravity = { value = [0, 0, -9.81], rotation = { axis = [0, 1, 0], rate = 0.2 } }", fields))
+            .warnings,
         tips);
 }
 

@@ -28,6 +28,8 @@ time_step_factor = 1.0
 density = 2500.0
 normal_stiffness = "20 MPa"
 damping_ratio = 0.1
+[solid]
+sides = "contactor"
 [[body]]
 name = "wall"
 shape = { box = [1.0, 1.0, 1.0] }

@@ -18,15 +18,15 @@ namespace {
 using testing::HasSubstr;
 
 /// `count` bricks 0.2 x 0.4 x 0.3 m (x, y, z) on each other on a floor.
-scene::LoadedCase bricks(int count, double stiffness) {
+scene::LoadedCase bricks(int count, double stiffness, const std::string& sides = "contactor") {
     return scene::read_case_text(
-        fmt::format(
-            "gravity = [0.0, 0.0, -9.81]\nend = 1.0\n[material.rock]\ndensity = 2500.0\n"
-            "normal_stiffness = {}\nfriction_coefficient = 0.5\n[[body]]\nname = \"floor\"\nmaterial = \"rock\"\n"
-            "shape = {{ half_space = {{ normal = [0.0, 0.0, 1.0], offset = 0.0 }} }}\nfixed = true\n"
-            "[[body]]\nname = \"brick\"\nmaterial = \"rock\"\nshape = {{ box = [0.2, 0.4, 0.3] }}\n"
-            "position = [0.0, 0.0, 0.15]\nrepeat = {{ counts = [1, 1, {}], pitch = [1.0, 1.0, 0.3] }}\n",
-            stiffness, count),
+        fmt::format("gravity = [0.0, 0.0, -9.81]\nend = 1.0\n[material.rock]\ndensity = 2500.0\n"
+                    "normal_stiffness = {}\nfriction_coefficient = 0.5\n[solid]\nsides = '{}'\n[[body]]\nname = "
+                    "\"floor\"\nmaterial = \"rock\"\n"
+                    "shape = {{ half_space = {{ normal = [0.0, 0.0, 1.0], offset = 0.0 }} }}\nfixed = true\n"
+                    "[[body]]\nname = \"brick\"\nmaterial = \"rock\"\nshape = {{ box = [0.2, 0.4, 0.3] }}\n"
+                    "position = [0.0, 0.0, 0.15]\nrepeat = {{ counts = [1, 1, {}], pitch = [1.0, 1.0, 0.3] }}\n",
+                    stiffness, sides, count),
         "case.toml", "/nonexistent", {});
 }
 
@@ -65,6 +65,10 @@ TEST(TippingBias, is_reported_by_check_with_a_sufficient_stiffness) {
     EXPECT_THAT(check_text(check), HasSubstr("  tipping       'brick[0]' and the 4 above it tip at "));
     EXPECT_THAT(check_text(check), HasSubstr("for 0.1 deg set normal_stiffness = "));
     EXPECT_THAT(check_json(check), HasSubstr("\"stiffness_for_0.1_deg\""));
+}
+
+TEST(TippingBias, is_none_where_feet_stand_on_their_corners) {
+    EXPECT_FALSE(check_case(bricks(5, 1e9, "both")).tipping);
 }
 
 }  // namespace

@@ -155,12 +155,12 @@ TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
     tight.model.particles()->has_joint_pressure = false;
     Scratch scratch, other;
     const Vec3 before = basin.total_momentum();
-    const StepReport report = basin.steps(75, scratch);
+    const StepReport report = basin.steps(70, scratch);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
     EXPECT_LT(norm(basin.total_momentum() - before), 1e-12 * basin.momentum_scale());
     // Work of the joint is booked as work on solids: the energy that the squares gained.
     const FluidLedger& water = report.ledger.fluid;
-    const StepReport without = tight.steps(75, other);
+    const StepReport without = tight.steps(70, other);
     const double joint_work = water.work_external;  // there is no other from outside
     EXPECT_GT(joint_work, 1);
     EXPECT_NEAR(water.work_on_solids - without.ledger.fluid.work_on_solids,

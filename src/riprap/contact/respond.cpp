@@ -5,8 +5,8 @@
 
 namespace riprap::contact {
 
-void respond(const Candidate& pair, const NormalContact& normal, const Vec3& n, std::uint64_t feature,
-             const Frictions& friction, FoundContacts& found) {
+ContactRow& respond(const Candidate& pair, const NormalContact& normal, const Vec3& n, std::uint64_t feature,
+                    const Frictions& friction, FoundContacts& found) {
     const Mobility a = mobility_at(pair.a, normal.point, n), b = mobility_at(pair.b, normal.point, n);
     FoundContact& contact = found.add(feature);
     const ShearState before = contact.springs;
@@ -15,6 +15,7 @@ void respond(const Candidate& pair, const NormalContact& normal, const Vec3& n, 
                            contact.is_old() ? &before : nullptr, contact.springs, contact.row);
     });
     set_stability(linear, a, b, contact.row);
+    return contact.row;
 }
 
 }  // namespace riprap::contact

@@ -84,10 +84,18 @@ std::string certain_crush(const scene::LoadedCase& loaded) {
     return "";
 }
 
+/// True where pressure grows with depth all over a foot, by a stiffness that is a property of the material: the
+/// distance potential without corners.
+bool has_elastic_feet(const sim::Model& model) {
+    const auto* settings = std::get_if<solid::DemSettings>(&model.solid);
+    return settings != nullptr && settings->pair_contact == solid::PairContact::distance_potential &&
+           (settings->contact.potential != contact::Potential::distance ||
+            settings->contact.sides != contact::Sides::both);
+}
+
 std::optional<CaseCheck::EarlyTipping> early_tipping_of(const sim::Model& model, const sim::State& state) {
-    // The foot is that of overlaps, whose stiffness is a property of the material.
     const std::optional<TippingBias> bias =
-        sim::tells_depth(model) ? largest_tipping_bias(model, state) : std::optional<TippingBias>();
+        has_elastic_feet(model) ? largest_tipping_bias(model, state) : std::optional<TippingBias>();
     if (!bias) {
         return {};
     }

@@ -20,19 +20,6 @@ Frame relative_frame(const Frame& from, const Frame& to) {
     return {back * (from.origin - to.origin), back * from.axes};
 }
 
-/// True where spheres or the remembered direction show a gap wide enough that a full look would find nothing.
-bool is_surely_apart(const ConvexView& a, const Frame& frame_a, const ConvexView& b, const Frame& frame_b,
-                     const SeparatingCache& cache) {
-    const double size = a.circumradius + b.circumradius;
-    const double far = (1 + separation_margin) * size;
-    if (norm_squared(frame_b.origin - frame_a.origin) > far * far) {
-        return true;
-    }
-    const Vec3 direction = frame_a.axes * Vec3{cache.x, cache.y, cache.z};
-    return (cache.x != 0 || cache.y != 0 || cache.z != 0) &&
-           gap_along(a, frame_a, b, frame_b, direction) > separation_margin * size;
-}
-
 void remember(const Frame& frame_a, const Vec3& direction, SeparatingCache& cache) {
     const Vec3 d = transpose_times(frame_a.axes, direction);
     cache = {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};

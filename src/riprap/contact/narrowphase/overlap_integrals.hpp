@@ -34,6 +34,10 @@ struct ContactSide {
 /// symmetrically in another. It has no direction and so no central axis.
 inline constexpr double vanishing_force = 1e-12;
 
+/// Spin moment over force and root of area [-], (2/3)/sqrt(pi): uniform pressure on a disc of the patch's area; on a
+/// square patch 1.7 % below the integral.
+inline constexpr double disc_spin = 2.0 / 3.0 * 0.56418958354775628695;
+
 /// Resultant of both sides. `on_a` belongs to the surface of A in the field of B, `on_b` to the surface of B in the
 /// field of A:
 ///
@@ -68,9 +72,7 @@ RIPRAP_HD inline void assemble_contact(const ContactSide& on_a, const ContactSid
     contact.energy = ka * a.volume_sum + kb * b.volume_sum;
     contact.depth = a.depth > b.depth ? a.depth : b.depth;
     contact.potential = a.potential > b.potential ? a.potential : b.potential;
-    // Uniform pressure on a disc of the patch's area; on a square patch 1.7 % below the integral.
-    constexpr double disc = 2.0 / 3.0 * 0.56418958354775628695;  // (2/3)/sqrt(pi)
-    contact.spin_moment = disc * std::sqrt(size2 * contact.area);
+    contact.spin_moment = disc_spin * std::sqrt(size2 * contact.area);
 }
 
 }  // namespace riprap::contact

@@ -40,6 +40,18 @@ double gap_along(const geometry::ConvexView& a, const Frame& frame_a, const geom
            reach(b, -transpose_times(frame_b.axes, direction));
 }
 
+bool is_surely_apart(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
+                     const Frame& frame_b, const SeparatingCache& cache) {
+    const double size = a.circumradius + b.circumradius;
+    const double far = (1 + separation_margin) * size;
+    if (norm_squared(frame_b.origin - frame_a.origin) > far * far) {
+        return true;
+    }
+    const Vec3 direction = frame_a.axes * Vec3{cache.x, cache.y, cache.z};
+    return (cache.x != 0 || cache.y != 0 || cache.z != 0) &&
+           gap_along(a, frame_a, b, frame_b, direction) > separation_margin * size;
+}
+
 Vec3 find_separating_direction(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
                                const Frame& frame_b, const Vec3& start) {
     Vec3 d = norm_squared(start) > 0 ? normalized(start) : Vec3{0, 0, 1};

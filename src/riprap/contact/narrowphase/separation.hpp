@@ -15,6 +15,11 @@ inline constexpr double separation_margin = 1e-9;
 double gap_along(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
                  const Frame& frame_b, const Vec3& direction);
 
+/// True where spheres or the remembered direction show a gap wide enough that a full look would find nothing. Neither
+/// may be a half-space.
+bool is_surely_apart(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,
+                     const Frame& frame_b, const SeparatingCache& cache);
+
 /// Looks for a separating direction by reflecting a trial direction at the support points it finds; `start` need not
 /// separate. @returns a unit direction in the world, or zero when none was found soon: the next step looks again.
 Vec3 find_separating_direction(const geometry::ConvexView& a, const Frame& frame_a, const geometry::ConvexView& b,

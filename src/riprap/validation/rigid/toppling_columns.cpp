@@ -56,7 +56,8 @@ Columns stand(double friction_angle, double duration) {
     }
     scene.model.gravity.value = {gravity * std::sin(30 * degree), -gravity * std::cos(30 * degree), 0};
     scene.model.gravity.ramp = 2;
-    scene.model.dem()->local_damping = 0.5;
+    // Local damping brakes what creeps while contacts chatter: with 0.5 columns that fail move by millimetres a second.
+    scene.model.dem()->local_damping = 0.1;
     Trial trial(std::move(scene));
     trial.follow_energy(false);
     const std::vector<Vec3> start = trial.state().bodies.position;
@@ -79,7 +80,7 @@ Columns stand(double friction_angle, double duration) {
 }  // namespace
 
 void toppling_columns(const CaseSetting&, CaseReport& report) {
-    const double duration = 15;
+    const double duration = 7;
     const Columns holds = stand(39.0, duration);
     report.judge({"friction angle 39.0: motion in the last 5 s (stands)", "m", {}, 0.0, {}}, holds.late_motion, 0,
                  1e-3);

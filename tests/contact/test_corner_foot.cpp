@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/contact/corner_foot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "contact/narrowphase_support.hpp"
+
+namespace riprap::contact {
+namespace {
+
+using namespace testing;
+
+/// Pairs of blocks that meet by corners and by the potential.
+class CornerFeet : public ::testing::Test {
+ protected:
+    Pairs pairs;
+    std::mt19937_64 random{11};
+    double share{0};
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+    Block add(const geometry::Polyhedron& shape, const Pose& pose, double stiffness = 1) {
+        return {pairs.shapes.add_convex(shape), pose, stiffness};
+    }
+    NormalContact meet(const Block& a, const Block& b) {
+        const geometry::ConvexView view_a = pairs.shapes.view(a.shape), view_b = pairs.shapes.view(b.shape);
+        const Frame frame_a = to_frame(a.pose), frame_b = to_frame(b.pose);
+        const PlacedShape placed_a{view_a, frame_a}, placed_b{view_b, frame_b};
+        const CornerFoot foot(placed_a, placed_b,
+                              a.stiffness / view_a.inscribed_radius + b.stiffness / view_b.inscribed_radius);
+        share = foot.share();
+        NormalContact contact{};
+        if (foot.is_whole()) {
+            foot.stand(contact);
+            return contact;
+        }
+        contact = pairs.fast(a, b);
+        if (pairs.is_touching && share > 0) {
+            foot.join(contact);
+        }
+        return contact;
+    }
+    /// Compares the wrench on A with the slopes of the energy as A moves and turns about its origin.
+    void expect_gradient(const Block& a, const Block& b, double step = 1e-5) {
+        const NormalContact contact = meet(a, b);
+        const auto [force, moment] = energy_gradient(a.pose, step, [&](const Pose& pose) {
+            return meet({a.shape, pose, a.stiffness}, b).energy;
+        });
+        expect_near(contact.force, force, 1e-6 * (1e-3 + norm(force)), "force");
+        expect_near(moment_about(contact, a.pose.position), moment, 1e-6 * (1e-3 + norm(moment)), "moment");
+    }
+};
+
+TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyInAnyPosture) {
+    const Block floor = add(geometry::box({1.3, 1.1, 0.6}), {{0, 0, -0.3}, {}}, 0.7);
+    const Block brick = add(geometry::box({1, 0.7, 0.4}), {}, 1.1);
+    const Block column = add(geometry::prism(6, 0.5, 0.4).value(), {}, 1.3);
+    int whole = 0, part = 0;
+    for (int i = 0; i < 400; ++i) {
+        Block top = i % 3 == 0 ? column : brick;
+        const double tilt = uniform(0, 0.75), way = uniform(-3, 3);
+        const Quat turn = from_rotation_vector({tilt * std::cos(way), tilt * std::sin(way), 0}) *
+                          from_rotation_vector({0, 0, uniform(-3, 3)});
+        top.pose = {{uniform(-0.8, 0.8), uniform(-0.7, 0.7), 0}, turn};
+        double low = 0;
+        for (int v = 0; v < pairs.shapes.view(top.shape).vertex_count; ++v) {
+            low = std::min(low, rotate(turn, pairs.shapes.view(top.shape).vertex(v)).z);
+        }
+        top.pose.position.z = -low - uniform(0.002, 0.05);
+        const Quat all = normalized(Quat{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+        const auto carried = [&](const Block& block) {
+            return Block{
+                block.shape, {rotate(all, block.pose.position), all * block.pose.orientation}, block.stiffness};
+        };
+        meet(carried(top), carried(floor));
+        whole += share == 1 ? 1 : 0;
+        part += share > 0 && share < 1 ? 1 : 0;
+        i % 2 == 0 ? expect_gradient(carried(top), carried(floor)) : expect_gradient(carried(floor), carried(top));
+        ASSERT_FALSE(HasFailure()) << "pair " << i << " share " << share << " tilt " << tilt;
+    }
+    EXPECT_GT(whole, 50);
+    EXPECT_GT(part, 100);
+}
+
+TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyOnAWallByTheFieldOfTheBlockAlone) {
+    const Block wall{pairs.shapes.add_half_space({0, 0.6, 0.8}, 0.1), {{0.2, 0.1, -0.1}, {}}, 1};
+    Block brick = add(geometry::box({1, 0.7, 0.4}), {}, 1.1);
+    const Quat upright = from_rotation_vector({-std::atan2(0.6, 0.8), 0, 0});
+    for (const double tilt : {0.0, 0.003, 0.1, 0.3, 0.45, 0.55, 0.65}) {
+        const Quat turn = from_rotation_vector({0.6 * tilt, 0.8 * tilt, 0}) * from_rotation_vector({0, 0, 0.4});
+        double low = 0;
+        for (const double x : {-0.5, 0.5}) {
+            for (const double y : {-0.35, 0.35}) {
+                low = std::min(low, rotate(turn, {x, y, -0.2}).z);
+            }
+        }
+        brick.pose = {Vec3{0.2, 0.1, -0.1} + rotate(upright, {0.3, -0.2, 0.1 - low - 0.005}), upright * turn};
+        SCOPED_TRACE(tilt);
+        expect_gradient(brick, wall);
+        expect_gradient(wall, brick);
+        EXPECT_GT(share, 0);
+    }
+}
+
+TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyWhereTheyMeetByALittleOfTheirFaces) {
+    Block cube = add(geometry::cube(1), {});
+    const Block other = add(geometry::box({1, 1.2, 0.8}), {{0, 0, 0}, from_rotation_vector({0.3, -0.2, 0.5})}, 0.6);
+    int part = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 overlap{uniform(0.02, 0.1), uniform(0.02, 0.1), uniform(0.02, 0.9)};
+        const Quat turn = from_rotation_vector({uniform(-0.02, 0.02), uniform(-0.02, 0.02), uniform(-0.02, 0.02)});
+        cube.pose = {rotate(other.pose.orientation, Vec3{1, 1.1, 0.9} - overlap), other.pose.orientation * turn};
+        meet(cube, other);
+        part += share > 0 && share < 1 ? 1 : 0;
+        if (share != 1 && std::abs(share - 0.5) > 0.499) {
+            continue;  // the differences would reach over an end of the step
+        }
+        expect_gradient(cube, other, 2e-6);
+        ASSERT_FALSE(HasFailure()) << "pair " << i << " share " << share;
+    }
+    EXPECT_GT(part, 50);
+}
+
+TEST_F(CornerFeet, GiveWayAsTheAreaThatFlatFacesShare) {
+    const Block floor = add(geometry::cube(1), {});
+    const NormalContact contact = meet(add(geometry::cube(1), {{0.25, 0, 0.999}, {}}), floor);
+    // K = 1/0.5 + 1/0.5; across n what the patch gains in area: K d^2/2 a metre of its edge
+    expect_near(contact.force, {0.5 * 4 * 1e-6, 0, 4 * 0.75 * 1e-3}, 1e-14, "force");
+    expect_near(contact.point, {0.125, 0, 0.4995}, 1e-9, "point");
+    EXPECT_NEAR(contact.energy, 4 * 0.75 * 0.5e-6, 1e-16);
+    EXPECT_NEAR(contact.area, 0.75, 1e-9);
+    EXPECT_NEAR(contact.stiffness, 4 * 0.75, 1e-9);
+    EXPECT_NEAR(contact.depth, 1e-3, 1e-12);
+}
+
+TEST_F(CornerFeet, PushEvenlyAboutTheCentroidOfWhateverTheyShare) {
+    const Block floor = add(geometry::box({1.3, 1.1, 0.6}), {{0, 0, -0.3}, {}});
+    for (int i = 0; i < 200; ++i) {
+        const Block column =
+            add(geometry::prism(3 + i % 4, 0.5, 0.4).value(),
+                {{uniform(-0.7, 0.7), uniform(-0.6, 0.6), 0.2 - 1e-4}, from_rotation_vector({0, 0, uniform(-3, 3)})});
+        const NormalContact contact = meet(column, floor);
+        if (share < 1) {
+            continue;
+        }
+        // The point is the centre of even pressure: no couple is left across n but of order depth.
+        const Vec3 couple{contact.moment.x, contact.moment.y, 0};
+        EXPECT_LT(norm(couple), 1e-3 * norm(contact.force) * std::sqrt(contact.area)) << i;
+    }
+}
+
+TEST_F(CornerFeet, LetTheResultantStandAtTheVeryEdgeOfAnyFoot) {
+    const Block floor = add(geometry::box({4, 4, 1}), {{0, 0, -0.5}, {}});
+    for (const int sides : {3, 4, 5, 6}) {
+        const double radius = 0.5, inner = radius * std::cos(M_PI / sides);
+        Block column = add(geometry::prism(sides, radius, 1).value(), {});
+        for (const double tilt : {0.001, 0.01, 0.2}) {
+            for (const double way : {0.1, 1.3, 2.9, 4.2}) {
+                const Quat turn = from_rotation_vector({tilt * std::cos(way), tilt * std::sin(way), 0});
+                const geometry::ConvexView view = pairs.shapes.view(column.shape);
+                double low = 0;
+                Vec3 corner{};
+                for (int v = 0; v < view.vertex_count; ++v) {
+                    const Vec3 x = rotate(turn, view.vertex(v));
+                    corner = x.z < low ? x : corner;
+                    low = std::min(low, x.z);
+                }
+                column.pose = {{0, 0, -low - 1e-6}, turn};
+                const NormalContact contact = meet(column, floor);
+                const Vec3 moment = moment_about(contact, column.pose.position + corner);
+                EXPECT_LT(norm(moment), 1e-5 * inner * norm(contact.force)) << sides << ' ' << tilt << ' ' << way;
+            }
+        }
+    }
+}
+
+TEST_F(CornerFeet, KnowNothingOfCornersInTheMiddleOfAnEdge) {
+    // Equal squares on each other: as one turns through the posture of the other, corners come and go on all edges.
+    const Block floor = add(geometry::cube(1), {{0, 0, -0.5}, {}});
+    Block cube = add(geometry::cube(1), {});
+    const auto energy = [&](double twist, double shift) {
+        const Quat tilt = from_rotation_vector({0.02, -0.03, 0});
+        cube.pose = {{shift, 0, 0.49}, tilt * from_rotation_vector({0, 0, twist})};
+        return meet(cube, floor).energy;
+    };
+    const double straight = energy(0, 0);
+    for (const double twist : {-1e-6, -1e-8, -1e-10, 1e-10, 1e-8, 1e-6}) {
+        for (const double shift : {0.0, 1e-9, 1e-7, -1e-7}) {
+            EXPECT_NEAR(energy(twist, shift), straight, 20 * (std::abs(twist) + std::abs(shift) + 1e-9) * straight)
+                << twist << ' ' << shift;
+        }
+    }
+}
+
+TEST_F(CornerFeet, CarryABlockEvenlyOverTheSeamOfTwoBlocks) {
+    const Block left = add(geometry::cube(1), {{-0.5, 0, -0.5}, {}}),
+                right = add(geometry::cube(1), {{0.5, 0, -0.5}, {}});
+    Block slider = add(geometry::box({0.4, 0.4, 0.4}), {});
+    const double depth = 1e-4, weight = (1 / 0.5 + 1 / 0.2) * 0.16 * depth;
+    for (int k = 0; k <= 2000; ++k) {
+        slider.pose.position = {-0.25 + 2.5e-4 * k, 0, 0.2 - depth};
+        const double force = meet(slider, left).force.z + meet(slider, right).force.z;
+        EXPECT_NEAR(force, weight, 0.002 * weight) << k;
+    }
+}
+
+TEST_F(CornerFeet, CarryAllUpToAQuarterAndNothingFromHalfOfTheAngleToAnotherFace) {
+    const Block floor = add(geometry::box({4, 4, 1}), {{0, 0, -0.5}, {}});
+    const auto share_of = [&](const geometry::Polyhedron& shape, double half_height, double reach, double degrees) {
+        const double tilt = degrees * M_PI / 180;
+        meet(add(shape, {{0, 0, half_height * std::cos(tilt) + reach * std::sin(tilt) - 1e-4},
+                         from_rotation_vector({0, tilt, 0})}),
+             floor);
+        return share;
+    };
+    EXPECT_EQ(share_of(geometry::cube(1), 0.5, 0.5, 22.4), 1);
+    EXPECT_LT(share_of(geometry::cube(1), 0.5, 0.5, 23), 1);
+    EXPECT_GT(share_of(geometry::cube(1), 0.5, 0.5, 44.5), 0);
+    EXPECT_LT(share_of(geometry::cube(1), 0.5, 0.5, 44.99), 1e-6);          // then another face is nearer
+    const geometry::Polyhedron wheel = geometry::prism(8, 0.5, 1).value();  // its rim: 45 degrees
+    for (const auto& [turn, most, least] : {std::tuple{11.2, 1.0, 1.0}, {11.4, 0.9999, 0.5}, {22.3, 0.1, 1e-9}}) {
+        const double tilt = turn * M_PI / 180;
+        Block rim = add(wheel, {{0, 0, 0.5 * std::cos(M_PI / 8 - tilt) - 1e-4},
+                                from_rotation_vector({0, tilt, 0}) * from_rotation_vector({M_PI / 2, 0, 0}) *
+                                    from_rotation_vector({0, 0, M_PI / 8})});
+        meet(rim, floor);
+        EXPECT_LE(share, most) << turn;
+        EXPECT_GE(share, least) << turn;
+    }
+}
+
+TEST_F(CornerFeet, CarryAllUpToADepthOfHalfOfTheirWidthAndNothingFromTheWholeOfIt) {
+    const Block floor = add(geometry::box({4, 4, 1}), {{0, 0, -0.5}, {}});
+    const auto share_at = [&](double ratio) {  // a cube that lies on 0.1 of its width: 2 (0.1)/2.2 is the patch's
+        meet(add(geometry::cube(1), {{2.4, 0, 0.5 - ratio / 11}, {}}), floor);
+        return share;
+    };
+    EXPECT_EQ(share_at(0.49), 1);
+    EXPECT_LT(share_at(0.55), 1);
+    EXPECT_GT(share_at(0.95), 0);
+    EXPECT_LT(share_at(0.999), 1e-4);
+}
+
+}  // namespace
+}  // namespace riprap::contact
