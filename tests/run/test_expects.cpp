@@ -49,6 +49,17 @@ std::vector<ExpectResult> follow(const std::vector<sim::Expect>& expects, bool s
     return watch.judge(true);
 }
 
+TEST(Expects, AMomentThatHasComeIsJudgedInARunThatIsCutAndOneThatHasNotIsNot) {
+    sim::Expect reached = expect("when"), missed = expect("when");
+    reached.when = missed.when = "high.position.x";
+    reached.reaches = 2;
+    missed.reaches = 20;
+    reached.to = missed.to = 1e9;  // the end of the case
+    const auto results = follow({reached, missed}, true);
+    EXPECT_EQ(results[0].verdict, Verdict::passed);
+    EXPECT_EQ(results[1].verdict, Verdict::not_judged);
+}
+
 TEST(Expects, EveryReductionSeesEveryStep) {
     const auto results =
         follow({expect("last"), expect("min"), expect("max"), expect("mean"), expect("at", 1.5)}, false);

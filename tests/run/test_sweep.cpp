@@ -2,12 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <string>
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/run/sweep.hpp"
+#include "riprap/run/sweep_plan.hpp"
 
 namespace riprap {
 namespace {
@@ -44,6 +46,24 @@ TEST(SweepTables, ADamagedSummaryIsOneRunThatCannotBeRead) {
         std::ofstream(folder / "run_001/summary.json") << text;
         EXPECT_THAT(run::sweep_csv(run::sweep_json(options)), ::testing::HasSubstr("run_001,unreadable")) << text;
     }
+}
+
+TEST(SweepTables, ASummaryThatSaysFinishedAndNoMoreIsNoFinishedRun) {
+    const TemporaryFolder folder;
+    run::SweepOptions options;
+    options.case_path = "case.toml";
+    options.points = run::grid_of({{"end", {"1", "2", "3"}}});
+    options.out = folder.path();
+    const std::string whole = R"({"status": "finished", "reason": "", "wall_seconds": 1.0, "expects": []})";
+    const std::array<std::string, 3> texts{whole, R"({"status":"finished"})", R"({"status":"finished","expects":[]})"};
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        const std::string name = "run_00" + std::to_string(k + 1);
+        std::filesystem::create_directories(folder / name);
+        std::ofstream(folder / (name + "/summary.json")) << texts[k];
+    }
+    testing::internal::CaptureStdout();
+    EXPECT_NE(run::gather_study(options), 0);
+    EXPECT_THAT(testing::internal::GetCapturedStdout(), ::testing::HasSubstr("1 of 3 runs are finished"));
 }
 
 TEST(SweepTables, WhatIsMissingIsNeitherTheLeastNorTheLargestValueOfAColumn) {

@@ -3,6 +3,8 @@
 #include <sstream>
 
 #include "case_fixture.hpp"
+#include "riprap/sim/advance.hpp"
+#include "riprap/sim/time_step.hpp"
 
 namespace riprap::scene {
 namespace {
@@ -67,9 +69,41 @@ citation = "g t^2/2"
     EXPECT_THAT(cut.warnings, Contains(HasSubstr("[[expect]] 'falls' is not judged: the run ends at 0.5 s, before")));
     EXPECT_EQ(read(text, {"end=\"500 ms\""}).model.expects[0].to, 1);
     EXPECT_EQ(read(text, {"end=2"}).model.expects[0].to, std::numeric_limits<double>::infinity());
-    // The largest value of the part that is run says something of its own.
-    EXPECT_EQ(read(with(text, "value =", "reduce = \"min\"\nvalue ="), {"end=0.5"}).model.expects[0].to,
-              std::numeric_limits<double>::infinity());
+}
+
+TEST(ARunThatIsCut, judges_no_window_that_goes_on_to_its_end) {
+    const auto due = [](const std::string& reduce, const std::string& end) {
+        return read(minimal_case + "[[expect]]\nname = \"falls\"\nquantity = \"block.displacement.z\"\n" + reduce +
+                        "\nvalue = -4.905\ntolerance = 0.01\ncitation = \"g t^2/2\"\n",
+                    {"end=" + end})
+            .model.expects[0]
+            .to;
+    };
+    for (const char* const reduce :
+         {"reduce = \"min\"", "reduce = \"max\"", "reduce = \"mean\"", "reduce = \"extreme\"",
+          "reduce = \"mean\"\nfrom = 0.2", "reduce = \"last\"\nfrom = 0.1",
+          "reduce = \"when\"\nwhen = \"solid.kinetic\"\nreaches = 100.0"}) {
+        EXPECT_EQ(due(reduce, "0.5"), 1) << reduce;
+        EXPECT_EQ(due(reduce, "1"), std::numeric_limits<double>::infinity()) << reduce;
+        EXPECT_EQ(due(reduce, "3"), std::numeric_limits<double>::infinity()) << reduce;
+    }
+    EXPECT_EQ(due("reduce = \"max\"\nto = 0.4", "0.5"), 0.4);  // over before the cut: judged
+    EXPECT_EQ(due("reduce = \"when\"\nwhen = \"solid.kinetic\"\nreaches = 1.0\nto = 0.4", "1"), 0.4);
+}
+
+TEST(ARunOfNoStep, is_refused_where_the_step_is_fixed_and_takes_one_step_where_it_is_not) {
+    EXPECT_THAT(problems_of(with(minimal_case, "end =", "time_step = 1e-3\nend ="), {"end=1e-14"}),
+                ElementsAre(HasSubstr("a run to 1e-14 s takes no step of time_step = 0.001 s; an end of at least "
+                                      "time_step")));
+    EXPECT_THAT(problems_of(with(minimal_case, "end =", "time_step = 1e-3\nend ="), {"end=1e-3"}), IsEmpty());
+    for (const char* const slow :
+         {"end=1e-14", "end=1e-200", "material.rock.normal_stiffness=1e-40", "material.rock.density=1e60"}) {
+        LoadedCase loaded = read(minimal_case, {slow});
+        sim::Scratch scratch;
+        const sim::TimeStep step = sim::choose_time_step(loaded.model, loaded.state, scratch);
+        EXPECT_EQ(step.steps_left, 1) << slow;
+        EXPECT_EQ(step.dt, loaded.model.time.end) << slow;
+    }
 }
 
 TEST(RangesOfAngles, are_told_in_the_unit_that_is_asked_for) {

@@ -19,6 +19,7 @@
 #include "riprap/geometry/half_edge.hpp"
 #include "riprap/geometry/merge_faces.hpp"
 #include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/sound_part.hpp"
 
 namespace riprap::geometry {
 
@@ -192,6 +193,9 @@ Outcome<Polyhedron> convex_hull(std::span<const Vec3> points) {
         return GeometryProblem{scale > 0 ? "the points of the hull are too far apart for double precision"
                                          : "the points of the hull are all in one place",
                                "give points that span a volume"};
+    }
+    if (!(scale >= least_extent && scale <= most_extent)) {
+        return extent_problem({scale, scale, scale}, false);
     }
     const std::vector<Vec3> given = welded(points, weld_tolerance * scale);
     const std::string flat = flatness(given, weld_tolerance * scale);

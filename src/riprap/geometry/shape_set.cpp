@@ -98,11 +98,8 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     }
     const std::vector<Plane> planes = face_planes(shape);
     const double scale = length_scale(shape.vertices);
-    // Where products of lengths leave the range of a double these checks say nothing; a body with such a shape is
-    // refused for its mass.
-    [[maybe_unused]] const bool is_in_range = std::isnormal(scale * scale * scale * scale);
-    RIPRAP_ASSERT(!is_in_range || mass.volume > 0, "volume " + std::to_string(mass.volume));
-    RIPRAP_ASSERT(!is_in_range || is_convex(shape.vertices, planes, scale), "a vertex lies outside a face plane");
+    RIPRAP_ASSERT(mass.volume > 0, "volume " + std::to_string(mass.volume));
+    RIPRAP_ASSERT(is_convex(shape.vertices, planes, scale), "a vertex lies outside a face plane");
     if (planar) {
         mark_end_faces(shape, planes);
     }

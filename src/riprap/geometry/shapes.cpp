@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "riprap/geometry/sound_part.hpp"
+
 namespace riprap::geometry {
 
 namespace {
@@ -85,7 +87,9 @@ std::vector<GeometryProblem> polygon_problems(std::span<const Point2> corners) {
         if (u == 0) {
             continue;  // reported at the corner before
         }
-        const double sine = (ux * vy - uy * vx) / (u * v), cosine = (ux * vx + uy * vy) / (u * v);
+        // Unit vectors first: products of edges of 1e-200 or 1e200 m leave the range of a double.
+        const double ax = ux / u, ay = uy / u, bx = vx / v, by = vy / v;
+        const double sine = ax * by - ay * bx, cosine = ax * bx + ay * by;
         turned += std::atan2(sine, cosine);
         if (std::abs(sine) <= straight_tolerance) {
             straight.push_back(k);
@@ -248,6 +252,9 @@ Outcome<Polyhedron> tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, con
     if (!std::all_of(shape.vertices.begin(), shape.vertices.end(), is_finite)) {
         return GeometryProblem{"a corner of the tetrahedron is not finite", "give finite lengths"};
     }
+    if (const double scale = length_scale(shape.vertices); !(scale >= least_extent && scale <= most_extent)) {
+        return extent_problem({scale, scale, scale}, false);
+    }
     const double six_volumes = dot(b - a, cross(c - a, d - a));
     double largest_area = 0;
     for (const auto& face : shape.faces) {
@@ -301,8 +308,8 @@ Outcome<Polyhedron> wedge(const Vec3& size, double top_begin, double top_end) {
         profile.push_back({top_begin, size.z});
     }
     Outcome<Polyhedron> made = extruded_polygon(profile, -size.y, 0);
-    if (!made) {
-        return made;
+    if (!made) {  // its profile is too thin, a thing of its size
+        return extent_problem(size, false);
     }
     Polyhedron shape = std::move(made).value();
     for (Vec3& x : shape.vertices) {

@@ -72,6 +72,10 @@ std::string speed_or_step(const Refused& refused) {
             return 0.0;
         },
         model.solid);
+    if (const double pull = norm(model.gravity.at(refused.before.time)); pull * refused.report.dt > allowed) {
+        return fmt::format("{} m/s^2 or less keeps what falls for the whole run within solid.max_speed",
+                           assignment_below("gravity", allowed / model.time.end));
+    }
     constexpr double nearly = 0.8;  // a body that was as fast a step before has its speed from the case
     return fastest > nearly * allowed
                ? fmt::format("{} where such a speed is meant", assignment("solid.max_speed", 2 * fastest))

@@ -221,7 +221,8 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
                             .time = time_of(figures_[i], expect.reduce),
                             .low = expect.low,
                             .high = expect.high};
-        if (at_end && is_reached(expect, model_.time.end)) {
+        const bool has_happened = expect.reduce == "when" && !std::isnan(result.value);
+        if (at_end && (has_happened || is_reached(expect, model_.time.end))) {
             const bool is_within = expect.low <= result.value && result.value <= expect.high;  // false for NaN
             result.verdict = is_within ? Verdict::passed : Verdict::failed;
         }

@@ -142,6 +142,12 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
     if (!ledger.has_energy) {
         return "";
     }
+    if (!std::isfinite(ledger.residual) || !std::isfinite(ledger.turnover)) {
+        return fmt::format(
+            "the energy of the scene is no finite number at t = {:.6g} s{}; sizes, speeds, motions and "
+            "loads whose squares are below 1e300",
+            ledger.time, most_energetic(model, state));
+    }
     const bool is_first = step <= first_steps;
     const auto [counted, tolerance] = scale_of(ledger, model, state, is_first);
     const double first = is_first ? 0 : first_residual(accounts_of(model), state.ledger);

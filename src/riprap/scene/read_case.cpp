@@ -69,15 +69,15 @@ bool is_end_of_variation(const Value& root) {
     });
 }
 
-/// Where the run was cut, expected answers at its last step belong to the end that the file has: they are not judged
-/// before it.
+/// Where the run was cut, expected answers whose window goes on to its end belong to the end that the file has: they
+/// are not judged before it. Those of a time of their own say when it is.
 Value with_ends(Value root, const std::optional<double>& written) {
     Value* expects = root.find("expect");
     if (!written || expects == nullptr || !(get_number(root, "end") < *written) || is_end_of_variation(root)) {
         return root;
     }
     for (Value& expect : expects->items) {
-        if (get_text(expect, "reduce") == "last" && expect.find("from") == nullptr && expect.find("to") == nullptr) {
+        if (get_text(expect, "reduce") != "at" && expect.find("to") == nullptr) {
             Value end = Value::of(*written);
             end.place = expect.place;
             expect.set("to", std::move(end), expect.place);
@@ -120,15 +120,22 @@ void check_time_step(const Value& root, const sim::Model& model, sim::State& sta
     if (model.time.is_automatic()) {
         return;
     }
+    std::int64_t steps = 0;
     try {
         sim::Scratch scratch;
-        sim::choose_time_step(model, state, scratch);
+        steps = sim::choose_time_step(model, state, scratch).steps_left;
     } catch (const CaseError& error) {
         std::vector<Diagnostic> problems = error.problems();
         for (Diagnostic& problem : problems) {
             problem.place = get(root, "time_step").place;
         }
         throw CaseError(std::move(problems));
+    }
+    if (steps == 0) {
+        throw CaseError(Diagnostic{get(root, "end").place,
+                                   fmt::format("a run to {:.3g} s takes no step of time_step = {:.3g} s",
+                                               model.time.end, model.time.time_step),
+                                   "an end of at least time_step, or time_step = \"auto\""});
     }
 }
 

@@ -195,7 +195,9 @@ TimeStep choose(const Model& model, State& state, Scratch& scratch, bool grows_a
         limit = std::min(limit, longest_at_start(model, state.time, limits.fluid.longest));
     }
     const double allowed = std::ldexp(limit, -static_cast<int>(state.stepping.halvings));
-    const std::int64_t steps = steps_across(span, allowed);
+    // A run that is shorter than a billionth of a step that would be allowed takes one step all the same.
+    const std::int64_t steps = state.step == 0 && span > 0 ? std::max<std::int64_t>(1, steps_across(span, allowed))
+                                                           : steps_across(span, allowed);
     return {steps > 0 ? span / static_cast<double>(steps) : allowed, steps};
 }
 

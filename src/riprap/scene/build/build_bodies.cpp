@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "riprap/body/locks.hpp"
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/shape_library.hpp"
@@ -95,6 +97,22 @@ std::optional<body::Locks> read_locks(CaseBuild& build, const Value& table, cons
 
 Vec3 read_spin(const Value& value) { return value.is_array() ? to_vector(value) : Vec3{0, 0, value.as_number()}; }
 
+/// Refuses speeds whose energy is beyond double precision.
+bool check_speeds(CaseBuild& build, const Value& table, const body::NewBody& body) {
+    constexpr double most = 1e100;  // [m/s, rad/s]
+    for (const auto& [key, v] : {std::pair{"velocity", body.velocity}, {"angular_velocity", body.angular_velocity}}) {
+        if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > most) {
+            build.problem(get(table, key).place,
+                          fmt::format("body '{}' has {} = ({:.3g}, {:.3g}, {:.3g}), whose energy is beyond double "
+                                      "precision",
+                                      body.name, key, v.x, v.y, v.z),
+                          fmt::format("components of at most {:g}", most));
+            return false;
+        }
+    }
+    return true;
+}
+
 /// Refuses bodies that double precision cannot tell from nothing, or from what lies beside them.
 void check_magnitudes(CaseBuild& build, const Value& table, BodyId id, const std::string& name) {
     const body::BodySet& bodies = build.model.bodies;
@@ -151,7 +169,7 @@ void add_copies(CaseBuild& build, const Value& table, const Value& shape, const 
     const bool is_turned = get_boolean(repeat, "random_orientation");
     const double jitter = get_number(repeat, "jitter");
     const double turn = get_number(repeat, "turn");
-    const Vec3 axis = normalized(get_vector(repeat, "turn_axis")), center = get_vector(repeat, "turn_center");
+    const Vec3 axis = direction_of(get_vector(repeat, "turn_axis")), center = get_vector(repeat, "turn_center");
     const Value* scales = repeat.find("scales");
     for (std::int64_t i = 0; i < lattice.size(); ++i) {
         body::NewBody copy = body;
@@ -205,7 +223,7 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
         return;
     }
     if (!makes_sea(*maker)) {
-        WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, normalized(get_vector(*maker, "direction")),
+        WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, direction_of(get_vector(*maker, "direction")),
                           get(*maker, "depth").place, paddle_wave(build, *maker)};
         paddle.wave.paddle = get_text(table, "name");
         build.paddles.push_back(std::move(paddle));
@@ -263,7 +281,7 @@ void build_body(CaseBuild& build, const Value& table) {
     const bool is_turned_well = check_planar_turn(build, table, "body", body.pose.orientation) &&
                                 (repeat == nullptr || check_planar_turn(build, *repeat, "lattice",
                                                                         orientation_of(repeat->find("orientation"))));
-    const bool is_driven_well = read_drive(build, table, body);
+    const bool is_driven_well = check_speeds(build, table, body) && read_drive(build, table, body);
     const auto locks = is_driven_well ? read_locks(build, table, body) : std::nullopt;
     if (repeat != nullptr && ShapeLibrary::is_half_space(shape)) {
         build.problem(repeat->place, "a half-space cannot be repeated", "");

@@ -92,9 +92,12 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     if (given == nullptr) {
         return;
     }
-    if (expect.reduce == "at" || expect.reduce == "when") {
-        build.problem(given->place, fmt::format("'from' and 'to' say nothing where reduce = \"{}\"", expect.reduce),
-                      "with last, min, max, extreme, mean or period");
+    if (expect.reduce == "at" || (expect.reduce == "when" && from != nullptr)) {
+        build.problem(
+            given->place,
+            fmt::format("{} where reduce = \"{}\"",
+                        expect.reduce == "at" ? "'from' and 'to' say nothing" : "'from' says nothing", expect.reduce),
+            "with last, min, max, extreme, mean or period");
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
@@ -102,7 +105,7 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
         build.problem(given->place,
                       fmt::format("no step lies between from = {:.6g} s and to = {:.6g} s", expect.from, expect.to),
                       "from before to");
-    } else if (to != nullptr) {
+    } else if (to != nullptr && expect.reduce != "when") {  // which is judged once its moment has come
         warn_of_late(build, to->place, expect, "to", expect.to);
     } else {
         warn_of_late(build, from->place, expect, "from", expect.from);

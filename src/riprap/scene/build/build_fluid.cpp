@@ -18,6 +18,7 @@
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
+#include "riprap/scene/warnings/grid_warnings.hpp"
 #include "riprap/scene/warnings/paddle_warnings.hpp"
 
 namespace riprap::scene {
@@ -295,6 +296,12 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
         if (const Value* waves = table.find("wave")) {
             warn_of_waves_over_depth(build, *waves, scene);
         }
+    }
+    if constexpr (requires {
+                      settings.grid;
+                      settings.spacing;
+                  }) {
+        warn_of_water_in_cells(build, get(table, "region"), scene, settings.spacing);
     }
     if constexpr (std::is_same_v<Settings, coupling::HydrostaticSettings>) {
         warn_of_regions_at_faces(build, get(table, "region"), settings);

@@ -163,7 +163,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
 /// The first solid along the line of a run_up gauge, as far as that is in the domain.
 BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spacing) {
     constexpr double touched = 0.25;  // of a spacing
-    const fluid::Domain& domain = build.model.particles()->settings().domain;
+    const fluid::Domain& domain = *build.domain;
     const Vec3 along = gauge.end - gauge.point;
     double length = norm(along);
     const Vec3 direction = along / length;
@@ -174,7 +174,7 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
         }
     }
     const Vec3 end = gauge.point + length * direction;
-    const PlacedSolids solids(build, build.model.particles()->is_dry, min(gauge.point, end), max(gauge.point, end));
+    const PlacedSolids solids(build, build.is_dry, min(gauge.point, end), max(gauge.point, end));
     constexpr double most_steps = 1e6;  // a line along a period may be any length
     const double steps = std::clamp(std::ceil(length / (0.5 * spacing)), 1.0, most_steps);
     for (double k = 0; k <= steps; ++k) {
@@ -189,7 +189,6 @@ BodyId first_solid(const CaseBuild& build, const fluid::Gauge& gauge, double spa
 /// A point in a solid has no water to look at until the solid has left; a run_up ends where a solid stands in its way.
 void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gauge& gauge) {
     const double spacing = sim::fluid_spacing(build.model);
-    const bool is_particles = build.model.particles() != nullptr;
     if (spacing == 0 || !build.has_all_bodies || build.is_dry.size() != build.state.bodies.position.size()) {
         return;  // no water that solids keep out, or something has a problem
     }
@@ -200,10 +199,15 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
         }
     };
     if (gauge.kind == fluid::GaugeKind::run_up) {
-        if (is_particles && gauge.end != gauge.point) {
+        if (gauge.end != gauge.point) {
             warn(first_solid(build, gauge, spacing),
                  "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
         }
+    } else if (gauge.kind == fluid::GaugeKind::surface) {
+        const PlacedSolids solids(build, build.is_dry, gauge.point, gauge.point);
+        warn(solids.at(gauge.point, spacing),
+             "the line of the surface gauge '{}' begins inside '{}' at the start: its readings count from there, and "
+             "are 0 where no water is beyond");
     } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
                gauge.kind == fluid::GaugeKind::level) {
         const PlacedSolids solids(build, build.is_dry, gauge.point, gauge.point);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
@@ -18,7 +19,7 @@ body::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
     out.value = get_vector(gravity, "value");
     out.ramp = get_number(gravity, "ramp");
     if (const Value* rotation = gravity.find("rotation")) {
-        out.axis = normalized(get_vector(*rotation, "axis"));
+        out.axis = direction_of(get_vector(*rotation, "axis"));
         out.rate = get_number(*rotation, "rate");
         out.start = get_number(*rotation, "start");
         out.stop = get_number_or(*rotation, "stop", out.stop);

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
+#include "riprap/scene/build/wave_range.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
@@ -25,14 +27,14 @@ constexpr double least_kd = 1e-4, most_kd = 300;
 WaveKind wave_of(const Value& table) { return get_word(table, "wave", wave_kinds()); }
 
 /// Tells whether a regular wave of the period of `table` can be made at all; adds a problem where not.
-bool check_length(CaseBuild& build, const Value& period, const wave::LinearWave& wave) {
+bool check_length(CaseBuild& build, const Value& period, const wave::LinearWave& wave, double g) {
     const double kd = wave.kd();
     if (kd >= least_kd && kd <= most_kd) {
         return true;
     }
     build.problem(period.place,
                   fmt::format("waves of {:.4g} s in {:.4g} m of water are too {} for a paddle", period.as_number(),
-                              wave.depth, kd > most_kd ? "short" : "long"),
+                              wave.depth, is_short_wave(period.as_number(), wave.depth, g) ? "short" : "long"),
                   fmt::format("a period with kd = 2 pi d/L from {:g} to {:g}", least_kd, most_kd));
     return false;
 }
@@ -45,7 +47,7 @@ void check_height(CaseBuild& build, const Value& table, double g) {
     std::string length;
     if (const Value* period = table.find("period"); wave_of(table) != WaveKind::solitary && period != nullptr) {
         const wave::LinearWave wave = wave::linear_wave(height, period->as_number(), depth, g);
-        if (!check_length(build, *period, wave)) {
+        if (!check_length(build, *period, wave, g)) {
             return;
         }
         length = fmt::format(" and {:.4g} m long", wave.length());
@@ -88,7 +90,7 @@ body::HarmonicMotion regular_motion(const Value& table, const wave::LinearWave& 
     motion.angular_frequency = wave.angular_frequency;
     motion.phase = get_number(table, "phase");
     motion.ramp = get_number_or(table, "ramp", 4 * std::numbers::pi / wave.angular_frequency);
-    motion.direction = normalized(get_vector(table, "direction"));
+    motion.direction = direction_of(get_vector(table, "direction"));
     if (paddle == wave::Paddle::flap) {
         motion.arm = wave.depth;  // the stroke is that of its line at still water
         motion.center = get_vector(table, "hinge");
@@ -100,7 +102,7 @@ body::HarmonicMotion regular_motion(const Value& table, const wave::LinearWave& 
 body::SplineMotion solitary_motion(const Value& table, const wave::SolitaryWave& wave) {
     wave::MotionSeries series = wave::solitary_motion(wave);
     body::SplineMotion motion;
-    motion.direction = normalized(get_vector(table, "direction"));
+    motion.direction = direction_of(get_vector(table, "direction"));
     motion.time = std::move(series.time);
     motion.stroke = std::move(series.value);
     motion.rate = std::move(series.rate);
@@ -131,7 +133,7 @@ bool check_wave_maker(CaseBuild& build, const Value& table, wave::Paddle paddle,
     if (paddle == wave::Paddle::flap && table.find("hinge") == nullptr) {
         build.problem(table.place, "a flap without 'hinge'", "a point of its hinge at the bed");
     }
-    const Vec3 direction = normalized(get_vector(table, "direction"));
+    const Vec3 direction = direction_of(get_vector(table, "direction"));
     if (g > 0 && std::abs(dot(direction, build.model.gravity.value)) > 1e-9 * g) {
         build.problem(get(table, "direction").place, "waves that go up or down", "a direction normal to gravity");
     }
@@ -192,7 +194,7 @@ std::optional<coupling::PaddleAbsorption> paddle_absorption(CaseBuild& build, co
         return std::nullopt;
     }
     coupling::PaddleAbsorption absorption;
-    absorption.direction = normalized(get_vector(table, "direction"));
+    absorption.direction = direction_of(get_vector(table, "direction"));
     absorption.foot = to_vector(*absorb);
     absorption.up = -1 / g * build.model.gravity.value;
     absorption.gravity = g;

@@ -8,6 +8,7 @@
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/build/wave_range.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 #include "riprap/wave/linear_wave.hpp"
 
@@ -59,7 +60,7 @@ bool check_length(CaseBuild& build, const Value& table, const coupling::WavesAtS
                   : file != nullptr ? file->place
                                     : table.place,
                   fmt::format("waves of {:.4g} s in {:.4g} m of water are too {}", wave.period, wave.depth,
-                              kd > most_kd ? "short" : "long"),
+                              is_short_wave(wave.period, wave.depth, g) ? "short" : "long"),
                   fmt::format("a period with kd = 2 pi d/L from {:g} to {:g}", least_kd, most_kd));
     return false;
 }

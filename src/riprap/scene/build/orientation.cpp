@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/direction.hpp"
 
 namespace riprap::scene {
 
@@ -10,7 +11,7 @@ Quat orientation_of(const Value* table) {
         return {};
     }
     if (const Value* axis_angle = table->find("axis_angle")) {
-        return from_rotation_vector(get_number(*axis_angle, "angle") * normalized(get_vector(*axis_angle, "axis")));
+        return from_rotation_vector(get_number(*axis_angle, "angle") * direction_of(get_vector(*axis_angle, "axis")));
     }
     if (const Value* angle = table->find("angle")) {
         return from_rotation_vector({0, 0, angle->as_number()});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 #include "riprap/scene/text/number_files.hpp"
@@ -75,7 +76,7 @@ void check_paddle(CaseBuild& build, const Value& table) {
     const double g = norm(gravity);
     if (g == 0) {
         build.problem(table.place, "a wave maker without gravity", "gravity that is not zero");
-    } else if (std::abs(dot(normalized(get_vector(table, "direction")), gravity)) > 1e-9 * g) {
+    } else if (std::abs(dot(direction_of(get_vector(table, "direction")), gravity)) > 1e-9 * g) {
         build.problem(get(table, "direction").place, "waves that go up or down", "a direction normal to gravity");
     }
     if (get_word(table, "paddle", paddles()) == wave::Paddle::flap) {
@@ -171,7 +172,7 @@ std::optional<body::SplineMotion> sea_motion(CaseBuild& build, const Value& tabl
         "goes from {:.4g} to {:.4g} m",
         sea->height, depth, sea->period, peak.length(), peak.kd(), *low, *high));
     body::SplineMotion motion;
-    motion.direction = normalized(get_vector(table, "direction"));
+    motion.direction = direction_of(get_vector(table, "direction"));
     motion.time = std::move(series.time);
     motion.stroke = std::move(series.value);
     motion.rate = std::move(series.rate);

@@ -10,6 +10,7 @@
 #include "riprap/geometry/convex_hull.hpp"
 #include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/sound_part.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/geometry/surface_audit.hpp"
 #include "riprap/geometry/triangle_mesh.hpp"
@@ -227,6 +228,12 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_armour(const Value& ta
         return std::nullopt;
     }
     const double diameter = get_number(table, "nominal_diameter");
+    constexpr double least = 1e-6;  // [m], of the surface that its parts are audited as
+    if (!(diameter >= least && diameter <= geometry::most_extent)) {
+        problems_.push_back({table.place, fmt::format("an armour unit of nominal diameter {:.3g} m", diameter),
+                             fmt::format("from {:g} to {:g} m", least, geometry::most_extent)});
+        return std::nullopt;
+    }
     geometry::Surface surface;
     surface.file = table.place.file;
     for (const Polyhedron& piece :

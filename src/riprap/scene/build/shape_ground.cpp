@@ -6,12 +6,14 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "riprap/geometry/ground_cells.hpp"
 #include "riprap/geometry/height_grid.hpp"
 #include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/sound_part.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/io/vtp_surface.hpp"
 #include "riprap/scene/build/build_case.hpp"
@@ -89,6 +91,120 @@ Diagnostic problem_of_cut(const HeightGrid& whole, const Value& table) {
             fmt::format("at most {} heights: a coarser resolution or a smaller region", geometry::most_heights)};
 }
 
+const SourcePlace& place_of_thickness(const Value& table) {
+    const Value* given = table.find("thickness");
+    return given != nullptr ? given->place : table.place;
+}
+
+/// Sizes of the face of a cell that bodies meet [m].
+struct TopSize {
+    double longest{0};    ///< of its edges
+    double narrowest{0};  ///< of its altitudes
+};
+
+TopSize top_of(const Polyhedron& cell) {
+    const auto top = static_cast<std::size_t>(std::find(cell.is_internal.begin(), cell.is_internal.end(), 0) -
+                                              cell.is_internal.begin());
+    const auto& loop = cell.faces[top];
+    TopSize size;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Vec3& next = cell.vertices[static_cast<std::size_t>(loop[(k + 1) % loop.size()])];
+        size.longest = std::max(size.longest, norm(next - cell.vertices[static_cast<std::size_t>(loop[k])]));
+    }
+    size.narrowest = 2 * norm(geometry::vector_area(cell.vertices, loop)) / size.longest;
+    return size;
+}
+
+/// Refuses ground whose thickness leaves cells no volume, and takes out those that have none for their triangle: it is
+/// so narrow that nothing fits through, or folds sharply.
+/// @param place  of its thickness
+bool are_sound(std::vector<Polyhedron>& cells, double thickness, const std::string& file, const SourcePlace& place,
+               std::vector<Diagnostic>& problems, std::vector<std::string>& warnings) {
+    constexpr double narrow = 1e-8;  // of the longest edge: ten times what tells one plane from another
+    double longest = 0, narrowest = std::numeric_limits<double>::infinity();
+    for (const Polyhedron& cell : cells) {
+        const TopSize top = top_of(cell);
+        longest = std::max(longest, top.longest);
+        narrowest = top.narrowest < narrow * top.longest ? narrowest : std::min(narrowest, top.narrowest);
+    }
+    const double least = geometry::safe_slenderness * longest;
+    const double most = std::max(longest, narrowest / geometry::safe_slenderness);
+    const bool is_in_range = longest >= geometry::least_extent && longest <= geometry::most_extent;
+    const bool is_thickness_good = is_in_range && thickness >= least && thickness <= most;
+    std::optional<geometry::GeometryProblem> problem;
+    const std::size_t before = cells.size();
+    std::erase_if(cells, [&](const Polyhedron& cell) {
+        const auto found = geometry::part_problem(cell, false);
+        const TopSize top = found ? top_of(cell) : TopSize{};
+        if (found && is_in_range && (is_thickness_good || top.narrowest < narrow * top.longest)) {
+            return true;
+        }
+        problem = problem ? problem : found;
+        return false;
+    });
+    if (before > cells.size()) {
+        warnings.push_back(fmt::format(
+            "{}: {} of {} triangles are so narrow, or fold so sharply, that the solid under them has no volume in "
+            "double precision: they are left out",
+            file, before - cells.size(), before));
+    }
+    if (problem && is_in_range) {
+        problems.push_back(
+            {place, fmt::format("ground {:.3g} m thick under triangles up to {:.3g} m long", thickness, longest),
+             fmt::format("a thickness from {:.3g} to {:.3g} m, for solids that double precision tells from planes",
+                         least, most)});
+    } else if (problem) {
+        problems.push_back({place, problem->message, problem->allowed});
+    }
+    return !problem;
+}
+
+/// Refuses ground of which nothing is left.
+bool has_ground(const std::vector<Polyhedron>& cells, const geometry::TriangleMesh& mesh, double thickness,
+                const SourcePlace& place, std::vector<Diagnostic>& problems) {
+    if (!cells.empty()) {
+        return true;
+    }
+    const auto [low, high] = geometry::box_of(mesh.points);
+    const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    problems.push_back(
+        {place,
+         fmt::format("nothing is left of ground {:.3g} m thick under a mesh {:.3g} m in extent", thickness, size),
+         fmt::format("a thickness of, say, {:.3g} m", 1e-3 * size)});
+    return false;
+}
+
+/// The place of a point of the profile, or of the profile where points have none.
+const SourcePlace& place_of_point(const Value& table, std::size_t point) {
+    const Value& profile = get(table, "profile");
+    const SourcePlace& own = profile.items[point].place;
+    return own.line > 0 ? own : profile.place.line > 0 ? profile.place : table.place;
+}
+
+/// Names what makes the solid under one piece of a profile thin: its points, or else its thickness.
+/// @param end  number of the point at its right end
+Diagnostic thin_profile(const Value& table, const Vec3& a, const Vec3& b, std::size_t end, double thickness) {
+    constexpr double longest = 1 / geometry::safe_slenderness;  // a planar scene is a metre wide
+    const double width = b.x - a.x, rise = std::abs(b.y - a.y);
+    const SourcePlace& point = place_of_point(table, end);
+    if (std::max(width, rise) > longest * std::max(1.0, std::min(width, 1.0))) {
+        return {point, fmt::format("the profile goes from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m", a.x, a.y, b.x, b.y),
+                fmt::format("steps of at most {:g} m along x and in height", longest)};
+    }
+    if (width < geometry::safe_slenderness * std::max(1.0, rise)) {
+        return {point,
+                fmt::format("the profile goes from ({:.16g}, {:.6g}) to ({:.16g}, {:.6g}) m, {:.3g} m along x: the "
+                            "solid below is so thin that double precision cannot tell it from a plane",
+                            a.x, a.y, b.x, b.y, width),
+                fmt::format("points at least {:.3g} m apart along x",
+                            geometry::safe_slenderness * std::max({1.0, rise, std::min(thickness, longest)}))};
+    }
+    return {place_of_thickness(table),
+            fmt::format("ground {:.3g} m thick under {:.3g} m of a profile", thickness, width),
+            fmt::format("a thickness from {:.3g} to {:.3g} m",
+                        geometry::safe_slenderness * std::max({1.0, rise, width}), std::max(1.0, width))};
+}
+
 bool are_few_enough(std::int64_t cells, const SourcePlace& place, std::vector<Diagnostic>& problems) {
     if (cells > 0 && cells <= limits::ground_cells) {
         return true;
@@ -107,12 +223,21 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_profile(const Value& t
     for (const Value& point : get(table, "profile").items) {
         line.push_back({point.items[0].as_number(), point.items[1].as_number(), 0});
         if (line.size() > 1 && !(line.back().x > line[line.size() - 2].x)) {
-            problems_.push_back({point.place, "the points of the profile do not go from left to right", "growing x"});
+            problems_.push_back({place_of_point(table, line.size() - 1),
+                                 "the points of the profile do not go from left to right", "growing x"});
             return std::nullopt;
         }
     }
     const double mean = (line.back().x - line.front().x) / static_cast<double>(line.size() - 1);
-    return geometry::cells_under_line(line, get_number_or(table, "thickness", default_thickness * mean));
+    const double thickness = get_number_or(table, "thickness", default_thickness * mean);
+    auto cells = geometry::cells_under_line(line, thickness);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (geometry::part_problem(cells[i], true)) {
+            problems_.push_back(thin_profile(table, line[i], line[i + 1], i + 1, thickness));
+            return std::nullopt;
+        }
+    }
+    return cells;
 }
 
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& table) {
@@ -157,7 +282,12 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
         return std::nullopt;
     }
     const double thickness = get_number_or(table, "thickness", default_thickness * std::max(grid.dx, grid.dy));
-    return ground_of(mesh, path->text, std::numeric_limits<double>::epsilon(), thickness, Vec3{0, 0, -1});
+    auto cells = ground_of(mesh, path->text, std::numeric_limits<double>::epsilon(), thickness, Vec3{0, 0, -1});
+    if (!are_sound(cells, thickness, path->text, place_of_thickness(table), problems_, warnings_) ||
+        !has_ground(cells, mesh, thickness, place_of_thickness(table), problems_)) {
+        return std::nullopt;
+    }
+    return cells;
 }
 
 std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& table) {
@@ -189,7 +319,13 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& tabl
     }
     const double epsilon =
         surface->grain > 0 ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
-    return ground_of(mesh, path.text, epsilon, get_number(table, "thickness"), std::nullopt);
+    const double thickness = get_number(table, "thickness");
+    auto cells = ground_of(mesh, path.text, epsilon, thickness, std::nullopt);
+    if (!are_sound(cells, thickness, path.text, place_of_thickness(table), problems_, warnings_) ||
+        !has_ground(cells, mesh, thickness, place_of_thickness(table), problems_)) {
+        return std::nullopt;
+    }
+    return cells;
 }
 
 std::vector<Polyhedron> ShapeLibrary::ground_of(geometry::TriangleMesh mesh, const std::string& file, double epsilon,

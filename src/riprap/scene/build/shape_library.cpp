@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "riprap/geometry/round_shapes.hpp"
+#include "riprap/geometry/sound_part.hpp"
 #include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/build/direction.hpp"
 
 namespace riprap::scene {
 
@@ -55,6 +57,32 @@ double edge_of(const Value& value, double ratio) {
     return edge != nullptr ? edge->as_number() : get_number(value, "circumradius") / ratio;
 }
 
+/// A prism over corners of a shape that is given by positive sizes: its polygon is bad for their sake alone.
+Outcome<Polyhedron> sized_prism(const std::vector<Point2>& corners) {
+    Outcome<Polyhedron> prism = geometry::planar_prism(corners);
+    if (prism) {
+        return prism;
+    }
+    Vec3 low{corners[0][0], corners[0][1], 0}, high = low;
+    for (const Point2& corner : corners) {
+        low = min(low, Vec3{corner[0], corner[1], 0});
+        high = max(high, Vec3{corner[0], corner[1], 0});
+    }
+    return geometry::extent_problem(high - low, true);
+}
+
+/// Adds a problem for the first piece that double precision cannot hold.
+bool are_sound(const std::vector<Polyhedron>& pieces, bool is_planar, const SourcePlace& place,
+               std::vector<Diagnostic>& problems) {
+    for (const Polyhedron& piece : pieces) {
+        if (const auto problem = geometry::part_problem(piece, is_planar)) {
+            problems.push_back({place, problem->message, problem->allowed});
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<Polyhedron> ShapeLibrary::accept(Outcome<Polyhedron> outcome, const SourcePlace& place) {
@@ -77,7 +105,7 @@ std::optional<Polyhedron> ShapeLibrary::make_prism(const Value& table) {
         points != nullptr ? corners_of(*points)
                           : regular_polygon(get_integer(table, "sides"), get_number(table, "circumradius"));
     if (is_planar_) {
-        return accept(geometry::planar_prism(corners), table.place);
+        return accept(points != nullptr ? geometry::planar_prism(corners) : sized_prism(corners), table.place);
     }
     const double half = height->as_number() / 2;
     return accept(geometry::extruded_polygon(corners, -half, half), table.place);
@@ -87,11 +115,11 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
     const Entry& entry = shape.entries.front();
     if (entry.key == "box") {
         const Vec3 size = to_vector(entry.value);
-        return accept(geometry::planar_prism(rectangle(size.x, size.y)), entry.place);
+        return accept(sized_prism(rectangle(size.x, size.y)), entry.place);
     }
     if (entry.key == "cube") {
         const double edge = entry.value.as_number();
-        return accept(geometry::planar_prism(rectangle(edge, edge)), entry.place);
+        return accept(sized_prism(rectangle(edge, edge)), entry.place);
     }
     if (entry.key == "sphere" || entry.key == "ellipse") {
         constexpr int sides = 64;
@@ -101,7 +129,7 @@ std::optional<Polyhedron> ShapeLibrary::make_planar(const Value& shape) {
             corner[0] *= (is_round ? entry.value : entry.value.items[0]).as_number();
             corner[1] *= (is_round ? entry.value : entry.value.items[1]).as_number();
         }
-        return accept(geometry::planar_prism(corners), entry.place);
+        return accept(sized_prism(corners), entry.place);
     }
     if (entry.key == "polygon") {
         return accept(geometry::planar_prism(corners_of(entry.value)), entry.place);
@@ -138,7 +166,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make(const Value& shape) {
     } else if (kind == "cube") {
         one = geometry::cube(value.as_number());
     } else if (kind == "wedge") {
-        one = geometry::wedge(to_vector(value));
+        one = accept(geometry::wedge(to_vector(value), 0, 0), entry.place);
     } else if (kind == "tetrahedron") {
         if (value.is_number()) {
             one = geometry::regular_tetrahedron(value.as_number());
@@ -187,7 +215,10 @@ std::optional<ShapeLibrary::Pieces> ShapeLibrary::placed_pieces(const Value& sha
     if (is_new) {
         auto made = make(shape);
         const Vec3 origin = std::exchange(origin_, Vec3{});
-        it->second = made ? std::optional(Pieces{std::move(*made), origin}) : std::nullopt;
+        // Ground is checked where it is made, which knows what makes it thin.
+        const bool is_good =
+            made && (is_ground(shape) || are_sound(*made, is_planar_, shape.entries.front().place, problems_));
+        it->second = is_good ? std::optional(Pieces{std::move(*made), origin}) : std::nullopt;
     }
     return it->second;
 }
@@ -219,7 +250,7 @@ std::optional<std::vector<body::Part>> ShapeLibrary::parts(const Value& shape, d
     std::vector<body::Part> parts;
     if (is_half_space(shape)) {
         const Value& plane = get(shape, "half_space");
-        const Vec3 normal = normalized(get_vector(plane, "normal"));
+        const Vec3 normal = direction_of(get_vector(plane, "normal"));
         parts.push_back({BodyId{}, shapes_.add_half_space(normal, get_number(plane, "offset")), Pose{}});
     } else {
         auto placed = placed_pieces(shape);
@@ -232,6 +263,11 @@ std::optional<std::vector<body::Part>> ShapeLibrary::parts(const Value& shape, d
             for (Vec3& vertex : polyhedron.vertices) {
                 vertex = {scale * vertex.x, scale * vertex.y, is_planar_ ? vertex.z : scale * vertex.z};
             }
+        }
+        if (scale != 1 && !are_sound(placed->polyhedra, is_planar_, shape.entries.front().place, problems_)) {
+            return std::nullopt;
+        }
+        for (const Polyhedron& polyhedron : placed->polyhedra) {
             parts.push_back(add(polyhedron));
             parts.back().local.position += origin;
         }

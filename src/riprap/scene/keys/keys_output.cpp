@@ -185,7 +185,8 @@ const Table& expect_table() {
           {}},
          {"to",
           {number(dimension::time, positive())},
-          "Nor do those after it; the end when not given. What a run with an earlier end does not reach is not judged.",
+          "Nor do those after it; the end of the case when not given. What a run with an earlier end does not reach is "
+          "not judged; with when, what has not happened yet.",
           {}},
          {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
          {"when",

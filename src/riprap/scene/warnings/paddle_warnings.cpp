@@ -173,10 +173,15 @@ void warn_of_leaving(CaseBuild& build, const WavePaddle& paddle, const fluid::Pa
 }  // namespace
 
 void warn_of_paddles(CaseBuild& build, const coupling::ParticleFluid& fluid, const coupling::Filling& filling) {
-    const double spacing = fluid.settings().spacing;
     for (const WavePaddle& paddle : build.paddles) {
-        warn_of_height(build, paddle, spacing);
+        warn_of_height(build, paddle, fluid.settings().spacing);
         warn_of_leaving(build, paddle, fluid.settings());
+    }
+    warn_of_water_at_paddles(build, fluid.settings().spacing, filling);
+}
+
+void warn_of_water_at_paddles(CaseBuild& build, double spacing, const coupling::Filling& filling) {
+    for (const WavePaddle& paddle : build.paddles) {
         if (const auto before = water_before(build, paddle, spacing, filling)) {
             if (!std::isfinite(before->surface)) {
                 warn_of_dry_paddle(build, paddle, spacing);

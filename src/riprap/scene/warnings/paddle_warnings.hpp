@@ -15,4 +15,7 @@ namespace riprap::scene {
 ///   follows it ends the run.
 void warn_of_paddles(CaseBuild& build, const coupling::ParticleFluid& fluid, const coupling::Filling& filling);
 
+/// Warns of the first two of these.
+void warn_of_water_at_paddles(CaseBuild& build, double spacing, const coupling::Filling& filling);
+
 }  // namespace riprap::scene
