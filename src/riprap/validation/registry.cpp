@@ -65,7 +65,6 @@ std::span<const ValidationCase> rigid_cases() {
                        rigid::tip_or_slide},
         ValidationCase{"rigid", "shaken_block", "A block on a base that speeds up ever faster tips or slides", false,
                        rigid::shaken_block},
-        ValidationCase{"rigid", "rocking", "A block rocks from one edge to the other (Housner)", false, rigid::rocking},
         ValidationCase{"rigid", "bounce", "A cube dropped face down bounces and comes to rest", false, rigid::bounce},
         ValidationCase{"rigid", "stacks", "Stacked blocks carry their weight; bricks lean out to the harmonic limit",
                        false, rigid::stacks},

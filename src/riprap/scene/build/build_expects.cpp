@@ -107,7 +107,7 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
                       "from before to");
     } else if (to != nullptr && expect.reduce != "when") {  // which is judged once its moment has come
         warn_of_late(build, to->place, expect, "to", expect.to);
-    } else {
+    } else if (from != nullptr) {
         warn_of_late(build, from->place, expect, "from", expect.from);
     }
 }

@@ -12,7 +12,6 @@ void tip_or_slide(const CaseSetting& setting, CaseReport& report);
 void bounce(const CaseSetting& setting, CaseReport& report);
 void stacks(const CaseSetting& setting, CaseReport& report);
 void shaken_block(const CaseSetting& setting, CaseReport& report);
-void rocking(const CaseSetting& setting, CaseReport& report);
 void toppling_columns(const CaseSetting& setting, CaseReport& report);
 void arch(const CaseSetting& setting, CaseReport& report);
 void granular_column(const CaseSetting& setting, CaseReport& report);
