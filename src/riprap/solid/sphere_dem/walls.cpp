@@ -173,20 +173,92 @@ bool is_covered(const SphereModel& model, const Placed& placed, const Touched& o
                                       one.contact.point + next.depth * (frame.axes * shape.normal(next.face))) >= -step;
 }
 
+/// Puts the contact on the next way out from where another part lets the sphere out. In the notch of two parts a small
+/// sphere whose centre comes into one of them through its side would else lose the other one under it, with all that
+/// its spring holds.
+/// @returns false where that way is none: the other part's own contact is all
+bool take_way_out_of_notch(const SphereModel& model, const Placed& placed, Touched& one, const Touched& other) {
+    const double radius = placed.radius[at(one.contact.sphere)];
+    if (other.face < 0 || other.contact.overlap < radius) {
+        return false;
+    }
+    const geometry::ConvexView shape = shape_of(model, one.contact.wall);
+    const contact::Frame& frame = placed.part_frame[at(one.contact.wall)];
+    const WayOut next = next_way_out(shape, transpose_times(frame.axes, other.contact.point - frame.origin), one.face);
+    if (next.face < 0 || next.depth <= -radius) {
+        return false;
+    }
+    const Vec3 outward = frame.axes * shape.normal(next.face);
+    one.contact.normal = -outward;
+    one.contact.point = other.contact.point + next.depth * outward;
+    one.contact.overlap = radius + next.depth;
+    one.face = next.face;
+    return true;
+}
+
+/// The face of a part that lies against the face by which another part lets the sphere out; -1 where none does.
+std::int32_t face_against(const SphereModel& model, const Placed& placed, const Touched& one, const Touched& other,
+                          double step) {
+    const double radius = placed.radius[at(one.contact.sphere)];
+    if (other.face < 0 || other.contact.wall == one.contact.wall || other.contact.overlap < radius) {
+        return -1;
+    }
+    const geometry::ConvexView shape = shape_of(model, one.contact.wall);
+    const contact::Frame& frame = placed.part_frame[at(one.contact.wall)];
+    const Vec3 into = transpose_times(frame.axes, other.contact.normal);
+    const Vec3 local = transpose_times(frame.axes, other.contact.point - frame.origin);
+    for (std::int32_t f = 0; f < shape.face_count; ++f) {
+        const double depth = shape.offset[f] - dot(shape.normal(f), local);
+        if (dot(shape.normal(f), into) > same_edge && std::abs(depth) <= step) {
+            return f;
+        }
+    }
+    return -1;
+}
+
+/// Looks for a part that holds the sphere in the notch that it makes with `one`, and puts the contact there.
+bool take_notch_of_any(const SphereModel& model, const Placed& placed, Touched& one,
+                       const std::vector<Touched>& touched, double step) {
+    for (const Touched& other : touched) {
+        if (const std::int32_t face = face_against(model, placed, one, other, step); face >= 0) {
+            one.face = face;
+            return take_way_out_of_notch(model, placed, one, other);
+        }
+    }
+    return false;
+}
+
 /// Adds the contacts of a sphere with the parts that it touches, those left out that others hide or cover.
 void add_parts(const SphereModel& model, const Placed& placed, const std::vector<Touched>& touched,
                std::vector<WallContact>& out) {
+    if (touched.size() == 1) {
+        out.push_back(touched.front().contact);
+        return;
+    }
     for (Touched one : touched) {
         const double step = step_share * model.spheres.curvature[at(one.contact.sphere)];
-        const auto is_by_another = [&](const auto& test) {
-            return touched.size() > 1 && std::ranges::any_of(touched, test);
-        };
-        const bool has_cover = is_by_another([&](const Touched& other) {
+        if (one.contact.overlap < placed.radius[at(one.contact.sphere)] &&
+            take_notch_of_any(model, placed, one, touched, step)) {
+            out.push_back(one.contact);
+            continue;
+        }
+        const auto hides = [&](const Touched& other) {
             return one.face < 0 && other.contact.wall != one.contact.wall && is_hidden(one, other, step);
-        });
-        const bool is_side =
-            is_by_another([&](const Touched& other) { return is_covered(model, placed, one, other, step); });
-        if (!has_cover && (!is_side || take_next_way_out(model, placed, one))) {
+        };
+        const auto covers = [&](const Touched& other) { return is_covered(model, placed, one, other, step); };
+        if (!std::ranges::any_of(touched, hides) &&
+            (std::ranges::none_of(touched, covers) || take_next_way_out(model, placed, one))) {
+            out.push_back(one.contact);
+        }
+    }
+}
+
+/// Adds the contacts with parts that a sphere has left through the side of another one in their notch.
+void add_missed(const SphereModel& model, const Placed& placed, const std::vector<Touched>& touched,
+                const std::vector<Touched>& missed, std::vector<WallContact>& out) {
+    for (Touched one : missed) {
+        const double step = step_share * model.spheres.curvature[at(one.contact.sphere)];
+        if (take_notch_of_any(model, placed, one, touched, step)) {
             out.push_back(one.contact);
         }
     }
@@ -198,7 +270,7 @@ void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std:
     const Placed& placed = scratch.placed;
     const std::int32_t parts = model.bodies.part_count();
     reached.clear();
-    std::vector<Touched> touched;
+    std::vector<Touched> touched, missed;
     for (std::size_t p = begin; p < end; ++p) {
         const contact::PartPair pair = scratch.wall_pairs[p];
         if (pair.b >= parts) {
@@ -209,11 +281,13 @@ void find_of_sphere(const SphereModel& model, const SphereScratch& scratch, std:
             continue;
         }
         const Touched one = touch(model, placed, pair);
-        if (one.contact.overlap > 0) {
-            touched.push_back(one);
-        }
+        (one.contact.overlap > 0 ? touched : missed).push_back(one);
     }
+    const std::size_t first = out.size();
     add_parts(model, placed, touched, out);
+    add_missed(model, placed, touched, missed, out);
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+              [](const WallContact& a, const WallContact& b) { return a.wall < b.wall; });
     for (const Reached& one : reached) {
         if (counts(model, reached, one)) {
             out.push_back(one.contact);
