@@ -10,7 +10,7 @@ inline constexpr double least_modulus = 1e7;    ///< that a case without a modul
 inline constexpr double least_stiffness = 1e5;  ///< and of linear springs [N/m]
 /// Overlap at rest over the size D of the smallest body, at most [-]. A cube that stands on one edge leans by this
 /// share, and stands by sharp_share/6 D inside of that edge (convex_samples.hpp): its slope of tipping has a tangent
-/// that is sharp_share/3 + static_share = 0.0018 too small, 0.1 degrees where nothing else is lost.
+/// that is sharp_share/3 + static_share = 0.0018 too small, 0.05 degrees at 45 where nothing else is lost.
 inline constexpr double static_share = 1e-4;
 /// Overlap in an impact over the size D of the body, at most [-]: the upper end of the 0.1 to 1 % of a particle's
 /// diameter that discrete elements are run with. The particle is the body, not its sample.
