@@ -46,6 +46,12 @@ std::uint64_t body_key(std::int32_t a, std::int32_t b) {
     return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint64_t>(b);
 }
 
+/// The part of a body that has only one, else -1.
+std::int32_t only_part(const body::BodySet& bodies, std::int32_t body) {
+    const std::int32_t begin = bodies.part_begin[at(body)];
+    return bodies.part_begin[at(body) + 1] == begin + 1 ? begin : -1;
+}
+
 void share_spheres(const SphereModel& model, const SphereState& state, SphereScratch& scratch) {
     const std::size_t count = state.contacts.size();
     scratch.weight.assign(count, 1);
@@ -77,10 +83,17 @@ void share_walls(const SphereModel& model, SphereScratch& scratch) {
         const std::int32_t body = model.spheres.body[at(contact.sphere)];
         if (model.spheres.count_of(body) > 1) {
             // Each part counts as a body of its own, so floor and wall of one tank are two; all triangles of a surface
-            // count as one.
-            const std::int32_t other = contact.wall < parts ? contact.wall : parts + wall_body(model, contact.wall);
+            // count as one. Where the edges of two bodies of one part meet the other's faces, all of them are one
+            // group.
+            std::int32_t first = body,
+                         second = contact.wall < parts ? contact.wall : parts + wall_body(model, contact.wall);
+            if (const std::int32_t own = only_part(model.bodies, body);
+                own >= 0 && contact.wall < parts && only_part(model.bodies, wall_body(model, contact.wall)) >= 0) {
+                first = std::min(own, contact.wall);
+                second = std::max(own, contact.wall);
+            }
             scratch.overlap[c] = contact.overlap;
-            scratch.group_key.push_back(body_key(body, other));
+            scratch.group_key.push_back(body_key(first, second));
             scratch.group_contact.push_back(static_cast<std::uint32_t>(c));
         }
     }

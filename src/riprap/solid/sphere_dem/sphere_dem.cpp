@@ -14,6 +14,7 @@
 #include "riprap/core/timer.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
+#include "riprap/solid/sphere_dem/default_stiffness.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 #include "riprap/solid/sphere_dem/show_contacts.hpp"
@@ -26,8 +27,8 @@ namespace {
 /// Names the key that makes contacts stiff enough, with its value now.
 std::string stiffer(const SphereDemSettings& settings) {
     return settings.laws.normal == contact::NormalLaw::hertz
-               ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", settings.youngs_modulus)
-               : fmt::format("a solid.spring_stiffness above {:.4g} N/m", settings.spring_stiffness);
+               ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", sphere_dem::modulus_of(settings))
+               : fmt::format("a solid.spring_stiffness above {:.4g} N/m", sphere_dem::spring_of(settings));
 }
 
 }  // namespace
@@ -42,6 +43,11 @@ double SphereDem::smallest_stand_in(const body::BodySet& bodies, const geometry:
                                     const Settings& settings) {
     return settings.sampling == SphereSampling::surface ? sphere_dem::radius_of_samples(bodies, shapes, settings)
                                                         : std::numeric_limits<double>::infinity();
+}
+
+SphereDemSettings SphereDem::completed(const SolidScene& scene, const Settings& settings, const body::BodyState& state,
+                                       double speed) {
+    return sphere_dem::completed(scene, settings, state, speed);
 }
 
 std::vector<SceneProblem> SphereDem::problems_of(const SolidScene& scene, const Settings& settings,
@@ -71,7 +77,9 @@ std::vector<BodyKind> SphereDem::kinds_of(const SolidScene& scene, const Setting
     const sphere_dem::SphereSet spheres = sphere_dem::sample_bodies(scene, settings);
     std::vector<BodyKind> kinds;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
-        kinds.push_back(spheres.count_of(b) > 0 ? BodyKind::spheres : BodyKind::faces);
+        const bool keeps_faces =
+            spheres.count_of(b) == 0 || (spheres.is_sampled[at(b)] != 0 && !may_move(scene.bodies, at(b)));
+        kinds.push_back(keeps_faces ? BodyKind::faces : BodyKind::spheres);
     }
     return kinds;
 }

@@ -47,6 +47,10 @@ class SphereDem {
 
     /// Returns what every body meets others by (solid/pair_physics.hpp).
     static std::vector<BodyKind> kinds_of(const SolidScene& scene, const Settings& settings);
+    /// Returns the settings with stiffnesses in place of those that the case leaves open (default_stiffness.hpp).
+    /// @param speed  of the hardest impact to come [m/s]
+    static Settings completed(const SolidScene& scene, const Settings& settings, const body::BodyState& state,
+                              double speed);
     /// Refuses moduli that make the run take more steps than anybody waits for.
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& state);

@@ -28,9 +28,10 @@ std::int32_t count_flat(const SphereSet& spheres, std::int32_t body, int side) {
 
 }  // namespace
 
-void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const Vec3& normal) {
+void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const Vec3& normal, double law_radius) {
     body.push_back(of.value);
     radius.push_back(sphere_radius);
+    curvature.push_back(law_radius > 0 ? law_radius : sphere_radius);
     local.push_back(centre);
     face_normal.push_back(normal);
 }

@@ -102,6 +102,7 @@ struct WallContact {
     Vec3 point;      ///< of the wall's surface that is nearest to the centre [m]
     double overlap;  ///< [m]
     double weight;   ///< share of the contact in those of its pair of bodies [-]
+    double room;     ///< that max_overlap is a share of: R, less in a thin part that an edge may pass through [m]
 };
 
 /// Loads of one contact with a wall, about the centres of mass.

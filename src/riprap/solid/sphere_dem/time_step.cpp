@@ -30,7 +30,7 @@ contact::ContactPair stiffest_pair(const SphereModel& model, MaterialId material
 double smallest_radius(const SphereSet& spheres, std::size_t body) {
     double least = std::numeric_limits<double>::infinity();
     for (std::int32_t s = spheres.begin[body]; s < spheres.begin[body + 1]; ++s) {
-        least = std::min(least, spheres.radius[at(s)]);
+        least = std::min(least, spheres.curvature[at(s)]);
     }
     return least;
 }

@@ -68,6 +68,7 @@ constexpr std::int64_t side_by_side = lanes_in<Native>;
 /// Contacts of spheres with walls, side by side.
 struct WallGroup {
     ContactMotion<Native> motion;
+    Native room;  ///< that the overlap is judged against [m]
     RowsOf<Native> material, wall_material;
     Vec3 arm[side_by_side], wall_arm[side_by_side];  ///< from the centres of mass to the contacts [m]
 };
@@ -85,7 +86,19 @@ struct RespondToWalls {
 
     WallGroup group_at(std::size_t first, std::int64_t count) const {
         WallGroup g;
-        enum { normal = 0, old_normal = 3, velocity = 6, spin = 9, turn = 12, overlap, radius, mass, weight, numbers };
+        enum {
+            normal = 0,
+            old_normal = 3,
+            velocity = 6,
+            spin = 9,
+            turn = 12,
+            overlap,
+            radius,
+            room,
+            mass,
+            weight,
+            numbers
+        };
         alignas(64) double of[numbers][side_by_side];
         const auto set = [&](int number, std::int64_t lane, const Vec3& v) {
             of[number][lane] = v.x;
@@ -110,7 +123,8 @@ struct RespondToWalls {
             set(spin, lane, body_spin - wall_spin);
             of[turn][lane] = 0.5 * dt * dot(body_spin + wall_spin, contact.normal);
             of[overlap][lane] = contact.overlap;
-            of[radius][lane] = model.spheres.radius[at(contact.sphere)];
+            of[radius][lane] = model.spheres.curvature[at(contact.sphere)];
+            of[room][lane] = contact.room;
             of[mass][lane] = scratch.kinematics.inverse_mass[body] + scratch.kinematics.inverse_mass[wall];
             of[weight][lane] = contact.weight;
         }
@@ -119,6 +133,7 @@ struct RespondToWalls {
             return Vec3T<Native>{numbers_of(number), numbers_of(number + 1), numbers_of(number + 2)};
         };
         const Native one(1.0), share = numbers_of(weight);
+        g.room = numbers_of(room);
         const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
         g.motion = {.normal = vectors(normal),
                     .old_normal = vectors(old_normal),
@@ -167,7 +182,7 @@ struct RespondToWalls {
             scratch.wall_loads[c] = {force, cross(g.arm[lane], force) + couple,
                                      -cross(g.wall_arm[lane], force) - couple};
         }
-        sums.add(response, g.motion.overlap / g.motion.radius, p, count);
+        sums.add(response, g.motion.overlap / g.room, p, count);
     }
 };
 
